@@ -1,0 +1,113 @@
+"""What comes into ``Robot.step``: one typed message an input.
+
+A recording of a run is the list of these with their times, ``Start`` first.
+All of them can be written and read as JSON (tagged by ``verb``).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec import UNSET, Struct, UnsetType, field
+
+
+class Input(Struct, frozen=True, tag_field="verb", tag=str.lower):
+    """The base of all inputs."""
+
+
+class Start(Input, frozen=True):
+    """The first input of a run: random seed; ``auto_finish`` in seconds, or None."""
+
+    seed: int = 0
+    auto_finish: float | None = None
+
+
+class Set(Input, frozen=True):
+    """Tags written in one write; null deletes."""
+
+    tags: dict[str, Any]
+    writer: str
+
+
+class Raise(Input, frozen=True):
+    """An event from outside; application None: every application gets it."""
+
+    event: str
+    application: str | None = None
+
+
+class Touch(Input, frozen=True):
+    """A touch on no component of the screen shown."""
+
+
+class Use(Input, frozen=True):
+    """What a person does to a component of the screen shown.
+
+    value: the text typed or the entry chosen; unset for a button.
+    """
+
+    component: str
+    value: Any = UNSET
+
+
+class Acquire(Input, frozen=True):
+    module: str
+    resources: tuple[str, ...]
+    optional: tuple[str, ...] = ()
+
+
+class Abandon(Input, frozen=True):
+    """resources empty: all that it asked for."""
+
+    module: str
+    resources: tuple[str, ...] = ()
+
+
+class Command(Input, frozen=True):
+    """valid: seconds that the command is good for (``for`` in files), or None."""
+
+    module: str
+    resource: str
+    value: Any
+    valid: float | None = field(name="for", default=None)
+
+
+class Lost(Input, frozen=True):
+    """The module died, hangs or is out of reach: its requests and commands end."""
+
+    module: str
+
+
+class Connected(Input, frozen=True):
+    """A module connected; ``resources`` are those it says it has."""
+
+    module: str
+    resources: tuple[str, ...] = ()
+
+
+class Finish(Input, frozen=True):
+    """An action ended. ``id`` (an effect's) names it exactly; else the earliest that fits."""
+
+    action: str | None = None
+    name: str | None = None
+    application: str | None = None
+    ok: bool = True
+    result: Any = None
+    error: str | None = None
+    status: int | None | UnsetType = UNSET
+    id: int | None = None
+
+
+AnyInput = (
+    Start
+    | Set
+    | Raise
+    | Touch
+    | Use
+    | Acquire
+    | Abandon
+    | Command
+    | Lost
+    | Connected
+    | Finish
+)

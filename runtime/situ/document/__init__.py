@@ -1,0 +1,1 @@
+"""What designers wrote, as values: no Qt, no I/O beyond reading and writing files."""
