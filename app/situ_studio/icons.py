@@ -1,0 +1,65 @@
+"""The icons of resources/icons: one family on a 20 px grid, drawn in any colour and size."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from PySide6.QtCore import QByteArray, QRectF, Qt
+from PySide6.QtGui import QColor, QGuiApplication, QIcon, QPainter, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+
+from situ_studio.assets import resource
+
+SCALES = (1.0, 2.0, 3.0)
+"""Device pixel ratios for which an icon holds a picture."""
+
+
+@lru_cache(maxsize=512)
+def renderer(name: str, color: str) -> QSvgRenderer:
+    """An SVG renderer of the icon in ``color`` (as a QColor's name); shared, so only read from.
+
+    Raises FileNotFoundError for a name that no icon has.
+    """
+    text = resource(f"icons/{name}.svg").read_text(encoding="utf-8")
+    return QSvgRenderer(QByteArray(text.replace("currentColor", color).encode()))
+
+
+def paint(painter: QPainter, name: str, rect: QRectF, color: QColor | str) -> None:
+    """Draws the icon into ``rect``."""
+    renderer(name, QColor(color).name()).render(painter, rect)
+
+
+@lru_cache(maxsize=1024)
+def _picture(name: str, color: str, size: int, scale: float, opacity: float) -> QPixmap:
+    picture = QPixmap(round(size * scale), round(size * scale))
+    picture.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setOpacity(opacity)
+    renderer(name, color).render(painter)
+    painter.end()
+    picture.setDevicePixelRatio(scale)
+    return picture
+
+
+def pixmap(name: str, color: QColor | str, size: int = 16, scale: float | None = None) -> QPixmap:
+    """The icon as a square picture of ``size`` px, for screens of that device pixel ratio."""
+    if scale is None:
+        scale = QGuiApplication.instance().devicePixelRatio()  # type: ignore[union-attr]
+    return _picture(name, QColor(color).name(), size, scale, 1.0)
+
+
+def icon(name: str, color: QColor | str, size: int = 16, on: QColor | str | None = None) -> QIcon:
+    """The icon in ``color``; sharp on HiDPI; paler where its widget is disabled.
+
+    on: the colour where its widget is checked, if it differs.
+    """
+    made = QIcon()
+    for scale in SCALES:
+        plain = QColor(color).name()
+        checked = QColor(on).name() if on is not None else plain
+        for state, shade in ((QIcon.State.Off, plain), (QIcon.State.On, checked)):
+            made.addPixmap(_picture(name, shade, size, scale, 1.0), QIcon.Mode.Normal, state)
+            made.addPixmap(_picture(name, shade, size, scale, 0.45), QIcon.Mode.Disabled, state)
+            made.addPixmap(_picture(name, shade, size, scale, 1.0), QIcon.Mode.Selected, state)
+    return made
