@@ -1,0 +1,95 @@
+"""``situ studio``: opens the editor, a program of its own (``python -m situ_studio``)."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from situ import system_libraries
+from situ.errors import UsageError
+
+if TYPE_CHECKING:
+    from situ.cli import Subparsers
+
+THEMES = ("light", "dark")
+
+
+def add(subparsers: Subparsers) -> None:
+    studio = subparsers.add_parser(
+        "studio",
+        help="open the editor",
+        description="Opens the editor, on a project if one is given.",
+    )
+    studio.add_argument(
+        "project", nargs="?", metavar="PROJECT", help="a project's folder, or one of its files"
+    )
+    studio.add_argument(
+        "--screenshot", metavar="OUT.png", help="draw the window into a picture and end"
+    )
+    studio.add_argument(
+        "--size", type=_size, metavar="WxH", help="the window's size in pixels, as 1440x900"
+    )
+    studio.add_argument(
+        "--view", metavar="NAME", help="what to show: an application's name, or spds"
+    )
+    studio.add_argument(
+        "--connect", metavar="ENDPOINT", help="follow the robot there, as tcp://127.0.0.1:5570"
+    )
+    studio.add_argument("--theme", choices=THEMES, help="the colours; the desktop's unless given")
+    studio.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Becomes the editor; returns only where it cannot be started."""
+    if arguments.project is not None and not Path(arguments.project).exists():
+        raise UsageError(f"{arguments.project}: no such file or folder")
+    needs_editor()
+    sys.stdout.flush()
+    os.execv(sys.executable, command(arguments))
+
+
+def command(arguments: argparse.Namespace) -> list[str]:
+    """The editor's command line with the same arguments."""
+    line = [sys.executable, "-m", "situ_studio"]
+    if arguments.project is not None:
+        line.append(arguments.project)
+    for name in ("screenshot", "size", "view", "connect", "theme"):
+        value = getattr(arguments, name, None)
+        if value is not None:
+            line += [f"--{name}", value]
+    return line
+
+
+def needs_editor() -> None:
+    """Raises UsageError, naming what to install, where the editor cannot run here."""
+    for package in ("PySide6", "NodeGraphQt", "situ_studio"):
+        if importlib.util.find_spec(package) is None:
+            raise UsageError(
+                f"the editor needs {package}, which is not installed: pip install 'situ[studio]'"
+            )
+    missing = system_libraries.missing(_libraries())
+    if missing:
+        raise UsageError(
+            f"the editor needs {', '.join(need.file for need in missing)}: "
+            f"{system_libraries.install(missing)}"
+        )
+
+
+def _libraries() -> tuple[system_libraries.Need, ...]:
+    """By the platform that Qt will choose: a display's, unless it is told another."""
+    platform = os.environ.get("QT_QPA_PLATFORM", "")
+    if platform and not platform.startswith(("xcb", "wayland")):
+        return system_libraries.editor()
+    wayland = platform.startswith("wayland") or bool(os.environ.get("WAYLAND_DISPLAY"))
+    return system_libraries.editor(x11=bool(os.environ.get("DISPLAY")), wayland=wayland)
+
+
+def _size(text: str) -> str:
+    if not re.fullmatch(r"[1-9]\d{1,4}x[1-9]\d{1,4}", text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no size; write it as 1440x900")
+    return text
