@@ -17,8 +17,16 @@ from array import array
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QIODevice, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QLinearGradient, QPainter, QPainterPath, QPen
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QImage,
+    QImageWriter,
+    QLinearGradient,
+    QPainter,
+    QPainterPath,
+    QPen,
+)
 
 HERE = Path(__file__).resolve().parent
 
@@ -348,7 +356,9 @@ def vp8(image: QImage, quality: int) -> bytes:
     """One key frame: the payload of the ``VP8`` chunk of a lossy WebP file."""
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    if not image.save(buffer, "WEBP", quality):
+    writer = QImageWriter(buffer, QByteArray(b"webp"))
+    writer.setQuality(quality)
+    if not writer.write(image):
         raise SystemExit("this Qt can not write WebP: install PySide6 with its image formats")
     data = bytes(buffer.data().data())
     at = 12
@@ -481,7 +491,7 @@ def make(folder: Path) -> list[Path]:
     """Writes every picture, the movie and the sound into ``folder``; the files written."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, (width, height, draw) in PICTURES.items():
-        if not picture(width, height, draw).save(str(folder / name), "PNG"):
+        if not picture(width, height, draw).save(str(folder / name)):
             raise SystemExit(f"can not write {folder / name}")
     (folder / "clip.webm").write_bytes(finger_clip())
     chime(folder / "chime.wav")
