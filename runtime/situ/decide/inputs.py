@@ -16,10 +16,16 @@ class Input(Struct, frozen=True, tag_field="verb", tag=str.lower):
 
 
 class Start(Input, frozen=True):
-    """The first input of a run: random seed; ``auto_finish`` in seconds, or None."""
+    """The first input of a run.
+
+    seed: of everything random. auto_finish: seconds after which every action ends well,
+    or None. everyone: every declared module counts as present until it is lost (the
+    simulator); else only those that are connected.
+    """
 
     seed: int = 0
     auto_finish: float | None = None
+    everyone: bool = True
 
 
 class Set(Input, frozen=True):
@@ -94,20 +100,10 @@ class Finish(Input, frozen=True):
     ok: bool = True
     result: Any = None
     error: str | None = None
-    status: int | None | UnsetType = UNSET
+    status: int | UnsetType | None = UNSET
     id: int | None = None
 
 
 AnyInput = (
-    Start
-    | Set
-    | Raise
-    | Touch
-    | Use
-    | Acquire
-    | Abandon
-    | Command
-    | Lost
-    | Connected
-    | Finish
+    Start | Set | Raise | Touch | Use | Acquire | Abandon | Command | Lost | Connected | Finish
 )

@@ -123,14 +123,17 @@ class Screen(TraceEvent, frozen=True):
 
 
 class Action(TraceEvent, frozen=True):
-    """An action begins. name: a service's name, a robot's command, a launch's program, a movie's id."""
+    """An action begins.
+
+    name: a service's name, a robot's command, a launch's program, a movie's id.
+    """
 
     application: str
     state: str
     action: str
     name: str | None
     text: str | UnsetType = UNSET
-    lang: str | None | UnsetType = UNSET
+    lang: str | UnsetType | None = UNSET
     resource: str | UnsetType = UNSET
     command: str | UnsetType = UNSET
     params: dict[str, Any] | UnsetType = UNSET
@@ -152,7 +155,7 @@ class Finished(TraceEvent, frozen=True):
     name: str | None
     ok: bool
     result: Any = UNSET
-    error: str | None | UnsetType = UNSET
+    error: str | UnsetType | None = UNSET
 
 
 class Cancelled(TraceEvent, frozen=True):

@@ -1,0 +1,434 @@
+"""The actions of one application: begun in order, queued, ended, cut off and begun again.
+
+formats.md, *Actions*. A *run* is one list of actions in progress: those of a state's
+entry, or of an event. Its places are numbered as the document has them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from msgspec import Struct
+
+from situ.decide import trace
+from situ.decide.board import reach
+from situ.decide.effects import Begin, Cancel
+from situ.decide.program import Program, is_optional, name_of, resource_of
+from situ.decide.quick import QUICK, perform
+from situ.decide.step import FINISH
+from situ.decide.texts import translator
+from situ.decide.values import Template
+from situ.decide.world import World
+from situ.document.rbd import Action, Launch, Movie, Param, Repeat, Robot, Service, Sound, Speech
+
+NEW, QUEUED, RUNNING, ENDED, INTERRUPTED = range(5)
+
+
+class Run(Struct):
+    """keys: of the actions; marks: how far each is; next: the first not looked at.
+
+    waiting: the place of the action with ``wait`` that those behind it wait for.
+    """
+
+    state: str
+    entry: bool
+    keys: list[int]
+    marks: list[int]
+    next: int = 0
+    waiting: int | None = None
+
+
+class Running(Struct):
+    """An action that has begun and not ended. run 0: it outlives its list. seq: of its event."""
+
+    id: int
+    key: int
+    run: int
+    place: int
+    action: str
+    name: str | None
+    resource: str | None
+    done: str | None
+    failed: str | None
+    keep: bool = False
+    optional: bool = False
+    seq: int = 0
+
+
+class ActionsState(Struct):
+    """voice: places of speeches and sounds that wait for the one before them to end."""
+
+    runs: dict[int, Run] = {}
+    running: dict[int, Running] = {}
+    voice: list[tuple[int, int]] = []
+    made: int = 0
+
+
+class Actions:
+    """The actions of one application; ``raise_event(name, cause)`` takes their events."""
+
+    def __init__(
+        self,
+        world: World,
+        program: Program,
+        owner: str,
+        raise_event: Callable[[str, int | None], None],
+    ) -> None:
+        self.state = ActionsState()
+        self.suspended = False
+        self._world = world
+        self._program = program
+        self._owner = owner
+        self._raise = raise_event
+        self._templates: dict[str, Template] = {}
+
+    # -- what others may know ------------------------------------------------
+
+    @property
+    def speaking(self) -> bool:
+        """Whether a speech is being said, or waits for the voice."""
+        return self._is_speaking() is not None or any(
+            isinstance(self._action(*place), Speech) for place in self.state.voice
+        )
+
+    def hears(self) -> bool:
+        """Whether phrases are listened for: after the state's speech, or in one with ``bargein``."""
+        speech = self._is_speaking()
+        if speech is not None:
+            action = self._program.actions[speech.key]
+            return isinstance(action, Speech) and action.bargein
+        return not any(
+            mark != ENDED and isinstance(self._program.actions[key], Speech)
+            for run in self.state.runs.values()
+            if run.entry
+            for key, mark in zip(run.keys, run.marks, strict=True)
+        )
+
+    def find(self, action: str | None, name: str | None) -> Running | None:
+        """The earliest started action that fits."""
+        for running in self.state.running.values():
+            if action in (None, running.action) and name in (None, running.name):
+                return running
+        return None
+
+    def _is_speaking(self) -> Running | None:
+        return next((r for r in self.state.running.values() if r.action == "speech"), None)
+
+    def _action(self, run: int, place: int) -> Action:
+        return self._program.actions[self.state.runs[run].keys[place]]
+
+    # -- beginning -----------------------------------------------------------
+
+    def begin(self, keys: list[int], state: str, cause: int | None, entry: bool = False) -> None:
+        """Begins a list of actions in order; ``state`` is the one they belong to."""
+        if not keys:
+            return
+        self.state.made += 1
+        self.state.runs[self.state.made] = Run(state, entry, list(keys), [NEW] * len(keys))
+        self._go_on(self.state.made, cause)
+
+    def _go_on(self, number: int, cause: int | None) -> None:
+        run = self.state.runs.get(number)
+        while run is not None and run.waiting is None and run.next < len(run.keys):
+            place = run.next
+            run.next += 1
+            action = self._program.actions[run.keys[place]]
+            if action.wait:
+                run.waiting = place
+            self._start(number, place, cause)
+            run = self.state.runs.get(number)
+
+    def _start(self, number: int, place: int, cause: int | None) -> None:
+        run = self.state.runs[number]
+        action = self._program.actions[run.keys[place]]
+        if isinstance(action, (Speech, Sound)) and self._voice_taken():
+            run.marks[place] = QUEUED
+            self.state.voice.append((number, place))
+            return
+        resource = resource_of(action)
+        if resource is not None and not self._world.priorities.holds(self._program.name, resource):
+            self._trace_cancelled(action.element, name_of(action), cause)
+            self._ended(number, place, cause)
+            return
+        if isinstance(action, QUICK):
+            self._at_once(number, place, action, cause)
+            return
+        if isinstance(action, Robot):
+            self._supersede(action.resource, cause)
+        run.marks[place] = RUNNING
+        running = Running(
+            self._world.next_id(), run.keys[place], number, place, action.element,
+            name_of(action), resource, action.done, action.failed,
+            isinstance(action, (Service, Launch)) and action.keep, is_optional(action),
+        )  # fmt: skip
+        self._run(running)
+        self._announce(running, action, run.state, cause)
+
+    def _announce(self, running: Running, action: Action, state: str, cause: int | None) -> None:
+        """Traces the begin of an action and asks for it to be carried out."""
+        fields = self._fields(action, state, cause)
+        seq = self._world.step.trace(
+            trace.Action, cause, self._program.name, state, running.action, running.name, **fields
+        )
+        running.seq = seq
+        if running.resource is None:
+            self._world.step.effects.append(
+                Begin(running.id, self._program.name, running.action, running.name, fields)
+            )
+            return
+        if isinstance(action, Robot):
+            value = {"command": fields["command"], "params": fields["params"]}
+        else:
+            value = {field: fields[field] for field in ("text", "lang", "src") if field in fields}
+        self._world.priorities.command(
+            self._program.name, running.resource, value, None, seq, (running.id,)
+        )
+
+    def _run(self, running: Running) -> None:
+        self.state.running[running.id] = running
+        world = self._world
+        if world.auto_finish is not None:
+            world.step.at(world.step.now + world.auto_finish, FINISH, self._owner, running.id)
+
+    def _voice_taken(self) -> bool:
+        return bool(self.state.voice) or any(
+            r.action in ("speech", "sound") for r in self.state.running.values()
+        )
+
+    def _supersede(self, resource: str, cause: int | None) -> None:
+        """A second robot action on a resource cancels the first."""
+        for running in list(self.state.running.values()):
+            if running.resource == resource:
+                del self.state.running[running.id]
+                self._trace_cancelled(running.action, running.name, cause)
+                self._ended(running.run, running.place, cause)
+
+    def _at_once(self, number: int, place: int, action: Action, cause: int | None) -> None:
+        run = self.state.runs[number]
+        where = self._where(run.state)
+        seq = perform(self._world, self._program.name, run.state, where, action, cause)
+        if action.done is not None:
+            self._raise(action.done, seq)
+        self._ended(number, place, seq)
+
+    # -- ending --------------------------------------------------------------
+
+    def finish(
+        self,
+        id: int,
+        ok: bool,
+        result: Any,
+        error: str | None,
+        status: int | None,
+        cause: int | None,
+    ) -> None:
+        """An action ended, well or badly: results, its event, and what waited for it."""
+        running = self.state.running.pop(id)
+        step, program = self._world.step, self._program
+        outcome = {"result": result} if ok else {"error": error}
+        seq = step.trace(
+            trace.Finished, cause, program.name, running.action, running.name, ok, **outcome
+        )
+        if running.resource is not None:
+            self._world.priorities.end_command(program.name, running.resource, seq)
+        if running.action == "service":
+            self._results(running, ok, result, error, status, seq)
+        event = running.done if ok else running.failed
+        if event is not None:
+            self._raise(event, seq)
+        if running.action in ("speech", "sound"):
+            self._next_voice(seq)
+        self._ended(running.run, running.place, seq)
+
+    def _ended(self, number: int, place: int, cause: int | None) -> None:
+        run = self.state.runs.get(number)
+        if run is None:
+            return
+        run.marks[place] = ENDED
+        if run.waiting == place:
+            run.waiting = None
+            if not self.suspended and run.next > place:
+                self._go_on(number, cause)
+
+    def _next_voice(self, cause: int | None) -> None:
+        while self.state.voice and not any(
+            r.action in ("speech", "sound") for r in self.state.running.values()
+        ):
+            waiting, self.state.voice = self.state.voice, []
+            number, place = waiting[0]
+            self._start(number, place, cause)
+            self.state.voice = waiting[1:] + self.state.voice
+
+    def _results(
+        self,
+        running: Running,
+        ok: bool,
+        result: Any,
+        error: str | None,
+        status: int | None,
+        cause: int,
+    ) -> None:
+        tags: dict[str, Any] = {
+            f"service/{running.name}": {"ok": ok, "status": status, "error": error}
+        }
+        action = self._program.actions[running.key]
+        if ok and isinstance(action, Service):
+            for wanted in action.results:
+                found = reach(result, wanted.path)
+                if found is None:
+                    self._world.step.warn(
+                        cause,
+                        f"the answer of {running.name} has no “{wanted.path}”; "
+                        f"{wanted.tag} is deleted",
+                        self._program.name,
+                    )
+                tags[wanted.tag] = found
+        self._world.write(tags, self._program.name, cause)
+
+    # -- cutting off ---------------------------------------------------------
+
+    def leave(self, cause: int | None) -> None:
+        """The state is left: what still runs is cancelled but for ``keep``, and movies, which
+        end with their screen.
+        """
+        for running in list(self.state.running.values()):
+            if running.keep or running.action == "movie":
+                running.run = 0
+            else:
+                self._cancel(running, cause)
+        self.state.runs.clear()
+        self.state.voice.clear()
+
+    def suspend(self, cause: int | None) -> None:
+        """What uses a resource is cut off, to begin again; services and launches run on."""
+        self.suspended = True
+        for running in list(self.state.running.values()):
+            if running.resource is None and running.action != "movie":
+                continue
+            self._cancel(running, cause)
+            self._mark(running, ENDED if running.optional else INTERRUPTED)
+            if running.optional:
+                self._ended(running.run, running.place, cause)
+        for number, place in self.state.voice:
+            self.state.runs[number].marks[place] = INTERRUPTED
+        self.state.voice.clear()
+
+    def resume(self, cause: int | None) -> None:
+        """What was cut off begins again; what had ended is not repeated."""
+        self.suspended = False
+        for number, run in list(self.state.runs.items()):
+            for place, mark in enumerate(run.marks):
+                if mark == INTERRUPTED:
+                    self._start(number, place, cause)
+            self._go_on(number, cause)
+
+    def lose(self, resource: str, cause: int | None) -> None:
+        """An optional resource was lost: its actions are not begun again."""
+        for running in list(self.state.running.values()):
+            if running.resource == resource and running.optional:
+                self._cancel(running, cause)
+                if running.action in ("speech", "sound"):
+                    self._next_voice(cause)
+                self._ended(running.run, running.place, cause)
+
+    def repeat(self, cause: int | None) -> None:
+        """``<repeat/>``: says the speeches of the state once more, with their events."""
+        for number, run in list(self.state.runs.items()):
+            if not run.entry:
+                continue
+            again = [
+                place
+                for place, key in enumerate(run.keys)
+                if run.marks[place] != NEW and isinstance(self._program.actions[key], Speech)
+            ]
+            self.state.voice = [
+                one for one in self.state.voice if not (one[0] == number and one[1] in again)
+            ]
+            for running in list(self.state.running.values()):
+                if running.action == "speech" and running.run == number:
+                    self._cancel(running, cause)
+            for place in again:
+                self._start(number, place, cause)
+
+    def _cancel(self, running: Running, cause: int | None) -> None:
+        del self.state.running[running.id]
+        seq = self._trace_cancelled(running.action, running.name, cause)
+        if running.resource is not None:
+            self._world.priorities.end_command(self._program.name, running.resource, seq)
+        elif running.action != "movie":
+            self._world.step.effects.append(Cancel(running.id))
+
+    def _mark(self, running: Running, mark: int) -> None:
+        run = self.state.runs.get(running.run)
+        if run is not None:
+            run.marks[running.place] = mark
+
+    # -- movies --------------------------------------------------------------
+
+    def end_movies(self, cause: int | None) -> None:
+        """The screen that they belong to is gone."""
+        for running in list(self.state.running.values()):
+            if running.action == "movie":
+                self._cancel(running, cause)
+
+    def begin_movies(
+        self, movies: list[tuple[int, Movie, str]], state: str, cause: int | None
+    ) -> None:
+        """Movies of the screen just shown: (id, component, source filled in)."""
+        for id, movie, src in movies:
+            seq = self._world.step.trace(
+                trace.Action, cause, self._program.name, state, "movie", movie.id, src=src
+            )
+            self._run(Running(id, -1, 0, 0, "movie", movie.id, None, movie.done, None, seq=seq))
+
+    # -- texts ---------------------------------------------------------------
+
+    def _fields(self, action: Action, state: str, cause: int | None) -> dict[str, Any]:
+        """An action's own fields in the trace, filled in now."""
+        if isinstance(action, Speech):
+            board = self._world.board
+            missing: list[str] = []
+            text = translator(self._world.project, board, action.lang)(action.text, missing)
+            for sentence in missing:
+                self._world.step.warn(cause, sentence, self._where(state))
+            language = action.lang if action.lang is not None else board.look("language")
+            lang = language if isinstance(language, str) else None
+            return {"text": self._text(text, state, cause), "lang": lang}
+        if isinstance(action, Sound):
+            return {"src": self._text(action.src, state, cause)}
+        if isinstance(action, Robot):
+            params = self._params(action.params, state, cause)
+            return {"resource": action.resource, "command": action.command, "params": params}
+        if isinstance(action, Service):
+            url = self._text(action.url, state, cause)
+            params = self._params(action.params, state, cause)
+            return {"method": action.method, "url": url, "params": params}
+        assert isinstance(action, Launch)
+        params = self._params(action.params, state, cause)
+        return {"program": action.program, "params": params}
+
+    def _params(self, params: tuple[Param, ...], state: str, cause: int | None) -> dict[str, Any]:
+        look = self._world.board.look
+        return {p.name: self._template(p.text, state, cause).value(look) for p in params}
+
+    def _text(self, text: str, state: str, cause: int | None) -> str:
+        return self._template(text, state, cause).text(self._world.board.look)
+
+    def _template(self, text: str, state: str, cause: int | None) -> Template:
+        template = self._templates.get(text)
+        if template is None:
+            template = self._templates[text] = Template(text)
+        for name in template.missing(self._world.board.look) if template.names else ():
+            self._world.step.warn(cause, f"{name} has no value", self._where(state))
+        return template
+
+    def _where(self, state: str) -> str:
+        return f"{self._program.name}, state {state}"
+
+    def _trace_cancelled(self, action: str, name: str | None, cause: int | None) -> int:
+        return self._world.step.trace(trace.Cancelled, cause, self._program.name, action, name)
+
+    def repeats(self, keys: list[int]) -> bool:
+        """Whether a list of actions asks for the speech once more."""
+        return any(isinstance(self._program.actions[key], Repeat) for key in keys)

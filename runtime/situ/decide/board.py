@@ -1,0 +1,118 @@
+"""The blackboard's store: entries by tag, names that reach into values, who is told.
+
+Seed 000, 5.3; formats.md, *Blackboard*. No clock: every write carries its time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from msgspec import Struct
+
+from situ.document import names
+
+
+class Entry(Struct):
+    """value None: deleted; version then still counts on. time: µs of the last write.
+
+    cause: seq of the trace event that tells of the write, or of what led to it.
+    """
+
+    value: Any
+    version: int
+    writer: str
+    time: int
+    cause: int | None
+
+
+Listener = Callable[[str, int | None], None]
+
+
+class Board:
+    """One store. Listeners hear the tags of a write after all of them are written."""
+
+    def __init__(self) -> None:
+        self.state: dict[str, Entry] = {}
+        self._listeners: dict[str, list[Listener]] = {}
+
+    def get(self, tag: str) -> Entry | None:
+        """The entry at exactly ``tag``; None where there is none or it is deleted."""
+        entry = self.state.get(tag)
+        return None if entry is None or entry.value is None else entry
+
+    def entries(self, pattern: str = "**") -> Iterator[tuple[str, Entry]]:
+        """Every entry there is whose tag the pattern matches, in order of tag."""
+        for tag in sorted(self.state):
+            entry = self.state[tag]
+            if entry.value is not None and names.matches(pattern, tag):
+                yield tag, entry
+
+    def look(self, name: str) -> Any:
+        """The value of a name: a tag, or the longest tag that begins it, then fields."""
+        entry = self.state.get(name)
+        if entry is not None and entry.value is not None:
+            return entry.value
+        cut = name.rfind(".")
+        while cut > 0:
+            entry = self.state.get(name[:cut])
+            if entry is not None and entry.value is not None:
+                return reach(entry.value, name[cut + 1 :])
+            cut = name.rfind(".", 0, cut)
+        return None
+
+    def last_set(self, name: str) -> Entry | None:
+        """The entry that ``within`` counts from: the one that ``look`` reads, or a deleted one."""
+        cut = len(name)
+        while cut > 0:
+            entry = self.state.get(name[:cut])
+            if entry is not None and entry.value is not None:
+                return entry
+            cut = name.rfind(".", 0, cut)
+        return self.state.get(name)
+
+    def write(self, tag: str, value: Any, writer: str, time: int) -> Entry | None:
+        """Writes without telling anybody; None where nothing changes (a missing tag deleted)."""
+        old = self.state.get(tag)
+        if value is None and (old is None or old.value is None):
+            return None
+        entry = Entry(value, 1 if old is None else old.version + 1, writer, time, None)
+        self.state[tag] = entry
+        return entry
+
+    def listen(self, tags: Iterable[str], listener: Listener) -> None:
+        """``listener(tag, cause)`` is called for each write of one of ``tags``, once a write."""
+        for tag in tags:
+            told = self._listeners.setdefault(tag, [])
+            if listener not in told:
+                told.append(listener)
+
+    def tell(self, written: Mapping[str, int | None]) -> None:
+        """Calls the listeners of what one write has written: tag to cause."""
+        for tag, cause in written.items():
+            for listener in self._listeners.get(tag, ()):
+                listener(tag, cause)
+
+
+def prefixes(name: str) -> list[str]:
+    """Every tag that can begin a name, itself included: a.b.c -> a, a.b, a.b.c."""
+    found = [name]
+    cut = name.rfind(".")
+    while cut > 0:
+        found.append(name[:cut])
+        cut = name.rfind(".", 0, cut)
+    return found
+
+
+def reach(value: Any, path: str) -> Any:
+    """The value at dotted fields and 0-based places; None where there is none."""
+    for part in path.split(".") if path else ():
+        if isinstance(value, dict):
+            value = value.get(part)
+        elif (
+            isinstance(value, list) and part.isascii() and part.isdigit() and int(part) < len(value)
+        ):
+            value = value[int(part)]
+        else:
+            return None
+    return value

@@ -1,0 +1,195 @@
+"""Situation observation (seed 000, 5.2; formats.md, *SPDS*): which situation is current."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable
+
+from msgspec import Struct
+
+from situ.decide import trace
+from situ.decide.conditions import Compiled, Conditions
+from situ.decide.step import HOLD, Step, microseconds
+from situ.document.spds import Situation, Spds
+
+
+class Observation(Struct):
+    """What is known of one situation.
+
+    condition, until: their truth as last judged. kept: since it became current it
+    holds by ``dwell``, ``until`` or ``limit``, whatever its condition; dwelt: that was
+    counted once since it began to hold. spent: ended by ``until`` or ``limit``; it waits
+    for its condition to be false once. listed: stands among the candidates.
+    """
+
+    condition: bool
+    until: bool = False
+    kept: bool = False
+    dwelt: bool = False
+    spent: bool = False
+    listed: bool = False
+    token: int = 0
+    current_seq: int | None = None
+    condition_cause: int | None = None
+    end_cause: int | None = None
+
+
+class SituationsState(Struct):
+    observations: list[Observation] = []
+    current: int | None = None
+    stale: dict[int, int | None] = {}
+    candidates: list[int] = []
+
+
+class Situations:
+    """The situation observation service of one robot."""
+
+    def __init__(self, spds: Spds, conditions: Conditions, step: Step) -> None:
+        self.spds = spds
+        self._step = step
+        self._sources = spds.situations
+        self.priorities = [spds.priorities(source) for source in self._sources]
+        self._conditions: list[Compiled | None] = []
+        self._untils: list[Compiled | None] = []
+        self.state = SituationsState()
+        for number, source in enumerate(self._sources):
+            watcher = self._watcher(number)
+            self._conditions.append(
+                None if source.condition is None else conditions.compile(source.condition, watcher)
+            )
+            self._untils.append(
+                None if source.until is None else conditions.compile(source.until, watcher)
+            )
+            self.state.observations.append(Observation(condition=source.condition is None))
+            self.state.stale[number] = None
+
+    def _watcher(self, number: int) -> Callable[[int | None], None]:
+        def stale(cause: int | None) -> None:
+            self.state.stale[number] = cause
+
+        return stale
+
+    @property
+    def current(self) -> Situation | None:
+        at = self.state.current
+        return None if at is None else self._sources[at]
+
+    def granted(self) -> dict[str, int]:
+        """Module to priority in the current situation."""
+        at = self.state.current
+        return {} if at is None else self.priorities[at]
+
+    def observe(self) -> int | None:
+        """Judges what changed; traces conditions and, where it changed, the situation.
+
+        Gives the seq of the ``situation`` event, None where the current one stays.
+        """
+        state = self.state
+        if not state.stale and state.current is not None:
+            return None
+        stale = sorted(state.stale.items())
+        state.stale.clear()
+        for number, cause in stale:
+            self._judge(number, cause)
+        return self._choose()
+
+    def is_live(self, number: int, token: int) -> bool:
+        """Whether a timer of the situation still means something."""
+        seen = self.state.observations[number]
+        return seen.kept and seen.token == token
+
+    def due(self, number: int, token: int) -> None:
+        """The end of a ``dwell`` or ``limit``; ``observe`` then follows."""
+        if not self.is_live(number, token):
+            return
+        seen = self.state.observations[number]
+        seen.end_cause = seen.current_seq
+        source = self._sources[number]
+        if source.dwell is not None:
+            seen.kept = False
+        else:
+            self._end(number)
+        self._offer(number)
+
+    # ------------------------------------------------------------------------
+
+    def _judge(self, number: int, cause: int | None) -> None:
+        source, seen = self._sources[number], self.state.observations[number]
+        condition, until = self._conditions[number], self._untils[number]
+        if condition is not None:
+            holds = condition()
+            if holds != seen.condition:
+                seen.condition = holds
+                seen.condition_cause = self._step.trace(trace.Condition, cause, source.name, holds)
+                if not holds:
+                    seen.spent = False
+                    if not seen.kept:
+                        seen.end_cause = seen.condition_cause
+        if until is not None:
+            seen.until = until()
+            if seen.until and seen.kept:
+                seen.end_cause = cause
+                self._end(number)
+        self._offer(number)
+
+    def _end(self, number: int) -> None:
+        """Ended by ``until`` or ``limit``: not again before its condition was false once."""
+        seen = self.state.observations[number]
+        seen.kept = False
+        seen.spent = seen.condition
+
+    def _holds(self, number: int) -> bool:
+        seen = self.state.observations[number]
+        return seen.kept or (seen.condition and not seen.spent and not seen.until)
+
+    def _offer(self, number: int) -> None:
+        seen = self.state.observations[number]
+        if self._holds(number):
+            if not seen.listed:
+                seen.listed = True
+                heapq.heappush(self.state.candidates, number)
+        else:
+            # It no longer holds: when it begins again its dwell is counted anew.
+            seen.dwelt = False
+            if number == self.state.current:
+                self.state.stale.setdefault(number, None)
+
+    def _choose(self) -> int | None:
+        state = self.state
+        while state.candidates and not self._holds(state.candidates[0]):
+            state.observations[heapq.heappop(state.candidates)].listed = False
+        first = state.candidates[0] if state.candidates else None
+        state.stale.clear()
+        if first == state.current:
+            return None
+        before, now = state.current, first
+        state.current = first
+        cause = self._cause(before, now)
+        seq = self._step.trace(trace.Situation, cause, self._name(before), self._name(now))
+        if now is not None:
+            self._begin(now, seq)
+        return seq
+
+    def _begin(self, number: int, seq: int) -> None:
+        source, seen = self._sources[number], self.state.observations[number]
+        keeps = source.dwell is not None or source.until is not None or source.limit is not None
+        if not keeps or seen.kept or seen.dwelt:
+            return
+        seen.kept, seen.dwelt, seen.current_seq = True, True, seq
+        length = source.dwell if source.dwell is not None else source.limit
+        if length is not None:
+            seen.token += 1
+            due = self._step.now + microseconds(length)
+            self._step.at(due, HOLD, f"situation:{number}", seen.token)
+
+    def _cause(self, before: int | None, now: int | None) -> int | None:
+        """What began the new one if it stands first, else what ended the old one."""
+        seen = self.state.observations
+        if before is None:
+            return seen[now].condition_cause if now is not None else None
+        if now is not None and now < before:
+            return seen[now].condition_cause
+        return seen[before].end_cause
+
+    def _name(self, number: int | None) -> str | None:
+        return None if number is None else self._sources[number].name

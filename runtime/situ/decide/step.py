@@ -1,0 +1,76 @@
+"""What the cores share while a step is carried out: time, timers, trace and effects."""
+
+from __future__ import annotations
+
+import heapq
+from typing import Any
+
+from msgspec import Struct
+
+from situ.decide.effects import AnyEffect
+from situ.decide.trace import Error, TraceEvent, Warning
+
+SECOND = 1_000_000
+"""Microseconds; time is whole microseconds everywhere in ``decide``."""
+
+# What falls due at one moment is done in this order (formats.md, *Time and steps*).
+TEST, HOLD, VALIDITY, FINISH, TIMEOUT = range(5)
+
+
+def microseconds(seconds: float) -> int:
+    return round(seconds * SECOND)
+
+
+class Timer(Struct, frozen=True, array_like=True, order=True):
+    """Something that falls due: at ``due``, in ``rank``'s order, the earlier started first.
+
+    ``owner`` and ``token`` tell whose it is; one whose token its owner no longer
+    knows is stale and dropped unseen.
+    """
+
+    due: int
+    rank: int
+    started: int
+    order: int
+    owner: str
+    token: int
+
+
+class StepState(Struct):
+    now: int = 0
+    seq: int = 0
+    timers: list[Timer] = []
+    made: int = 0
+
+
+class Step:
+    """The time, the timers, and what this step has traced and asked for so far."""
+
+    def __init__(self) -> None:
+        self.state = StepState()
+        self.now = 0
+        self.events: list[TraceEvent] = []
+        self.effects: list[AnyEffect] = []
+
+    def begin(self, now: int) -> None:
+        self.now = self.state.now = now
+        self.events = []
+        self.effects = []
+
+    def trace(self, kind: type[TraceEvent], cause: int | None, *fields: Any, **more: Any) -> int:
+        """Appends an event; gives its seq. ``fields`` are those after ``cause``, in order."""
+        self.state.seq = seq = self.state.seq + 1
+        self.events.append(kind(seq, self.now / SECOND, cause, *fields, **more))
+        return seq
+
+    def warn(self, cause: int | None, message: str, where: str) -> int:
+        return self.trace(Warning, cause, message, where)
+
+    def error(self, cause: int | None, message: str, where: str) -> int:
+        return self.trace(Error, cause, message, where)
+
+    def at(self, due: int, rank: int, owner: str, token: int, started: int | None = None) -> None:
+        """Sets a timer; timers are never taken back, their owner's token goes stale."""
+        self.state.made += 1
+        since = self.now if started is None else started
+        heapq.heappush(self.state.timers, Timer(due, rank, since, self.state.made, owner, token))

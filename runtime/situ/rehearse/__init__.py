@@ -1,0 +1,1 @@
+"""Rehearsing without a robot: scenarios and virtual time. Pure but for reading files."""

@@ -1,0 +1,193 @@
+"""Scenarios: what feeds the simulator, one JSON object a line (formats.md, *Scenarios*)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+from msgspec import UNSET, Struct, UnsetType, field
+
+from situ.decide import inputs
+from situ.decide.step import microseconds
+from situ.errors import ScenarioError, UsageError
+from situ.rehearse.expect import Expect
+
+WRITER = "scenario"
+
+
+class End(Struct, frozen=True):
+    """The run ends here; what falls due now is done."""
+
+
+class Line(Struct, frozen=True):
+    """One line: its number in the file, its time in µs, and what it does."""
+
+    number: int
+    at: int
+    does: inputs.AnyInput | Expect | End
+
+
+class _Use(Struct, forbid_unknown_fields=True):
+    component: str
+    value: Any = UNSET
+
+
+class _Acquire(Struct, forbid_unknown_fields=True):
+    module: str
+    resources: tuple[str, ...]
+    optional: tuple[str, ...] = ()
+
+
+class _Abandon(Struct, forbid_unknown_fields=True):
+    module: str
+    resources: tuple[str, ...] = ()
+
+
+class _Command(Struct, forbid_unknown_fields=True):
+    module: str
+    resource: str
+    value: Any
+    valid: float | None = field(name="for", default=None)
+
+
+class _Lost(Struct, forbid_unknown_fields=True):
+    module: str
+
+
+class _Finish(Struct, forbid_unknown_fields=True):
+    action: str | None = None
+    name: str | None = None
+    application: str | None = None
+    ok: bool = True
+    result: Any = None
+    error: str | None = None
+    status: int | None = None
+
+
+class _Line(Struct, forbid_unknown_fields=True):
+    at: float
+    set: dict[str, Any] | UnsetType = UNSET
+    event: str | UnsetType = UNSET
+    application: str | UnsetType = UNSET
+    touch: bool | UnsetType = UNSET
+    use: _Use | UnsetType = UNSET
+    acquire: _Acquire | UnsetType = UNSET
+    abandon: _Abandon | UnsetType = UNSET
+    command: _Command | UnsetType = UNSET
+    lost: _Lost | UnsetType = UNSET
+    finish: _Finish | UnsetType = UNSET
+    expect: dict[str, Any] | UnsetType = UNSET
+    end: bool | UnsetType = UNSET
+
+
+VERBS = (
+    "set", "event", "touch", "use", "acquire", "abandon", "command", "lost", "finish",
+    "expect", "end",
+)  # fmt: skip
+
+
+def load(path: str | Path, applications: Iterable[str] | None = None) -> list[Line]:
+    """The scenario at ``path``; ``applications`` are the names it may speak of.
+
+    Raises UsageError where the file can not be read, ScenarioError where a line is wrong.
+    """
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        raise UsageError(f"{path}: {error.strerror or error}") from None
+    return parse(data, str(path), applications)
+
+
+def parse(data: bytes, file: str, applications: Iterable[str] | None = None) -> list[Line]:
+    """The scenario in ``data``. Empty lines are passed over; raises ScenarioError."""
+    known = None if applications is None else set(applications)
+    lines: list[Line] = []
+    for number, text in enumerate(data.split(b"\n"), 1):
+        if not text.strip():
+            continue
+        try:
+            line = _read(number, text, known)
+            if lines and isinstance(lines[-1].does, End):
+                raise ScenarioError("the scenario has ended; delete this line or move the end")
+            if lines and line.at < lines[-1].at:
+                raise ScenarioError(
+                    f"time goes back: {line.at / 1e6:g} after {lines[-1].at / 1e6:g}; "
+                    "order the lines by time"
+                )
+        except (ScenarioError, msgspec.DecodeError, UnicodeDecodeError) as error:
+            raise ScenarioError(f"{file}:{number}: {error}") from None
+        lines.append(line)
+    return lines
+
+
+def _read(number: int, text: bytes, applications: set[str] | None) -> Line:
+    line = msgspec.json.decode(text, type=_Line)
+    verbs = [verb for verb in VERBS if getattr(line, verb) is not UNSET]
+    if len(verbs) != 1:
+        found = ", ".join(verbs) if verbs else "none"
+        raise ScenarioError(f"a line has exactly one verb of {', '.join(VERBS)}; here: {found}")
+    if not 0 <= line.at < 1e9:
+        raise ScenarioError("“at” is a time in seconds, 0 or more")
+    verb = verbs[0]
+    if line.application is not UNSET and verb != "event":
+        raise ScenarioError("“application” goes with “event” only")
+    does = _DO[verb](line)
+    named = getattr(does, "application", None)
+    if applications is not None and named is not None and named not in applications:
+        raise ScenarioError(
+            f"unknown application {named}; there is {', '.join(sorted(applications)) or 'none'}"
+        )
+    return Line(number, microseconds(line.at), does)
+
+
+def _end(line: _Line) -> End:
+    if line.end is not True:
+        raise ScenarioError("“end” is true or left out")
+    return End()
+
+
+def _touch(line: _Line) -> inputs.Touch:
+    if line.touch is not True:
+        raise ScenarioError("“touch” is true or left out")
+    return inputs.Touch()
+
+
+def _command(line: _Line) -> inputs.Command:
+    given = line.command
+    assert not isinstance(given, UnsetType)
+    if given.valid is not None and given.valid <= 0:
+        raise ScenarioError("“for” is seconds above 0")
+    return inputs.Command(given.module, given.resource, given.value, given.valid)
+
+
+def _event(line: _Line) -> inputs.Raise:
+    assert not isinstance(line.event, UnsetType)
+    return inputs.Raise(line.event, None if line.application is UNSET else line.application)
+
+
+def _finish(line: _Line) -> inputs.Finish:
+    given = line.finish
+    assert not isinstance(given, UnsetType)
+    return inputs.Finish(
+        given.action, given.name, given.application, given.ok, given.result, given.error,
+        given.status,
+    )  # fmt: skip
+
+
+_DO: dict[str, Any] = {
+    "set": lambda line: inputs.Set(line.set, WRITER),
+    "event": _event,
+    "touch": _touch,
+    "use": lambda line: inputs.Use(line.use.component, line.use.value),
+    "acquire": lambda line: inputs.Acquire(
+        line.acquire.module, line.acquire.resources, line.acquire.optional
+    ),
+    "abandon": lambda line: inputs.Abandon(line.abandon.module, line.abandon.resources),
+    "command": _command,
+    "lost": lambda line: inputs.Lost(line.lost.module),
+    "finish": _finish,
+    "expect": lambda line: Expect(line.expect),
+    "end": _end,
+}
