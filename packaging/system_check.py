@@ -1,7 +1,8 @@
 """Says what the machine lacks for a make target, or installs it where the user is root.
 
-``python3 packaging/system_check.py demo|test`` runs before anything is installed, so it
-needs only the standard library. Exit status 0: go on; 2: one line says what is missing.
+``python3 packaging/system_check.py venv|demo|test`` runs before anything is installed, so
+it needs only the standard library; the Makefile has found a Python that is new enough.
+Exit status 0: go on; 2: one line says what is missing.
 """
 
 from __future__ import annotations
@@ -24,13 +25,13 @@ _spec.loader.exec_module(system)
 
 
 def main(target: str) -> int:
-    """``target``: demo or test."""
-    if sys.version_info < (3, 11):
-        return _refuse(f"Python 3.11 or newer is needed; this is {sys.version.split()[0]}")
+    """``target``: venv (only what makes the virtual environment), demo or test."""
     packages = _venv()
-    headless = bool(os.environ.get("SITU_HEADLESS")) or target == "test"
+    headless = os.environ.get("SITU_HEADLESS") == "1" or target == "test"
     needed = system.missing(
-        system.editor(
+        ()
+        if target == "venv"
+        else system.editor(
             x11=bool(os.environ.get("DISPLAY")) and not headless,
             wayland=bool(os.environ.get("WAYLAND_DISPLAY")) and not headless,
         )

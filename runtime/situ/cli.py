@@ -1,6 +1,6 @@
 """The command ``situ``: finds the group that a command belongs to and runs it.
 
-Each group is a module with ``add(subparsers)``, which registers its parsers with
+Each group is a module with ``add(commands)``, which registers its parsers with
 ``set_defaults(run=function)``; the function takes the parsed arguments and returns
 the exit status: 0 well, 1 the thing checked failed, 2 wrong usage or unreadable
 input (formats.md, *Command line*). Heavy imports stay inside these functions.
@@ -9,21 +9,20 @@ input (formats.md, *Command line*). Heavy imports stay inside these functions.
 from __future__ import annotations
 
 import argparse
+import difflib
 import importlib
 import logging
 import os
+import re
 import signal
 import sys
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NoReturn, Protocol, cast
+from typing import Any, NoReturn, Protocol, cast
 
 from situ import __version__
 from situ.errors import SituError
 
-if TYPE_CHECKING:
-    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
-
-GROUPS = ("cli_studio",)
+GROUPS = ("cli_studio", "cli_simulate")
 """The modules of the command line, in the order in which ``situ --help`` lists them."""
 
 LEVELS = ("debug", "info", "warning", "error")
@@ -34,7 +33,7 @@ _log = logging.getLogger("situ")
 class Group(Protocol):
     """What a module of ``GROUPS`` has."""
 
-    def add(self, subparsers: Subparsers) -> None:
+    def add(self, commands: Any) -> None:
         """Registers the group's parsers."""
 
 
@@ -54,7 +53,7 @@ class Parser(argparse.ArgumentParser):
         )
 
     def error(self, message: str) -> NoReturn:
-        self.exit(2, f"{self.prog}: {_line(message)}; see {self.prog} --help\n")
+        self.exit(2, f"{self.prog}: {_line(_nearest(message))}; see {self.prog} --help\n")
 
 
 def parser() -> Parser:
@@ -64,7 +63,7 @@ def parser() -> Parser:
         description="Draw a robot's states, situations and module priorities; run what you drew.",
     )
     whole.add_argument("--version", action="version", version=f"situ {__version__}")
-    commands = whole.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    commands: Any = whole.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name in GROUPS:
         cast(Group, importlib.import_module(f"situ.{name}")).add(commands)
     return whole
@@ -110,6 +109,15 @@ def guarded(run: Callable[[], int]) -> int:
             "with what --log-level debug prints"
         )
     return status
+
+
+def _nearest(message: str) -> str:
+    """argparse's list of choices, replaced by the nearest one where one is near."""
+    wrong = re.fullmatch(r"(?s)(.*invalid choice: '(.*)') \(choose from (.*)\)", message)
+    if wrong is None:
+        return message
+    near = difflib.get_close_matches(wrong[2], re.findall(r"[\w-]+", wrong[3]), n=1)
+    return f"{wrong[1]}, did you mean {near[0]}?" if near else message
 
 
 def _say(message: str) -> int:

@@ -8,19 +8,16 @@ import os
 import re
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 from situ import system_libraries
 from situ.errors import UsageError
 
-if TYPE_CHECKING:
-    from situ.cli import Subparsers
-
 THEMES = ("light", "dark")
 
 
-def add(subparsers: Subparsers) -> None:
-    studio = subparsers.add_parser(
+def add(commands: Any) -> None:
+    studio = commands.add_parser(
         "studio",
         help="open the editor",
         description="Opens the editor, on a project if one is given.",

@@ -1,0 +1,54 @@
+# make demo   the whole loop: runtime, simulated robot, editor, an example running
+# make test   all tests
+# make check  ruff, mypy, import-linter, then the tests
+# make format rewrites the code's layout;  make clean removes what was made here
+
+.DELETE_ON_ERROR:
+.PHONY: demo test check lint format clean
+
+VENV := .venv
+READY := $(VENV)/.ready
+BIN := $(VENV)/bin
+# The first Python that is new enough; one that can make virtual environments comes first.
+ifndef PYTHON
+PYTHON := $(shell for want in "import ensurepip, venv" ""; do \
+	for python in python3.13 python3.12 python3.11 python3; do \
+	$$python -c "import sys; sys.exit(sys.version_info < (3, 11))" 2>/dev/null && \
+	$$python -c "$$want" 2>/dev/null && echo $$python && exit; done; done)
+endif
+WORKERS ?= auto
+
+demo: $(READY)
+	@$(PYTHON) packaging/system_check.py demo
+	@$(BIN)/situ demo
+
+test: $(READY)
+	@$(PYTHON) packaging/system_check.py test
+	@$(BIN)/pytest -q -n $(WORKERS) $(ARGS)
+
+check: lint test
+
+lint: $(READY)
+	@$(BIN)/ruff check -q .
+	@$(BIN)/ruff format -q --check .
+	@$(BIN)/mypy
+	@$(BIN)/lint-imports --no-logo
+
+format: $(READY)
+	@$(BIN)/ruff check -q --fix-only .
+	@$(BIN)/ruff format -q .
+
+clean:
+	rm -rf $(VENV) dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	find app runtime tests packaging -name __pycache__ -type d -prune -exec rm -rf {} +
+
+$(READY): pyproject.toml constraints.txt
+	@if [ -z "$(PYTHON)" ]; then \
+		echo "situ: Python 3.11 or newer is needed: sudo apt-get install python3 python3-venv" >&2; \
+		exit 2; fi
+	@$(PYTHON) packaging/system_check.py venv
+	@echo "setting up $(VENV), once; this takes a minute or two"
+	@[ -x $(BIN)/python ] || $(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install -qq --disable-pip-version-check \
+		-e '.[studio,dev]' -c constraints.txt
+	@touch $@

@@ -1,0 +1,65 @@
+"""What every test gets: no display, no settings of the person who runs it, nothing left running."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+PATIENCE = 2.0
+"""Seconds that a thread gets to end after the test that started it."""
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Puts settings, state and sockets of this run into a folder of its own."""
+    home = Path(tempfile.mkdtemp(prefix="situ-tests-"))
+    config.add_cleanup(lambda: shutil.rmtree(home, ignore_errors=True))
+    for name in ("XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_RUNTIME_DIR"):
+        folder = home / name.lower()
+        folder.mkdir(mode=0o700)
+        os.environ[name] = str(folder)
+
+
+@pytest.fixture(autouse=True)
+def no_thread_left() -> Iterator[None]:
+    """A test that leaves a thread running fails; those of wider fixtures may stay."""
+    before = set(threading.enumerate())
+    yield
+    deadline = time.monotonic() + PATIENCE
+    left = [thread for thread in threading.enumerate() if thread not in before]
+    # Threads that Qt started show up as dummies, and never go.
+    left = [thread for thread in left if not isinstance(thread, threading._DummyThread)]
+    for thread in left:
+        thread.join(max(0.0, deadline - time.monotonic()))
+    alive = [thread.name for thread in left if thread.is_alive()]
+    assert not alive, f"left running: {', '.join(alive)}"
+
+
+@pytest.fixture(scope="session")
+def chromium() -> str:
+    """The path of Debian's chromium; skips where there is none, and fails in CI."""
+    return _program("chromium")
+
+
+@pytest.fixture(scope="session")
+def espeak() -> str:
+    """The path of espeak-ng; skips where there is none, and fails in CI."""
+    return _program("espeak-ng")
+
+
+def _program(name: str) -> str:
+    path = shutil.which(name)
+    if path is None:
+        missing = f"{name} is not installed: sudo apt-get install {name}"
+        if os.environ.get("CI") == "true":
+            pytest.fail(missing)
+        pytest.skip(missing)
+    return path
