@@ -18,7 +18,7 @@ from situ.decide.program import Program, is_optional, name_of, resource_of
 from situ.decide.quick import QUICK, perform
 from situ.decide.step import FINISH
 from situ.decide.texts import translator
-from situ.decide.values import Template
+from situ.decide.values import Template, template
 from situ.decide.world import World
 from situ.document.rbd import Action, Launch, Movie, Param, Repeat, Robot, Service, Sound, Speech
 
@@ -81,7 +81,6 @@ class Actions:
         self._program = program
         self._owner = owner
         self._raise = raise_event
-        self._templates: dict[str, Template] = {}
 
     # -- what others may know ------------------------------------------------
 
@@ -93,7 +92,7 @@ class Actions:
         )
 
     def hears(self) -> bool:
-        """Whether phrases are listened for: after the state's speech, or in one with ``bargein``."""
+        """Whether phrases are listened for: after the speech, or in one with ``bargein``."""
         speech = self._is_speaking()
         if speech is not None:
             action = self._program.actions[speech.key]
@@ -216,7 +215,7 @@ class Actions:
 
     def finish(
         self,
-        id: int,
+        action_id: int,
         ok: bool,
         result: Any,
         error: str | None,
@@ -224,7 +223,7 @@ class Actions:
         cause: int | None,
     ) -> None:
         """An action ended, well or badly: results, its event, and what waited for it."""
-        running = self.state.running.pop(id)
+        running = self.state.running.pop(action_id)
         step, program = self._world.step, self._program
         outcome = {"result": result} if ok else {"error": error}
         seq = step.trace(
@@ -376,11 +375,11 @@ class Actions:
         self, movies: list[tuple[int, Movie, str]], state: str, cause: int | None
     ) -> None:
         """Movies of the screen just shown: (id, component, source filled in)."""
-        for id, movie, src in movies:
+        for number, movie, src in movies:
             seq = self._world.step.trace(
                 trace.Action, cause, self._program.name, state, "movie", movie.id, src=src
             )
-            self._run(Running(id, -1, 0, 0, "movie", movie.id, None, movie.done, None, seq=seq))
+            self._run(Running(number, -1, 0, 0, "movie", movie.id, None, movie.done, None, seq=seq))
 
     # -- texts ---------------------------------------------------------------
 
@@ -416,12 +415,10 @@ class Actions:
         return self._template(text, state, cause).text(self._world.board.look)
 
     def _template(self, text: str, state: str, cause: int | None) -> Template:
-        template = self._templates.get(text)
-        if template is None:
-            template = self._templates[text] = Template(text)
-        for name in template.missing(self._world.board.look) if template.names else ():
+        filled = template(text)
+        for name in filled.missing(self._world.board.look) if filled.names else ():
             self._world.step.warn(cause, f"{name} has no value", self._where(state))
-        return template
+        return filled
 
     def _where(self, state: str) -> str:
         return f"{self._program.name}, state {state}"

@@ -16,7 +16,7 @@ from situ.decide.program import Candidate, Program, StateProgram, shows_nothing
 from situ.decide.screens import ScreenProgram, Shown
 from situ.decide.step import TIMEOUT
 from situ.decide.texts import heard_as, translator
-from situ.decide.values import Template
+from situ.decide.values import template
 from situ.decide.world import World
 from situ.document.rbd import AGAIN, BACK, Application, Component, Screen
 
@@ -126,10 +126,10 @@ class Machine:
                 return name
         return None
 
-    def component(self, id: str) -> Component | None:
+    def component(self, component_id: str) -> Component | None:
         """A component of the screen that this application shows now."""
         for screen in reversed(self._parts()):
-            found = screen.component(id)
+            found = screen.component(component_id)
             if found is not None:
                 return found
         return None
@@ -398,15 +398,15 @@ class Machine:
 
     def finish(
         self,
-        id: int,
+        action_id: int,
         ok: bool,
         result: object,
         error: str | None,
         status: int | None,
         cause: int | None,
     ) -> None:
-        """The running action ``id`` ended."""
-        self.actions.finish(id, ok, result, error, status, cause)
+        """X."""
+        self.actions.finish(action_id, ok, result, error, status, cause)
         self._settle_idle()
 
     # -- screen and phrases --------------------------------------------------
@@ -446,7 +446,7 @@ class Machine:
         seq = self._trace_screen(cause, tuple(ids))
         sources = {c["id"]: c["src"] for c in state.components if c["type"] == "movie"}
         self.actions.begin_movies(
-            [(id, movie, sources[movie.id]) for id, movie in zip(ids, movies, strict=True)],
+            [(number, movie, sources[movie.id]) for number, movie in zip(ids, movies, strict=True)],
             state.no,
             seq,
         )
@@ -497,7 +497,7 @@ class Machine:
         board = self._world.board
         translate = translator(self._world.project, board)
         return [
-            (Template(translate(phrase, None)).text(board.look), candidate.name)
+            (template(translate(phrase, None)).text(board.look), candidate.name)
             for candidate in self.here.heard
             for phrase in candidate.says
             if candidate.name is not None

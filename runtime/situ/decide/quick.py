@@ -10,10 +10,13 @@ from typing import Any
 
 from situ.decide import trace
 from situ.decide.effects import Begin
-from situ.decide.values import Template, is_number
+from situ.decide.values import is_number, template
 from situ.decide.world import World, untraced
 from situ.document import names
 from situ.document.rbd import Action, Add, Append, Clear, Message, Set, Take
+
+LARGEST = 2**63
+"""Numbers beyond this are no values: not every reader of JSON can hold them."""
 
 QUICK = (Set, Add, Append, Take, Clear, Message)
 
@@ -29,10 +32,11 @@ class _Quick:
         self.cause = cause
 
     def value(self, text: str) -> Any:
-        template = Template(text)
-        for name in template.missing(self.world.board.look):
+        look = self.world.board.look
+        filled = template(text)
+        for name in filled.missing(look) if filled.names else ():
             self.world.step.warn(self.cause, f"{name} has no value", self.where)
-        return template.value(self.world.board.look)
+        return filled.value(look)
 
     def begin(self, action: str, **fields: Any) -> int:
         return self.world.step.trace(
@@ -69,7 +73,11 @@ def _add(one: _Quick, action: Add) -> int:
     seq = one.begin("add", tag=action.tag, value=value)
     before = one.world.board.look(action.tag)
     if is_number(value) and (before is None or is_number(before)):
-        one.write({action.tag: (before or 0) + value}, seq)
+        total = (before or 0) + value
+        if abs(total) < LARGEST:
+            one.write({action.tag: total}, seq)
+        else:
+            one.warn(seq, f"add makes {action.tag} too large a number; it stays {before!r}")
     else:
         one.warn(seq, f"add needs numbers: {action.tag} is {before!r}, to add is {value!r}")
     return seq
@@ -115,7 +123,7 @@ def _message(one: _Quick, action: Message) -> int:
         value = {param.name: one.value(param.text) for param in action.params}
     else:
         value = one.value(action.text) if action.text.strip() else None
-    topic = Template(action.topic).text(one.world.board.look)
+    topic = template(action.topic).text(one.world.board.look)
     seq = one.begin("message", topic=topic, value=value)
     one.world.step.effects.append(
         Begin(

@@ -366,9 +366,9 @@ class Robot:
         self._world.step.trace(trace.Connected, None, given.module, tuple(sorted(given.resources)))
 
     def _finish(self, given: inputs.Finish) -> None:
-        for machine, id in self._fitting(given):
+        for machine, running in self._fitting(given):
             status = None if given.status is UNSET else given.status
-            machine.finish(id, given.ok, given.result, given.error, status, None)
+            machine.finish(running, given.ok, given.result, given.error, status, None)
             return
         if given.id is None:
             what = " ".join(str(x) for x in (given.action, given.name) if x is not None)

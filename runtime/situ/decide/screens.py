@@ -6,7 +6,7 @@ from typing import Any
 
 from situ.decide.board import Board, prefixes, reach
 from situ.decide.texts import Translator
-from situ.decide.values import Look, Template
+from situ.decide.values import Look, Template, template
 from situ.document.rbd import (
     Button,
     Component,
@@ -45,10 +45,9 @@ class ComponentProgram:
             Text: "text", Button: "text", Image: "src", Movie: "src", List: "label"
         }  # fmt: skip
         self._field = texts.get(type(source))
-        self._texts: dict[str, Template] = {}
         self.names: tuple[str, ...] = ()
         if self._field is not None:
-            own = [n for n in self._template(getattr(source, self._field)).names if not _is_item(n)]
+            own = [n for n in template(getattr(source, self._field)).names if not _is_item(n)]
             self.names = tuple(own)
         if isinstance(source, Input):
             self.names = (source.tag,)
@@ -80,17 +79,12 @@ class ComponentProgram:
         shown["text"] = self._fill(text, look, missing)
         return shown
 
-    def _template(self, text: str) -> Template:
-        found = self._texts.get(text)
-        if found is None:
-            found = self._texts[text] = Template(text)
-        return found
-
-    def _fill(self, text: str, look: Look, missing: list[str] | None) -> str:
-        template = self._template(text)
-        if missing is not None:
-            missing += [f"{name} has no value" for name in template.missing(look)]
-        return template.text(look)
+    @staticmethod
+    def _fill(text: str, look: Look, missing: list[str] | None) -> str:
+        filled = template(text)
+        if missing is not None and filled.names:
+            missing += [f"{name} has no value" for name in filled.missing(look)]
+        return filled.text(look)
 
 
 class ScreenProgram:
@@ -108,8 +102,8 @@ class ScreenProgram:
             found.update(t for n in self.background.names for t in prefixes(n))
         return found
 
-    def component(self, id: str) -> Component | None:
-        return next((one.source for one in self.components if one.source.id == id), None)
+    def component(self, component_id: str) -> Component | None:
+        return next((one.source for one in self.components if one.source.id == component_id), None)
 
     def movies(self) -> list[Movie]:
         return [one.source for one in self.components if isinstance(one.source, Movie)]

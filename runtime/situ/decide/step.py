@@ -8,7 +8,7 @@ from typing import Any
 from msgspec import Struct
 
 from situ.decide.effects import AnyEffect
-from situ.decide.trace import Error, TraceEvent, Warning
+from situ.decide.trace import Failed, TraceEvent, Warned
 
 SECOND = 1_000_000
 """Microseconds; time is whole microseconds everywhere in ``decide``."""
@@ -64,10 +64,10 @@ class Step:
         return seq
 
     def warn(self, cause: int | None, message: str, where: str) -> int:
-        return self.trace(Warning, cause, message, where)
+        return self.trace(Warned, cause, message, where)
 
     def error(self, cause: int | None, message: str, where: str) -> int:
-        return self.trace(Error, cause, message, where)
+        return self.trace(Failed, cause, message, where)
 
     def at(self, due: int, rank: int, owner: str, token: int, started: int | None = None) -> None:
         """Sets a timer; timers are never taken back, their owner's token goes stale."""

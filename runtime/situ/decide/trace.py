@@ -174,12 +174,12 @@ class Resume(TraceEvent, frozen=True):
     missing: tuple[str, ...]
 
 
-class Warning(TraceEvent, frozen=True):
+class Warned(TraceEvent, frozen=True, tag="warning"):
     message: str
     where: str
 
 
-class Error(TraceEvent, frozen=True):
+class Failed(TraceEvent, frozen=True, tag="error"):
     message: str
     where: str
 

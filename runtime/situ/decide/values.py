@@ -6,6 +6,7 @@ Values are JSON values: None, bool, int, float, str, list, dict. None is *missin
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 import msgspec
@@ -97,6 +98,12 @@ class Template:
 
     def missing(self, look: Look) -> list[str]:
         return [name for name in self.names if look(name) is None]
+
+
+@lru_cache(maxsize=4096)
+def template(text: str) -> Template:
+    """The template of a text; the same text is taken apart once."""
+    return Template(text)
 
 
 def _read_template(text: str) -> tuple[Any] | None:
