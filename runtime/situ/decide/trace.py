@@ -191,7 +191,8 @@ def to_line(event: TraceEvent) -> bytes:
 
 def to_fields(event: TraceEvent) -> dict[str, Any]:
     """The event as the plain object that stands in a trace, ``kind`` included."""
-    fields = msgspec.to_builtins(event)
+    # By way of JSON: to_builtins would leave tuples, which equal no list of a scenario.
+    fields = msgspec.json.decode(_encoder.encode(event))
     assert isinstance(fields, dict)
     return fields
 
