@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import tempfile
@@ -29,18 +30,31 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.fixture(autouse=True)
-def no_thread_left() -> Iterator[None]:
-    """A test that leaves a thread running fails; those of wider fixtures may stay."""
-    before = set(threading.enumerate())
+def nothing_left_running() -> Iterator[None]:
+    """A test that leaves a thread or a process running fails; those of wider fixtures may stay."""
+    threads, processes = set(threading.enumerate()), _children()
     yield
     deadline = time.monotonic() + PATIENCE
-    left = [thread for thread in threading.enumerate() if thread not in before]
+    left = [thread for thread in threading.enumerate() if thread not in threads]
     # Threads that Qt started show up as dummies, and never go.
     left = [thread for thread in left if not isinstance(thread, threading._DummyThread)]
     for thread in left:
         thread.join(max(0.0, deadline - time.monotonic()))
-    alive = [thread.name for thread in left if thread.is_alive()]
+    alive = [f"thread {thread.name}" for thread in left if thread.is_alive()]
+    alive += [f"process {pid}: {line}" for pid, line in (_children() - processes)]
     assert not alive, f"left running: {', '.join(alive)}"
+
+
+def _children() -> set[tuple[int, str]]:
+    """This process's children that still run, with their command lines."""
+    found = set()
+    for listed in Path("/proc/self/task").glob("*/children"):
+        for pid in map(int, listed.read_text().split()):
+            with contextlib.suppress(OSError):  # it ended just now
+                line = Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ").decode()
+                if line:  # one that ended and was not waited for yet has none
+                    found.add((pid, line.strip()))
+    return found
 
 
 @pytest.fixture(scope="session")
