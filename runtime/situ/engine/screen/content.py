@@ -111,7 +111,7 @@ def _meaning(shown: Shown) -> tuple[Any, ...]:
     return shown.type, page.get("event"), shown.tag, page.get("kind"), shown.items
 
 
-def _component(raw: Any, shown: dict[str, Shown], movies: Any, log: logging.Logger) -> Shown | None:
+def _component(raw: Any, shown: dict[str, Shown], log: logging.Logger) -> Shown | None:
     kind = raw.get("type") if isinstance(raw, dict) else None
     name = raw.get("id") if isinstance(raw, dict) else None
     if kind not in TYPES or not isinstance(name, str) or name in shown:
@@ -146,6 +146,8 @@ def _component(raw: Any, shown: dict[str, Shown], movies: Any, log: logging.Logg
         page["items"] = [_text(p.get("label")) for p in pairs]
         items = tuple(p.get("value") for p in pairs)
     tag = raw.get("tag")
+    if isinstance(tag, str) and kind in ("input", "list"):
+        page["tag"] = tag
     return Shown(name, kind, 0, page, items, tag if isinstance(tag, str) and tag else None)
 
 

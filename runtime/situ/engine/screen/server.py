@@ -58,7 +58,12 @@ _MEDIA_TYPES = {
     ".mp3": "audio/mpeg",
     ".m4a": "audio/mp4",
 }
-_PAGE_TYPES = {".css": "text/css", ".js": "text/javascript", ".otf": "font/otf"}
+_PAGE_TYPES = {
+    ".css": "text/css",
+    ".js": "text/javascript",
+    ".otf": "font/otf",
+    ".svg": "image/svg+xml",
+}
 _REFUSED = (
     "This address needs the key that the robot printed when it started: "
     "open the whole address, with token=… at its end.\n"
@@ -202,6 +207,7 @@ class ScreenServer:
     def _message(self) -> bytes:
         state = {
             "revision": self._content.revision,
+            "since": self._content.since,
             "screen": self._content.page(),
             "captions": self._captions,
             "caption": self._caption,

@@ -1,0 +1,30 @@
+// Sizes of text: percent of the screen's height as designed, smaller where it would not fit.
+
+const SMALLEST = 11;
+
+// What "percent of the screen's height" is worth in `area`. A tall narrow one (a phone held
+// upright) is measured by its width, so that headings stay in proportion to the lines.
+export function unit(area) {
+  return Math.min(area.clientHeight, area.clientWidth * 1.25) / 100;
+}
+
+// Sets the largest size up to `wanted` px at which `inner` lies inside `box`.
+export function fit(box, inner, wanted) {
+  const fits = (size) => {
+    box.style.fontSize = `${size}px`;
+    // The padding grows and shrinks with the text.
+    const style = getComputedStyle(box);
+    const width = box.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+    const height = box.clientHeight - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom);
+    return inner.scrollWidth <= width + 1 && inner.scrollHeight <= height + 1;
+  };
+  if (box.clientWidth === 0 || fits(wanted)) return;
+  let low = SMALLEST;
+  let high = wanted;
+  while (high - low > 0.5) {
+    const middle = (low + high) / 2;
+    if (fits(middle)) low = middle;
+    else high = middle;
+  }
+  fits(low);
+}
