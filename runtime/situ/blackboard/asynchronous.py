@@ -1,0 +1,272 @@
+"""The client for asyncio: the names of ``blocking``, to be awaited (see ``client``)."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator, Callable, Iterable, Mapping
+from typing import Any, Generic, TypeVar
+
+from situ.blackboard.blocking import PATIENCE, Followed
+from situ.blackboard.dialog import Call, which
+from situ.blackboard.feeds import Change, TraceFeed, Watch
+from situ.blackboard.link import Link
+from situ.blackboard.protocol import Addresses, Entry, Files, ModuleStates, Need, Offer
+from situ.errors import BlackboardError, Refused, Unreachable
+
+T = TypeVar("T")
+
+
+class AsyncBoard:
+    """The blackboard in one asyncio loop; ``async with`` it. See ``Board`` for what each does."""
+
+    def __init__(self, link: Link, timeout: float = PATIENCE) -> None:
+        self.link = link
+        self._dialog = link.dialog
+        self._timeout = timeout
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._timer: asyncio.TimerHandle | None = None
+        self._waiting: list[tuple[Callable[[], bool], asyncio.Future[None]]] = []
+
+    async def __aenter__(self) -> AsyncBoard:
+        self._loop = asyncio.get_running_loop()
+        for descriptor in self.link.descriptors():
+            self._loop.add_reader(descriptor, self._turn)
+        dialog = self._dialog
+        try:
+            await self._until(lambda: dialog.connected or dialog.ended, self._timeout)
+            if dialog.problem is not None and not dialog.connected:
+                raise dialog.problem
+            if not dialog.connected:
+                raise self._unreachable(dialog.unreachable())
+        except BaseException:
+            self._shut()
+            raise
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        await self.close()
+
+    # -- what stands on the board --------------------------------------------
+
+    async def set(
+        self,
+        tag: str | Mapping[str, Any],
+        value: Any = None,
+        *,
+        versions: Mapping[str, int] | None = None,
+    ) -> dict[str, int]:
+        tags = tag if isinstance(tag, Mapping) else {tag: value}
+        return await self._answer(self._dialog.set(tags, versions))
+
+    async def get(self, name: str) -> Any:
+        entry = self._dialog.known(name)
+        if entry is not None:
+            return entry.value
+        return await self._answer(self._dialog.get(name))
+
+    async def entries(self, *names: str) -> dict[str, Entry]:
+        return await self._answer(self._dialog.entries(names))
+
+    def watch(
+        self, pattern: str, callback: Callable[[Change], None] | None = None
+    ) -> AsyncFollowing[Change]:
+        """Not awaited: ``async for change in board.watch("face.*")``. What is wrong with the
+        pattern is raised at the first change."""
+        watch = self._dialog.watch(pattern, callback)
+        self._soon()
+        return AsyncFollowing(self, watch, self._dialog.unwatch, lambda: watch.error)
+
+    def trace(
+        self, since: int | None = None, callback: Callable[[dict[str, Any]], None] | None = None
+    ) -> AsyncFollowing[dict[str, Any]]:
+        """Not awaited, as ``watch``."""
+        feed = self._dialog.trace(since, callback)
+        self._soon()
+        return AsyncFollowing(self, feed, self._dialog.untrace, lambda: None)
+
+    # -- what happens --------------------------------------------------------
+
+    async def publish(self, event: str, application: str | None = None) -> None:
+        await self._answer(self._dialog.publish(event, application))
+
+    async def use(self, component: str, *value: Any) -> None:
+        await self._answer(self._dialog.use(component, *value))
+
+    async def touch(self) -> None:
+        await self._answer(self._dialog.touch())
+
+    def authority(self, *resources: str, optional: Iterable[str] = ()) -> AsyncAuthority:
+        return AsyncAuthority(self, resources, tuple(optional))
+
+    # -- who and what is there -----------------------------------------------
+
+    async def modules(self) -> ModuleStates:
+        return await self._answer(self._dialog.modules())
+
+    async def documents(self) -> Files:
+        return await self._answer(self._dialog.documents())
+
+    async def disclose(
+        self,
+        description: str = "",
+        requires: Iterable[Need] = (),
+        provides: Iterable[Offer] = (),
+    ) -> None:
+        await self._answer(self._dialog.disclose(description, requires, provides))
+
+    @property
+    def connected(self) -> bool:
+        return self._dialog.connected
+
+    @property
+    def addresses(self) -> Addresses:
+        assert self._dialog.welcome is not None
+        return self._dialog.welcome.addresses
+
+    async def close(self) -> None:
+        if self._loop is None:
+            return
+        if self._dialog.connected:
+            with contextlib.suppress(BlackboardError, TimeoutError):
+                async with asyncio.timeout(1.0):
+                    await self._answer(self._dialog.bye())
+        self._shut()
+
+    # -- waiting -------------------------------------------------------------
+
+    async def _answer(self, call: Call[T]) -> T:
+        if not await self._until(lambda: call.finished, self._timeout):
+            self._dialog.lost(call)
+        if isinstance(call.error, Unreachable):
+            raise self._unreachable(call.error)
+        return call.result()
+
+    def _unreachable(self, error: Unreachable) -> Unreachable:
+        return Unreachable(f"{self.link.endpoint}: {error}")
+
+    async def _until(self, ready: Callable[[], bool], within: float | None) -> bool:
+        """False when ``within`` seconds are over, or the board was closed."""
+        if self._loop is None:
+            return ready()
+        self._turn()
+        if ready():
+            return True
+        wait = (ready, self._loop.create_future())
+        self._waiting.append(wait)
+        try:
+            async with asyncio.timeout(within):
+                await wait[1]
+        except TimeoutError:
+            return False
+        finally:
+            if wait in self._waiting:
+                self._waiting.remove(wait)
+        return ready()
+
+    def _turn(self) -> None:
+        """Drives the link one turn; ends the waits for what has come."""
+        if self._loop is None:
+            return
+        if self._timer is not None:
+            self._timer.cancel()
+        self.link.turn()
+        left = max(self.link.due() - self.link.clock(), 0)
+        self._timer = self._loop.call_later(left, self._turn)
+        followed: list[Watch | TraceFeed] = [*self._dialog.watches, *self._dialog.feeds]
+        for feed in followed:
+            callback: Callable[[Any], None] | None = feed.callback
+            while callback is not None and (item := feed.take()) is not None:
+                # Never from inside a turn: the callback may ask for something.
+                self._loop.call_soon(callback, item)
+        for ready, future in self._waiting:
+            if ready() and not future.done():
+                future.set_result(None)
+
+    def _soon(self) -> None:
+        if self._loop is not None:
+            self._loop.call_soon(self._turn)
+
+    def _shut(self) -> None:
+        loop, self._loop = self._loop, None
+        self._dialog.ended = True
+        if loop is not None:
+            for descriptor in self.link.descriptors():
+                loop.remove_reader(descriptor)
+        if self._timer is not None:
+            self._timer.cancel()
+        for _, future in self._waiting:
+            if not future.done():
+                future.set_result(None)
+        self.link.close()
+
+
+class AsyncFollowing(Generic[T]):
+    """As ``Following``: ``async for`` over it, or ``close`` it where it calls back."""
+
+    def __init__(
+        self,
+        board: AsyncBoard,
+        feed: Any,
+        stop: Callable[[Any], None],
+        error: Callable[[], Refused | None],
+    ) -> None:
+        self._board = board
+        self._feed: Followed[T] = feed
+        self._stop = stop
+        self._error = error
+
+    async def next(self, within: float | None = None) -> T | None:
+        feed = self._feed
+        await self._board._until(
+            lambda: len(feed) > 0 or feed.ended or self._error() is not None, within
+        )
+        error = self._error()
+        if error is not None:
+            self.close()
+            raise error
+        return feed.take()
+
+    async def __aiter__(self) -> AsyncIterator[T]:
+        while (item := await self.next()) is not None:
+            yield item
+
+    def close(self) -> None:
+        self._stop(self._feed)
+        self._board._soon()
+
+
+class AsyncAuthority:
+    """As ``Authority``, with ``async with``."""
+
+    def __init__(
+        self, board: AsyncBoard, resources: tuple[str, ...], optional: tuple[str, ...]
+    ) -> None:
+        self._board = board
+        self.resources = resources
+        self.optional = optional
+
+    async def __aenter__(self) -> AsyncAuthority:
+        dialog = self._board.link.dialog
+        await self._board._answer(dialog.acquire(self, self.resources, self.optional))
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        with contextlib.suppress(BlackboardError):
+            await self._board._answer(self._board.link.dialog.abandon(self))
+
+    @property
+    def held(self) -> bool:
+        return self._board.link.dialog.holds.issuperset(self.resources)
+
+    async def wait(self, within: float | None = None) -> bool:
+        return await self._board._until(lambda: self.held, within)
+
+    async def wait_lost(self, within: float | None = None) -> bool:
+        return await self._board._until(lambda: not self.held, within)
+
+    async def command(
+        self, value: Any, valid: float | None = None, resource: str | None = None
+    ) -> None:
+        named = which((*self.resources, *self.optional), resource)
+        await self._board._answer(self._board.link.dialog.command(named, value, valid))

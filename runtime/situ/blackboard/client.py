@@ -1,0 +1,146 @@
+"""The blackboard for module authors: three lines to be useful.
+
+::
+
+    with situ.connect("tcp://127.0.0.1:5570", module="nod", resources=["head"]) as board:
+        with board.authority("head") as head:
+            for change in board.watch("speech.acceptable"):
+                head.command({"pitch": 10 if change.value else 0}, valid=0.5)
+
+``connect`` blocks where it waits; ``connect_async`` has the same names to be awaited. Both
+are drivers of one ``Dialog``, which keeps the session and takes it up again after every
+loss. ``Link`` is that dialog with its sockets for loops of other kinds (Qt).
+"""
+
+from __future__ import annotations
+
+import getpass
+from collections.abc import Iterable
+
+from situ.blackboard.asynchronous import AsyncAuthority, AsyncBoard, AsyncFollowing
+from situ.blackboard.blocking import PATIENCE, Authority, Board, Following
+from situ.blackboard.dialog import Call, Dialog, Person
+from situ.blackboard.feeds import Change, TraceFeed, Watch
+from situ.blackboard.link import Link
+from situ.blackboard.protocol import (
+    Entry,
+    Files,
+    ModuleState,
+    ModuleStates,
+    Need,
+    Offer,
+    Role,
+    Wanted,
+    Welcome,
+)
+
+__all__ = [
+    "AsyncAuthority",
+    "AsyncBoard",
+    "AsyncFollowing",
+    "Authority",
+    "Board",
+    "Call",
+    "Change",
+    "Dialog",
+    "Entry",
+    "Files",
+    "Following",
+    "Link",
+    "ModuleState",
+    "ModuleStates",
+    "Need",
+    "Offer",
+    "Person",
+    "TraceFeed",
+    "Wanted",
+    "Watch",
+    "Welcome",
+    "connect",
+    "connect_async",
+    "person",
+]
+
+ENDPOINT = "tcp://127.0.0.1:5570"
+
+
+def person(
+    module: str | None = None,
+    resources: Iterable[str] = (),
+    *,
+    role: Role | None = None,
+    description: str = "",
+    requires: Iterable[Need] = (),
+    provides: Iterable[Offer] = (),
+) -> Person:
+    """Who connects: with a module's name that module, else the operator at this machine."""
+    role = role or ("module" if module is not None else "operator")
+    return Person(
+        role=role,
+        module=module,
+        user=_user() if role == "operator" else None,
+        resources=tuple(resources),
+        description=description,
+        requires=tuple(requires),
+        provides=tuple(provides),
+    )
+
+
+def _user() -> str | None:
+    try:
+        return getpass.getuser()
+    except (KeyError, OSError):  # no name for this user's number
+        return None
+
+
+def connect(
+    endpoint: str = ENDPOINT,
+    module: str | None = None,
+    resources: Iterable[str] = (),
+    *,
+    role: Role | None = None,
+    description: str = "",
+    requires: Iterable[Need] = (),
+    provides: Iterable[Offer] = (),
+    timeout: float = PATIENCE,
+) -> Board:
+    """A blackboard that is connected; end it with ``close`` or by ``with``.
+
+    module: this module's name; None for a person that looks and sets. resources: those
+    it may ask for. timeout: seconds to wait, here and for each later answer.
+
+    Raises Unreachable when nobody answers, Refused when the core will not have it (the
+    name is taken by another module that lives), UsageError for an address that is none.
+    """
+    who = person(
+        module,
+        resources,
+        role=role,
+        description=description,
+        requires=requires,
+        provides=provides,
+    )
+    return Board(Link(endpoint, who), timeout)
+
+
+def connect_async(
+    endpoint: str = ENDPOINT,
+    module: str | None = None,
+    resources: Iterable[str] = (),
+    *,
+    role: Role | None = None,
+    description: str = "",
+    requires: Iterable[Need] = (),
+    provides: Iterable[Offer] = (),
+    timeout: float = PATIENCE,
+) -> AsyncBoard:
+    """As ``connect``, for asyncio: ``async with connect_async(…) as board``."""
+    who = person(
+        module,
+        resources,
+        role=role,
+        description=description,
+        requires=requires,
+        provides=provides,
+    )
+    return AsyncBoard(Link(endpoint, who), timeout)

@@ -1,0 +1,213 @@
+"""What a client follows: the changes of watched tags, and the trace; each without a gap.
+
+Both hold what has come until it is taken, bounded: of a tag that nobody takes changes
+of, only the last is kept in the end, and the trace waits at the core.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import msgspec
+from msgspec import Struct
+
+from situ.blackboard import protocol
+from situ.document import names
+from situ.errors import Refused
+
+KEPT = 10_000
+"""Changes or events held for who does not take them."""
+
+
+class Change(Struct, frozen=True):
+    """A watched tag as it now stands. value None: it was deleted. time: µs of the runtime.
+
+    missed: how many changes of this tag since the last one told were passed over,
+    because they came faster than they were taken, or while the connection was away.
+    """
+
+    tag: str
+    value: Any
+    version: int
+    writer: str | None
+    time: int
+    missed: int = 0
+
+
+class Watch:
+    """The changes of what ``pattern`` fits, and ``known``: entry by tag, as last heard.
+
+    ready: whether ``known`` is what the core has. ended: nothing comes any more.
+    error: why the core refused to have it watched.
+    """
+
+    def __init__(self, pattern: str, callback: Callable[[Change], None] | None = None) -> None:
+        self.pattern = pattern
+        self.callback = callback
+        self.known: dict[str, protocol.Entry] = {}
+        self.ready = False
+        self.asking = False
+        self.ended = False
+        self.error: Refused | None = None
+        self._queue: deque[Change] = deque()
+        self._early: list[protocol.Change] = []
+        self._first = True
+        self._seen = self._told = 0
+
+    def fits(self, tag: str) -> bool:
+        return names.matches(self.pattern, tag)
+
+    def take(self) -> Change | None:
+        """The next change; None where there is none yet."""
+        return self._queue.popleft() if self._queue else None
+
+    def __len__(self) -> int:
+        return len(self._queue)
+
+    # -- for the dialog ------------------------------------------------------
+
+    def change(self, notice: protocol.Change) -> bool:
+        """False where changes of this tag were lost: then a snapshot is needed."""
+        if not self.ready:
+            if self.asking:
+                self._early.append(notice)
+            return True
+        self._seen = max(self._seen, notice.n)
+        before = self.known.get(notice.tag)
+        last = before.version if before is not None else 0
+        if notice.version <= last:
+            return True
+        if notice.version > last + 1:
+            self.ready = False
+            return False
+        self._known(
+            notice.tag,
+            protocol.Entry(notice.value, notice.version, notice.writer, notice.time),
+        )
+        return True
+
+    def snapshot(self, reply: protocol.Snapshot) -> None:
+        """Tells what differs from what was known, then what came meanwhile."""
+        self.asking = False
+        entries = {tag: entry for tag, entry in reply.entries.items() if self.fits(tag)}
+        for tag in [tag for tag in self.known if tag not in entries]:
+            # The core began anew and has never heard of it.
+            if self.known[tag].value is not None:
+                self._queue.append(Change(tag, None, 0, None, 0))
+            del self.known[tag]
+        for tag, entry in entries.items():
+            if self._first and entry.value is None:
+                self.known[tag] = entry
+            elif self.known.get(tag) != entry:
+                self._known(tag, entry)
+        self._first = False
+        self.ready = True
+        self._seen = self._told = reply.changes.get(self.pattern, 0)
+        early, self._early = self._early, []
+        for notice in early:
+            self.change(notice)
+
+    def behind(self, n: int) -> bool:
+        """Whether the change ``n``, told at the last heartbeat already, never came."""
+        late = self._told > self._seen
+        self._told = n
+        return late
+
+    def _known(self, tag: str, entry: protocol.Entry) -> None:
+        before = self.known.get(tag)
+        missed = 0 if before is None else max(entry.version - before.version - 1, 0)
+        self.known[tag] = entry
+        self._queue.append(
+            Change(tag, entry.value, entry.version, entry.writer, entry.time, missed)
+        )
+        if len(self._queue) > KEPT + 2 * len(self.known):
+            self._conflate()
+
+    def _conflate(self) -> None:
+        """Keeps the last change of each tag."""
+        last: dict[str, Change] = {}
+        for change in self._queue:
+            before = last.pop(change.tag, None)
+            missed = change.missed + (0 if before is None else before.missed + 1)
+            last[change.tag] = msgspec.structs.replace(change, missed=missed)
+        self._queue = deque(last.values())
+
+
+class TraceFeed:
+    """Trace events as plain objects (formats.md, *Trace*, with ``time``), in order of seq.
+
+    missed: how many the core no longer had when they were asked for. A seq that is not
+    above the one before comes from a core that was started anew (``restarts`` counts).
+    """
+
+    def __init__(
+        self, since: int | None, callback: Callable[[dict[str, Any]], None] | None = None
+    ) -> None:
+        self.callback = callback
+        self.next = since
+        self.asking = False
+        self.ended = False
+        self.missed = 0
+        self.restarts = 0
+        self._queue: deque[dict[str, Any]] = deque()
+        self._early: list[dict[str, Any]] = []
+        self._told = 0
+
+    def take(self) -> dict[str, Any] | None:
+        """The next event; None where there is none yet."""
+        return self._queue.popleft() if self._queue else None
+
+    def __len__(self) -> int:
+        return len(self._queue)
+
+    # -- for the dialog ------------------------------------------------------
+
+    def add(self, lines: Iterable[msgspec.Raw]) -> bool:
+        """False where events before these were lost: then a page is needed."""
+        if self._full():
+            return True
+        events = [msgspec.json.decode(line) for line in lines]
+        if self.next is None or self.asking:
+            self._early += events
+            return True
+        return self._append(events)
+
+    def page(self, reply: protocol.Traced) -> bool:
+        """True where the core has more."""
+        if self.next is None:
+            self.next = reply.next
+        if reply.first > self.next:
+            self.missed += reply.first - self.next
+            self.next = reply.first
+        self._append(msgspec.json.decode(line) for line in reply.events)
+        self.next = max(self.next, reply.next)
+        early, self._early = self._early, []
+        complete = self._append(early)
+        return self.next <= reply.last or not complete
+
+    def behind(self, seq: int) -> bool:
+        """Whether the event ``seq``, told at the last heartbeat already, never came."""
+        late = self.next is not None and self._told >= self.next and not self._full()
+        self._told = seq
+        return late
+
+    def restart(self) -> None:
+        """The core was started anew: its trace begins at 1."""
+        self.next, self._told, self.asking = 1, 0, False
+        self._early.clear()
+        self.restarts += 1
+
+    def _append(self, events: Iterable[dict[str, Any]]) -> bool:
+        assert self.next is not None
+        for event in events:
+            if event["seq"] > self.next:
+                return False
+            if event["seq"] == self.next:
+                self._queue.append(event)
+                self.next += 1
+        return True
+
+    def _full(self) -> bool:
+        return len(self._queue) >= KEPT

@@ -1,0 +1,140 @@
+"""A ``Dialog`` over ZeroMQ: two sockets, driven from outside.
+
+Without threads and loops of its own: wait until one of ``descriptors()`` is readable or
+``due()`` has come, then call ``turn()``; and call ``turn()`` after asking for something.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import zmq
+
+from situ.blackboard.dialog import Dialog, Person
+from situ.errors import UsageError
+
+HELD = 10_000
+
+
+class Link:
+    """The sockets of one client. A Qt application drives it like this::
+
+        link = Link("tcp://127.0.0.1:5570", Person(role="viewer"))
+        for descriptor in link.descriptors():
+            QSocketNotifier(descriptor, QSocketNotifier.Type.Read, self).activated.connect(turn)
+        timer = QTimer(self, singleShot=True, timeout=turn)
+        feed = link.dialog.trace(since=1)
+
+        def turn():
+            link.turn()
+            while (event := feed.take()) is not None: …
+            timer.start(max(0, round((link.due() - link.clock()) * 1000)))
+
+    The descriptors stay the same for as long as it lives, over all reconnects. They
+    tell of a change once, so every ``turn`` takes all there is. Asking for something
+    (``link.dialog.get("x")`` gives a ``Call``; its ``done`` is called from a ``turn``)
+    is sent with the next ``turn``. One thread at a time.
+
+    Raises UsageError where the endpoint is no address.
+    """
+
+    def __init__(
+        self,
+        endpoint: str,
+        person: Person,
+        *,
+        context: zmq.Context[zmq.Socket[bytes]] | None = None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.endpoint = endpoint
+        self.clock = clock
+        self.dialog = Dialog(person)
+        self._own = context is None
+        self._context = zmq.Context() if context is None else context
+        self._dealer = self._context.socket(zmq.DEALER)
+        self._subscriber = self._context.socket(zmq.SUB)
+        self._listening: str | None = None
+        self._closed = False
+        for socket in (self._dealer, self._subscriber):
+            socket.linger = 0
+            socket.setsockopt(zmq.RECONNECT_IVL, 50)
+        # A request is for the core that is there, never for one that comes later.
+        self._dealer.setsockopt(zmq.IMMEDIATE, 1)
+        self._subscriber.setsockopt(zmq.RCVHWM, HELD)
+        try:
+            self._dealer.connect(endpoint)
+        except zmq.ZMQError as error:
+            self.close()
+            raise UsageError(
+                f"{endpoint}: {error.strerror}; write it as tcp://127.0.0.1:5570"
+            ) from None
+
+    def descriptors(self) -> tuple[int, int]:
+        """To wait on for reading; do not read from them."""
+        return self._dealer.fileno(), self._subscriber.fileno()
+
+    def due(self) -> float:
+        """When ``turn`` is to be called at the latest, by ``clock``."""
+        return self.dialog.due()
+
+    def turn(self) -> None:
+        """Takes all that has come, does what is due, sends all that is to be sent."""
+        if self._closed:
+            return
+        while self._receive() | self._send():
+            pass
+
+    def _receive(self) -> bool:
+        some = False
+        while (frames := _take(self._dealer)) is not None:
+            some = True
+            if len(frames) == 1:
+                self.dialog.receive(frames[0], self.clock())
+        while (frames := _take(self._subscriber)) is not None:
+            some = True
+            if len(frames) == 1:
+                self.dialog.hear(frames[0], self.clock())
+        self.dialog.tick(self.clock())
+        return some
+
+    def _send(self) -> bool:
+        """Whether something was sent; only then may the descriptors have missed news."""
+        dialog = self.dialog
+        some = False
+        if dialog.notifications is not None and dialog.notifications != self._listening:
+            if self._listening is not None:
+                self._subscriber.disconnect(self._listening)
+            self._listening = dialog.notifications
+            self._subscriber.connect(self._listening)
+        while dialog.subscribing:
+            topic, on = dialog.subscribing.popleft()
+            self._subscriber.setsockopt(zmq.SUBSCRIBE if on else zmq.UNSUBSCRIBE, topic)
+            some = True
+        while dialog.outgoing:
+            try:
+                self._dealer.send(dialog.outgoing[0], zmq.DONTWAIT)
+            except zmq.Again:
+                # Nobody is connected; the descriptor tells when somebody is.
+                break
+            dialog.outgoing.popleft()
+            some = True
+        return some
+
+    def close(self) -> None:
+        """Says nothing; ``dialog.bye()`` and a ``turn`` before it end the session at once."""
+        if self._closed:
+            return
+        self._closed = True
+        self._dealer.close()
+        self._subscriber.close()
+        if self._own:
+            self._context.term()
+
+
+def _take(socket: zmq.Socket[bytes]) -> list[Any] | None:
+    try:
+        return socket.recv_multipart(zmq.DONTWAIT)
+    except zmq.Again:
+        return None

@@ -1,0 +1,540 @@
+"""Version 1 of what client and core say to each other: every body a Struct, JSON on the wire.
+
+docs/protocol.md has a row for each, ``tests/vectors/`` the bytes. Three directions:
+
+* *requests*, client to core, told apart by ``do``; ``id`` is the client's own count.
+* *replies*, core to client, told apart by ``re``; ``id`` is the request's.
+* *notices*, core to whoever subscribed, told apart by ``on``; on ZeroMQ a notice is one
+  frame: its topic, a newline, its body.
+
+The core is strict (an unknown field is refused, so that a typing error shows), the
+client is not (a core may grow fields). Times are whole microseconds since the start of
+the runtime, lengths of time are seconds.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import msgspec
+from msgspec import UNSET, Struct, field
+
+from situ.errors import BlackboardError
+
+VERSION = 1
+HEARTBEAT = 0.25
+LEASE = 1.0
+"""Seconds: how often a client says that it lives, and how long it is believed."""
+
+MAXIMUM = 16_000_000
+"""Bytes of one message; pictures and sound go by URL."""
+
+Role = Literal["viewer", "module", "operator", "scenario"]
+"""viewer looks; module and operator also write; scenario plays a script (``situ run --script``)."""
+
+
+class Malformed(BlackboardError):
+    """A message that is none of version 1; ``id`` is its request's where that could be read."""
+
+    def __init__(self, message: str, id: int | None = None) -> None:
+        super().__init__(message)
+        self.id = id
+
+
+# -- requests ----------------------------------------------------------------
+
+
+class Request(
+    Struct,
+    frozen=True,
+    kw_only=True,
+    tag_field="do",
+    tag=str.lower,
+    forbid_unknown_fields=True,
+    omit_defaults=True,
+):
+    """at: the scenario's time in µs; only from the role ``scenario``."""
+
+    id: int
+    at: int | None = None
+
+
+class Need(Struct, frozen=True, omit_defaults=True):
+    """What a module requires: exactly one of ``data`` (a tag) and ``module``."""
+
+    data: str | None = None
+    module: str | None = None
+
+
+class Offer(Struct, frozen=True, omit_defaults=True):
+    """What a module provides, as in module information."""
+
+    data: str
+    type: str | None = None
+    unit: str | None = None
+
+
+class Hello(Request, frozen=True, kw_only=True):
+    """Opens a session. module: its name, for the role ``module`` only.
+
+    user: who operates, for the role ``operator``: writes are ``operator:USER``'s.
+    session: the one it had before; taken up again while its lease runs.
+    """
+
+    version: int
+    role: Role = "module"
+    module: str | None = None
+    user: str | None = None
+    resources: tuple[str, ...] = ()
+    description: str = ""
+    requires: tuple[Need, ...] = ()
+    provides: tuple[Offer, ...] = ()
+    session: str | None = None
+
+
+class Heartbeat(Request, frozen=True, kw_only=True):
+    """Every request keeps the lease; this one does nothing else."""
+
+
+class Set(Request, frozen=True, kw_only=True):
+    """One write of several tags; null deletes.
+
+    versions: compare-and-set; nothing is written unless each tag stands at this
+    version, 0 for one that is missing.
+    """
+
+    tags: dict[str, Any]
+    versions: dict[str, int] | None = None
+
+
+class Get(Request, frozen=True, kw_only=True):
+    """names: tags, names that reach into a value (``patient.room``), or patterns."""
+
+    names: tuple[str, ...]
+
+
+class Watch(Request, frozen=True, kw_only=True):
+    """From now on changes are noticed; the reply has what stands there now."""
+
+    patterns: tuple[str, ...]
+
+
+class Unwatch(Request, frozen=True, kw_only=True):
+    patterns: tuple[str, ...]
+
+
+class Publish(Request, frozen=True, kw_only=True):
+    """An event; application None: for every application."""
+
+    event: str
+    application: str | None = None
+
+
+class Acquire(Request, frozen=True, kw_only=True):
+    """Asks for authority; replaces what the module asked for before.
+
+    module: whose request it is; only from the role ``scenario``, here and below.
+    """
+
+    resources: tuple[str, ...]
+    optional: tuple[str, ...] = ()
+    module: str | None = None
+
+
+class Abandon(Request, frozen=True, kw_only=True):
+    """resources empty: gives all of them back."""
+
+    resources: tuple[str, ...] = ()
+    module: str | None = None
+
+
+class Command(Request, frozen=True, kw_only=True):
+    """valid (``for``): seconds that the command is good for, or None."""
+
+    resource: str
+    value: Any
+    valid: float | None = field(name="for", default=None)
+    module: str | None = None
+
+
+class Use(Request, frozen=True, kw_only=True):
+    """What a person did to a component of the screen shown; value unset for a button."""
+
+    component: str
+    value: Any = UNSET
+
+
+class Touch(Request, frozen=True, kw_only=True):
+    """A touch on no component."""
+
+
+class Finish(Request, frozen=True, kw_only=True):
+    """An action ended (``situ.decide.inputs.Finish``)."""
+
+    action: str | None = None
+    name: str | None = None
+    application: str | None = None
+    ok: bool = True
+    result: Any = None
+    error: str | None = None
+    status: int | None = None
+    action_id: int | None = None
+
+
+class Trace(Request, frozen=True, kw_only=True):
+    """From now on trace events are noticed; the reply has those from ``since`` on.
+
+    since: a seq; None: only what comes.
+    """
+
+    since: int | None = None
+
+
+class Documents(Request, frozen=True, kw_only=True):
+    """The files of the project as the robot runs it."""
+
+
+class Modules(Request, frozen=True, kw_only=True):
+    """Who is declared, who is connected, and what is wanted."""
+
+
+class Disclose(Request, frozen=True, kw_only=True):
+    """A module tells later, or anew, what ``hello`` may tell already."""
+
+    description: str = ""
+    requires: tuple[Need, ...] = ()
+    provides: tuple[Offer, ...] = ()
+
+
+class Bye(Request, frozen=True, kw_only=True):
+    """Ends the session at once; from a scenario with ``module``: that module is lost."""
+
+    module: str | None = None
+
+
+AnyRequest = (
+    Hello
+    | Heartbeat
+    | Set
+    | Get
+    | Watch
+    | Unwatch
+    | Publish
+    | Acquire
+    | Abandon
+    | Command
+    | Use
+    | Touch
+    | Finish
+    | Trace
+    | Documents
+    | Modules
+    | Disclose
+    | Bye
+)
+
+# -- replies -----------------------------------------------------------------
+
+
+class Reply(Struct, frozen=True, kw_only=True, tag_field="re", tag=str.lower):
+    id: int | None
+
+
+Code = Literal[
+    "session", "version", "name", "role", "clock", "malformed", "conflict", "invalid", "refused"
+]
+
+
+class Refused(Reply, frozen=True, kw_only=True):
+    """Nothing was done.
+
+    code: ``session`` (say hello first), ``version``, ``name`` (taken), ``role``, ``clock``
+    (a time from no scenario), ``malformed``, ``conflict`` (compare-and-set), ``invalid``
+    (a tag or pattern that is none) or ``refused`` (by the priority management).
+    message: one line: what, why, what to do.
+    """
+
+    code: str
+    message: str
+
+
+class Addresses(Struct, frozen=True):
+    """Where else to knock; http None: there is no screen."""
+
+    requests: str
+    notifications: str
+    http: str | None = None
+
+
+class Welcome(Reply, frozen=True, kw_only=True):
+    """To hello. runtime: another one after each start of the core, as ``seq`` begins anew.
+
+    resumed: the session is the one that was named; else watches, requests for
+    authority and trace are to be asked for anew. seq: the last trace event's.
+    """
+
+    session: str
+    resumed: bool
+    runtime: str
+    version: int
+    heartbeat: float
+    lease: float
+    project: str
+    addresses: Addresses
+    time: int
+    seq: int
+
+
+class Alive(Reply, frozen=True, kw_only=True):
+    """To heartbeat: what the client can find losses by.
+
+    changes: for each pattern that this session watches, the number (``n``) of the
+    last change that fits. seq: the last trace event's. holds: this module's resources.
+    """
+
+    time: int
+    seq: int
+    changes: dict[str, int]
+    holds: tuple[str, ...]
+
+
+class Done(Reply, frozen=True, kw_only=True):
+    """To all requests that have nothing to tell."""
+
+
+class Written(Reply, frozen=True, kw_only=True):
+    """To set: the version of each tag that changed."""
+
+    versions: dict[str, int]
+
+
+class Entry(Struct, frozen=True):
+    """value None: deleted, or never there (version 0); version counts on over deletions."""
+
+    value: Any
+    version: int
+    writer: str | None
+    time: int
+
+
+class Values(Reply, frozen=True, kw_only=True):
+    """To get: each name asked for, and each tag there is that a pattern fits."""
+
+    entries: dict[str, Entry]
+
+
+class Snapshot(Reply, frozen=True, kw_only=True):
+    """To watch: what stands there, what was deleted there, and ``changes`` as in Alive."""
+
+    entries: dict[str, Entry]
+    changes: dict[str, int]
+
+
+class Granted(Reply, frozen=True, kw_only=True):
+    """To acquire and abandon: the resources that the module holds now; seq as in Alive."""
+
+    holds: tuple[str, ...]
+    seq: int
+
+
+class Traced(Reply, frozen=True, kw_only=True):
+    """To trace: events in order of seq, each with ``time``; ask again from ``next`` until
+    it is above ``last``. first: the oldest that the core still has."""
+
+    events: tuple[msgspec.Raw, ...]
+    first: int
+    next: int
+    last: int
+
+
+class Files(Reply, frozen=True, kw_only=True):
+    """To documents: path relative to the project, to the text of the file."""
+
+    project: str
+    files: dict[str, str]
+
+
+class ModuleState(Struct, frozen=True):
+    """A module, or an application (then ``application`` is true and it is always present)."""
+
+    name: str
+    application: bool
+    declared: bool
+    present: bool
+    resources: tuple[str, ...]
+    holds: tuple[str, ...]
+    description: str
+    requires: tuple[Need, ...]
+    provides: tuple[Offer, ...]
+
+
+class Wanted(Struct, frozen=True):
+    """Something that ``by`` require and nobody who is present provides."""
+
+    data: str | None
+    module: str | None
+    by: tuple[str, ...]
+
+
+class ModuleStates(Reply, frozen=True, kw_only=True):
+    modules: tuple[ModuleState, ...]
+    wanted: tuple[Wanted, ...]
+
+
+AnyReply = (
+    Refused
+    | Welcome
+    | Alive
+    | Done
+    | Written
+    | Values
+    | Snapshot
+    | Granted
+    | Traced
+    | Files
+    | ModuleStates
+)
+
+# -- notices -----------------------------------------------------------------
+
+
+class Notice(Struct, frozen=True, kw_only=True, tag_field="on", tag=str.lower):
+    """What is sent to all who subscribed to its topic."""
+
+
+class Change(Notice, frozen=True, kw_only=True):
+    """Topic ``t:TAG``. n: counts all changes of the board; value None: deleted."""
+
+    tag: str
+    value: Any
+    version: int
+    writer: str
+    time: int
+    n: int
+
+
+class Authority(Notice, frozen=True, kw_only=True):
+    """Topic ``a:RESOURCE``: it passed from one module (or nobody) to another."""
+
+    resource: str
+    source: str | None = field(name="from")
+    to: str | None
+    seq: int
+
+
+class Events(Notice, frozen=True, kw_only=True):
+    """Topic ``trace``: the trace events of one step."""
+
+    events: tuple[msgspec.Raw, ...]
+
+
+class Message(Notice, frozen=True, kw_only=True):
+    """Topic ``m:TOPIC``: an application's action ``message``."""
+
+    topic: str
+    value: Any
+    application: str
+
+
+class Echo(Notice, frozen=True, kw_only=True):
+    """Topic ``echo:TOKEN``, sent once when somebody subscribes to it: all that he subscribed
+    to before is heard from here on."""
+
+
+class End(Notice, frozen=True, kw_only=True):
+    """Topic ``end``: the runtime stops."""
+
+
+AnyNotice = Change | Authority | Events | Message | Echo | End
+
+# -- topics ------------------------------------------------------------------
+
+ECHO = b"echo:"
+TRACE = b"trace\n"
+END = b"end\n"
+
+
+def change_topic(tag: str) -> bytes:
+    return b"t:%s\n" % tag.encode()
+
+
+def pattern_topic(pattern: str) -> bytes:
+    """What to subscribe to for a pattern: all topics that can fit begin with it."""
+    star = pattern.find("*")
+    if star < 0:
+        return change_topic(pattern)
+    # ``user.**`` fits ``user`` too, so the separator before it may be missing.
+    head = pattern[:star]
+    return b"t:" + (head[:-1] if pattern[star : star + 2] == "**" else head).encode()
+
+
+def authority_topic(resource: str) -> bytes:
+    return b"a:%s\n" % resource.encode()
+
+
+def message_topic(topic: str) -> bytes:
+    return b"m:%s\n" % " ".join(topic.split()).encode()
+
+
+# -- bytes -------------------------------------------------------------------
+
+_encoder = msgspec.json.Encoder()
+_requests: msgspec.json.Decoder[AnyRequest] = msgspec.json.Decoder(AnyRequest)
+_replies: msgspec.json.Decoder[AnyReply] = msgspec.json.Decoder(AnyReply)
+_notices: msgspec.json.Decoder[AnyNotice] = msgspec.json.Decoder(AnyNotice)
+
+
+class _Id(Struct):
+    id: int | None = None
+
+
+_id = msgspec.json.Decoder(_Id)
+
+# What decoding can raise: a JSON text may be no UTF-8, or nested too deep.
+_BROKEN = (msgspec.MsgspecError, UnicodeError, RecursionError)
+
+
+def encode(message: Request | Reply | Notice) -> bytes:
+    """The body of a message; its values must be JSON values."""
+    return _encoder.encode(message)
+
+
+def read_request(body: bytes) -> AnyRequest:
+    """Raises ``Malformed``, with the request's id where there is one, and nothing else."""
+    try:
+        return _requests.decode(body)
+    except _BROKEN as error:
+        try:
+            number = _id.decode(body).id
+        except _BROKEN:
+            number = None
+        raise Malformed(
+            f"no request of version {VERSION}: {_said(error)}; see docs/protocol.md", number
+        ) from None
+
+
+def read_reply(body: bytes) -> AnyReply:
+    """Raises ``Malformed`` and nothing else."""
+    try:
+        return _replies.decode(body)
+    except _BROKEN as error:
+        raise Malformed(f"no reply of version {VERSION}: {_said(error)}") from None
+
+
+def read_notice(frame: bytes) -> AnyNotice:
+    """A frame with its topic. Raises ``Malformed`` and nothing else."""
+    try:
+        return _notices.decode(memoryview(frame)[frame.index(b"\n") + 1 :])
+    except (*_BROKEN, ValueError) as error:
+        raise Malformed(f"no notice of version {VERSION}: {_said(error)}") from None
+
+
+def notice(topic: bytes, body: Notice) -> bytes:
+    """One frame: topic (which ends with a newline) and body."""
+    return topic + _encoder.encode(body)
+
+
+def _said(error: Exception) -> str:
+    if isinstance(error, RecursionError):
+        return "it is nested too deep"
+    return str(error).replace("\n", " ")

@@ -1,0 +1,258 @@
+"""A robot that lives: sockets and a clock into ``Robot.step``, its effects to who carries them out.
+
+One asyncio thread. What decides is ``Robot``, who may ask is ``Sessions``, what moves is the
+performer; here they are only joined, and woken when something has come or fallen due.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import time
+from collections.abc import Callable, Coroutine
+from datetime import datetime
+from typing import Any, Protocol
+
+import zmq
+from msgspec.structs import replace
+
+from situ.blackboard.protocol import Addresses
+from situ.blackboard.server import Server
+from situ.blackboard.session import Sessions
+from situ.decide import inputs
+from situ.decide.effects import AnyEffect
+from situ.decide.priorities import RUNTIME
+from situ.decide.robot import Robot
+from situ.decide.step import SECOND
+from situ.decide.trace import TraceEvent
+from situ.document.project import Project
+
+CLOSING = 2.0
+"""Seconds that the performer has to end what it does."""
+
+_log = logging.getLogger("situ.run")
+
+Submit = Callable[[inputs.AnyInput], None]
+Heard = Callable[[list[TraceEvent], float], None]
+
+
+class Performing(Protocol):
+    """The part of ``situ.engine.perform.Performer`` that the loop needs."""
+
+    @property
+    def screen_url(self) -> str | None: ...
+
+    async def start(self) -> None: ...
+
+    def perform(self, effect: AnyEffect) -> None: ...
+
+    async def close(self) -> None: ...
+
+
+class Live:
+    """One robot on one asyncio loop, from ``start`` to ``stop``.
+
+    endpoint, notify: where to bind, port 0 for a free one. performer(submit, tag) makes
+    who carries out effects; tag reads the blackboard. heard: is told each step's trace
+    events with the UNIX time. documents: as in ``Sessions``.
+
+    scripted: a scenario client gives the time (``Sessions``); what actions and adapters
+    answer is then left out, for the scenario says what ends and what is measured.
+    """
+
+    def __init__(
+        self,
+        project: Project,
+        endpoint: str,
+        notify: str,
+        performer: Callable[[Submit, Callable[[str], Any]], Performing] | None = None,
+        *,
+        documents: dict[str, str] | None = None,
+        scripted: bool = False,
+        seed: int = 0,
+        auto_finish: float | None = None,
+        heard: Heard | None = None,
+    ) -> None:
+        self._project = project
+        self._bind = endpoint, notify
+        self._make = performer
+        self._documents = documents
+        self._scripted = scripted
+        self._seed = seed
+        self._auto_finish = auto_finish
+        self._heard = heard
+        self._performer: Performing | None = None
+        self._timers: dict[str, asyncio.TimerHandle] = {}
+        self._started = 0.0
+
+    async def start(self) -> Addresses:
+        """Binds, opens the screen, takes the first step; the addresses that clients need.
+
+        Raises UsageError where an address can not be bound.
+        """
+        self._loop = asyncio.get_running_loop()
+        self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
+        try:
+            self._server = Server(*self._bind, context=self._context)
+        except BaseException:
+            self._context.term()
+            raise
+        project = self._project
+        if not self._scripted:
+            # The first situation may depend on the time of day.
+            project = replace(project, tags={**_clock_tags(), **project.tags})
+        self._robot = Robot(project)
+        try:
+            if self._make is not None:
+                self._performer = self._make(self._submit, self._robot.board.look)
+                await self._performer.start()
+        except BaseException:
+            self._server.close()
+            self._context.term()
+            raise
+        addresses = Addresses(
+            requests=self._server.requests,
+            notifications=self._server.notifications,
+            http=self._performer.screen_url if self._performer is not None else None,
+        )
+        self._started = self._loop.time()
+        self._sessions = Sessions(
+            self._robot,
+            project,
+            addresses=addresses,
+            documents=self._documents,
+            scripted=self._scripted,
+            epoch=time.time(),
+            heard=self._heard,
+        )
+        self._sessions.start(self._seed, self._auto_finish)
+        self._flush()
+        for descriptor in self._server.descriptors():
+            self._loop.add_reader(descriptor, self._drain)
+        self._drain()
+        if not self._scripted:
+            self._keep_clock()
+        return addresses
+
+    async def stop(self) -> None:
+        """Tells all clients, holds the robot, closes; within about ``CLOSING`` seconds."""
+        for descriptor in self._server.descriptors():
+            self._loop.remove_reader(descriptor)
+        for timer in self._timers.values():
+            timer.cancel()
+        self._sessions.end()
+        out = self._sessions.take()
+        self._server.send(out.replies, out.notices)
+        if self._performer is not None:
+            await _in_time(self._performer.close())
+        self._server.close()
+        self._context.term()
+
+    # -- scripted time -------------------------------------------------------
+
+    @property
+    def moment(self) -> int:
+        """The robot's time in µs."""
+        return self._sessions.moment
+
+    def due(self) -> int | None:
+        """When the robot next does something by itself, in µs of its time."""
+        return self._robot.due()
+
+    def move(self, moment: int) -> None:
+        """Moves a scripted robot's time, doing what falls due by then."""
+        self._sessions.advance(self._now())
+        self._sessions.move(moment)
+        self._flush()
+
+    # -- the loop ------------------------------------------------------------
+
+    def _now(self) -> int:
+        return int((self._loop.time() - self._started) * SECOND)
+
+    def _drain(self) -> None:
+        """Requests have come; takes them, with what follows."""
+        more = self._server.drain(self._received)
+        if self._flush() or more:
+            # The descriptors tell of a change once only, and others must have their turn.
+            self._at("drain", self._loop.time(), self._drain)
+
+    def _received(self, peer: bytes, body: bytes) -> None:
+        self._sessions.receive(peer, body, self._now())
+
+    def _submit(self, given: inputs.AnyInput) -> None:
+        if self._scripted and isinstance(given, (inputs.Finish, inputs.Set)):
+            return
+        refused = self._sessions.submit(given, self._now())
+        if refused is not None:
+            _log.warning("%s", refused)
+        if self._flush():
+            self._drain()
+
+    def _ring(self) -> None:
+        self._sessions.advance(self._now())
+        if self._flush():
+            self._drain()
+
+    def _flush(self) -> bool:
+        """Sends and carries out what follows from the last steps; True: requests may wait."""
+        out = self._sessions.take()
+        waiting = self._server.send(out.replies, out.notices)
+        if self._performer is not None:
+            for effect in out.effects:
+                self._performer.perform(effect)
+        due = self._sessions.due()
+        if due is not None:
+            # A timer may ring a little early by the loop's reckoning; never by ours.
+            self._at("due", self._started + (due + 1) / SECOND, self._ring)
+        elif "due" in self._timers:
+            self._timers.pop("due").cancel()
+        return waiting
+
+    def _at(self, name: str, when: float, call: Callable[[], None]) -> None:
+        before = self._timers.get(name)
+        if before is not None:
+            if before.when() == when and not before.cancelled():
+                return
+            before.cancel()
+        self._timers[name] = self._loop.call_at(when, self._call, name, call)
+
+    def _call(self, name: str, call: Callable[[], None]) -> None:
+        self._timers.pop(name, None)
+        call()
+
+    # -- the time of day -----------------------------------------------------
+
+    def _keep_clock(self) -> None:
+        """``clock.time``, ``clock.date`` and ``clock.weekday``, anew with each minute."""
+        changed = {
+            tag: value
+            for tag, value in _clock_tags().items()
+            if (entry := self._robot.board.get(tag)) is None or entry.value != value
+        }
+        # The clock on the wall may have been set; the trace follows it.
+        self._sessions.epoch = time.time() - self._now() / SECOND
+        if changed:
+            self._submit(inputs.Set(changed, RUNTIME))
+        left = 60 - time.time() % 60
+        self._at("clock", self._loop.time() + left + 0.01, self._keep_clock)
+
+
+def _clock_tags() -> dict[str, str]:
+    now = datetime.now()
+    return {
+        "clock.time": f"{now:%H:%M}",
+        "clock.date": f"{now:%Y-%m-%d}",
+        "clock.weekday": _WEEKDAYS[now.weekday()],
+    }
+
+
+_WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday")
+
+
+async def _in_time(closing: Coroutine[Any, Any, None]) -> None:
+    try:
+        async with asyncio.timeout(CLOSING):
+            await closing
+    except TimeoutError:
+        _log.warning("what the robot was doing did not end in %g s; it is left", CLOSING)
