@@ -6,7 +6,7 @@ trace. No Qt, no clock: time is the trace's own ``t``.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from msgspec import Struct, field
@@ -113,6 +113,24 @@ class TraceLog:
         if len(self.events) > self._limit * 5 // 4:
             del self.events[: len(self.events) - self._limit]
         return new
+
+    def stand(self, entries: Mapping[str, tuple[Any, str | None, float]]) -> None:
+        """What stands on the blackboard: tag to (value, writer, time in seconds).
+
+        Fills in what the trace does not tell: the runtime's own tags, and all that was
+        written before the events that are still to be had.
+        """
+        for tag, (value, writer, t) in entries.items():
+            known = self.now.board.get(tag)
+            if value is not None and (known is None or known.t <= t):
+                self.now.board[tag] = Entry(value, writer, t)
+            if tag.startswith("application/") and isinstance(value, dict):
+                application = self.now.application(tag.removeprefix("application/"))
+                if application.state is None:
+                    application.state, application.since = value["state"], t
+                    application.suspended = value["suspended"]
+            elif tag == "situation" and isinstance(value, dict) and self.now.situation is None:
+                self.now.situation, self.now.situation_since = value["name"], t
 
     def clear(self) -> None:
         """Another run of the runtime: its ``seq`` begins anew."""

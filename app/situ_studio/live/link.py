@@ -1,0 +1,232 @@
+"""The link to a running robot, in Qt's own loop: no thread, no polling.
+
+The blackboard's client does the talking (``situ.blackboard.link.Link``); this drives
+it by socket notifiers and one timer, and tells the window what came.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from datetime import UTC, datetime
+from typing import Any
+
+from msgspec import Struct
+from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
+
+from situ.blackboard.client import Call, person
+from situ.blackboard.link import Link
+from situ.blackboard.protocol import Entry as Standing
+from situ.errors import BlackboardError
+from situ_studio.live.log import TraceFields, TraceLog
+
+
+class LinkState(Struct, frozen=True):
+    """What the status bar says, always honestly.
+
+    kind: ``none`` (no robot), ``connecting``, ``live``, ``lost`` or ``refused``.
+    since: seconds of the link's clock when it became so. behind: seconds between the
+    last event at the robot and here, by both wall clocks; None before the first.
+    """
+
+    kind: str = "none"
+    endpoint: str = ""
+    project: str = ""
+    since: float = 0.0
+    behind: float | None = None
+    why: str = ""
+
+    def words(self, now: float) -> str:
+        """As a designer reads it, at ``now`` of the link's clock."""
+        if self.kind == "live":
+            if self.behind is None:
+                return "live"
+            return f"live, {round(self.behind * 1000)} ms behind"
+        if self.kind == "lost":
+            return f"lost {round(now - self.since)} s ago"
+        if self.kind == "connecting":
+            return f"connecting to {self.endpoint}"
+        return self.why if self.kind == "refused" else "no robot"
+
+
+class RobotLink(QObject):
+    """One robot at a time; reconnects by itself until ``disconnect_robot``.
+
+    now: the wall clock, to be compared with the robot's.
+    """
+
+    state_changed = Signal()
+    """``state`` is another."""
+    came = Signal(list)
+    """New trace events (plain objects), already in ``log``."""
+    moment_changed = Signal()
+    """``log.now`` is not what it was; at most once a turn of the loop."""
+    documents_came = Signal(dict)
+    """The robot's own files: path in the project to text."""
+
+    def __init__(
+        self,
+        parent: QObject | None = None,
+        now: Callable[[], datetime] = lambda: datetime.now(UTC),
+    ) -> None:
+        super().__init__(parent)
+        self.log = TraceLog()
+        self.state = LinkState()
+        self.files: dict[str, str] | None = None
+        self._now = now
+        self._link: Link | None = None
+        self._notifiers: list[QSocketNotifier] = []
+        self._restarts = 0
+        self._runtime: str | None = None
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._turn)
+
+    def clock(self) -> float:
+        """Seconds, the clock of ``LinkState.since``; 0 while there is no link."""
+        return self._link.clock() if self._link is not None else 0.0
+
+    def connect_robot(self, endpoint: str) -> None:
+        """Begins to follow the robot at ``endpoint``; raises UsageError where it is no address."""
+        self.disconnect_robot()
+        link = Link(endpoint, person())
+        self._link = link
+        self._feed = link.dialog.trace(since=1)
+        self._restarts = 0
+        link.dialog.changed = self._on_dialog
+        for descriptor in link.descriptors():
+            notifier = QSocketNotifier(descriptor, QSocketNotifier.Type.Read, self)
+            notifier.activated.connect(self._turn)
+            self._notifiers.append(notifier)
+        self._become(LinkState("connecting", endpoint, since=link.clock()))
+        self._turn()
+
+    def disconnect_robot(self) -> None:
+        """Ends the link; the log stays to be looked at."""
+        if self._link is None:
+            return
+        for notifier in self._notifiers:
+            notifier.setEnabled(False)
+            notifier.deleteLater()
+        self._notifiers.clear()
+        self._timer.stop()
+        link, self._link = self._link, None
+        link.dialog.changed = None
+        link.dialog.bye()
+        link.turn()
+        link.close()
+        self._runtime = None
+        self._become(LinkState())
+
+    @property
+    def connected(self) -> bool:
+        return self.state.kind == "live"
+
+    # -- what an operator may do ---------------------------------------------
+
+    def set(self, tags: Mapping[str, Any], told: Callable[[str], None]) -> None:
+        """Sets tags; ``told`` gets one line where the robot refuses."""
+        if self._link is not None:
+            self._await(self._link.dialog.set(tags), told)
+
+    def publish(self, event: str, application: str | None, told: Callable[[str], None]) -> None:
+        """Raises an event; ``told`` gets one line where the robot refuses."""
+        if self._link is not None:
+            self._await(self._link.dialog.publish(event, application), told)
+
+    def _await(self, call: Call[Any], told: Callable[[str], None]) -> None:
+        def done() -> None:
+            try:
+                call.result()
+            except BlackboardError as error:
+                told(str(error))
+
+        call.done = done
+        self._turn()
+
+    # -- the loop ------------------------------------------------------------
+
+    def _turn(self) -> None:
+        link = self._link
+        if link is None:
+            return
+        link.turn()
+        if self._link is None:
+            return
+        self._take_events()
+        self._timer.start(max(0, round((link.due() - link.clock()) * 1000)))
+
+    def _take_events(self) -> None:
+        if self._feed.restarts != self._restarts:
+            self._restarts = self._feed.restarts
+            self.log.clear()
+        events: list[TraceFields] = []
+        while (event := self._feed.take()) is not None:
+            events.append(event)
+        if not events:
+            return
+        new = self.log.add(events)
+        if new:
+            self._measure(new[-1])
+            self.came.emit(new)
+            self.moment_changed.emit()
+
+    def _measure(self, last: TraceFields) -> None:
+        written = last.get("time")
+        if self.state.kind != "live" or not isinstance(written, str):
+            return
+        behind = (self._now() - datetime.fromisoformat(written)).total_seconds()
+        self._become(
+            LinkState(
+                "live", self.state.endpoint, self.state.project, self.state.since, max(behind, 0.0)
+            )
+        )
+
+    def _on_dialog(self) -> None:
+        link = self._link
+        if link is None:
+            return
+        dialog = link.dialog
+        at = self.state.endpoint
+        if dialog.connected and dialog.welcome is not None:
+            if self.state.kind != "live":
+                self._greeted(dialog.welcome.runtime)
+                project = dialog.welcome.project
+                self._become(LinkState("live", at, project, link.clock()))
+        elif dialog.ended:
+            self._become(LinkState("refused", at, since=link.clock(), why=str(dialog.problem)))
+        elif self.state.kind == "live":
+            self._become(LinkState("lost", at, self.state.project, link.clock()))
+
+    def _greeted(self, runtime: str) -> None:
+        """A session began: what stands there, and the robot's own documents."""
+        link = self._link
+        assert link is not None
+        if runtime != self._runtime:
+            self._runtime = runtime
+            self.log.clear()
+        entries = link.dialog.entries(["**"])
+        entries.done = lambda: self._stand(entries)
+        files = link.dialog.documents()
+
+        def compared() -> None:
+            try:
+                self.files = files.result().files
+            except BlackboardError:
+                return
+            self.documents_came.emit(self.files)
+
+        files.done = compared
+
+    def _stand(self, call: Call[dict[str, Standing]]) -> None:
+        try:
+            entries = call.result()
+        except BlackboardError:
+            return
+        self.log.stand({tag: (e.value, e.writer, e.time / 1e6) for tag, e in entries.items()})
+        self.moment_changed.emit()
+
+    def _become(self, state: LinkState) -> None:
+        if state != self.state:
+            self.state = state
+            self.state_changed.emit()
