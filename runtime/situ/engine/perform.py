@@ -12,6 +12,7 @@ import logging
 import secrets
 import shutil
 from collections.abc import Callable, Collection, Coroutine
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,9 @@ from situ.engine.screen.server import ScreenServer
 
 ALL = ("engine", "robot", "screen")
 """What ``situ run --services`` may name besides the core."""
+
+
+Act = Callable[[], Coroutine[Any, Any, None]]
 
 
 def _nothing(*_: Any) -> None:
@@ -204,10 +208,10 @@ class Performer:
         if effect.action == "message":
             message.send(self._publish, effect.fields)
         elif effect.action == "service":
-            self._run(effect.id, self._ask(effect))
+            self._run(effect.id, partial(self._ask, effect))
         elif effect.action == "launch":
             program = str(effect.fields.get("program", effect.name or ""))
-            self._run(effect.id, self._launch(effect.id, program, effect.fields))
+            self._run(effect.id, partial(self._launch, effect.id, program, effect.fields))
         else:
             self._later(
                 Finish(id=effect.id, ok=False, error=f"nothing carries out {effect.action}")
@@ -246,18 +250,18 @@ class Performer:
         value = effect.value
         if value is None:
             return
+        act: Act
         if isinstance(value, dict) and isinstance(value.get("src"), str):
-            coroutine = self._sound(value["src"])
+            act = partial(self._sound, value["src"])
         elif isinstance(value, dict) and isinstance(value.get("text"), str):
-            lang = value.get("lang") or self._language()
-            coroutine = self._say(value["text"], str(lang))
+            act = partial(self._say, value["text"], str(value.get("lang") or self._language()))
         elif isinstance(value, str):
-            coroutine = self._say(value, self._language())
+            act = partial(self._say, value, self._language())
         else:
             self._log.warning("speech was commanded %.80r, which has neither text nor src", value)
             return
         assert self._loop is not None
-        self._voice = self._loop.create_task(self._guard(effect.actions, coroutine))
+        self._voice = self._loop.create_task(self._guard(effect.actions, act))
 
     async def _say(self, text: str, lang: str) -> None:
         assert self._speaker is not None
@@ -329,14 +333,14 @@ class Performer:
         if self._loop is not None:
             self._submit(answer)
 
-    def _run(self, action: int, coroutine: Coroutine[Any, Any, None]) -> None:
+    def _run(self, action: int, act: Act) -> None:
         assert self._loop is not None
-        self._tasks[action] = self._loop.create_task(self._guard((action,), coroutine))
+        self._tasks[action] = self._loop.create_task(self._guard((action,), act))
 
-    async def _guard(self, ids: tuple[int, ...], coroutine: Coroutine[Any, Any, None]) -> None:
+    async def _guard(self, ids: tuple[int, ...], act: Act) -> None:
         """Runs an action; however it fails, its Finish says so in plain words."""
         try:
-            await coroutine
+            await act()
         except ActionFailed as failure:
             self._fail(ids, str(failure), failure.status)
         except Exception as error:

@@ -13,7 +13,9 @@ No shell is involved. The list is read anew for each launch.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
+import os
 import re
 import signal
 import tomllib
@@ -110,3 +112,6 @@ async def _gone(process: asyncio.subprocess.Process) -> None:
     except TimeoutError:
         kill(process)
         await process.wait()
+    # What it started and left behind, in its group.
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)

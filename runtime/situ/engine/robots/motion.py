@@ -95,13 +95,11 @@ class Drift(Struct, frozen=True):
 
     def at(self, t: float) -> tuple[float, ...]:
         x, y, heading = self.start
-        first, last = math.radians(heading), math.radians(heading + self.turn * t)
-        if self.turn:
-            rate = math.radians(self.turn)
-            along = (math.sin(last) - math.sin(first)) / rate
-            across = (math.cos(last) - math.cos(first)) / rate
-        else:
-            along, across = math.cos(first) * t, -math.sin(first) * t
+        # The chord of the arc: it points half the turn aside, and is the shorter for it.
+        half = math.radians(self.turn) * t / 2
+        chord = t * (math.sin(half) / half if abs(half) > 1e-9 else 1.0)
+        middle = math.radians(heading) + half
+        along, across = chord * math.cos(middle), -chord * math.sin(middle)
         return (
             x + self.vx * along + self.vy * across,
             y - self.vx * across + self.vy * along,
