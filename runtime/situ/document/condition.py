@@ -42,7 +42,7 @@ class Test(Struct, frozen=True):
 
 
 class Group(Struct, frozen=True):
-    """``<all>``, ``<any>``, ``<none>`` over any mix of tests and groups; never empty in a valid file."""
+    """``<all>``, ``<any>``, ``<none>`` over any mix of tests and groups; valid: not empty."""
 
     kind: GroupName
     children: tuple[Test | Group, ...] = ()

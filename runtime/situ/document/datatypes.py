@@ -34,6 +34,7 @@ class Type(Struct, frozen=True):
         (``is no tag: …``), or None where it may; None: everything may.
     schema: RELAX NG pattern for the text.
     blank: what stands in for a missing required one, so that reading can go on.
+    code: that of the problem where the rule is broken.
     """
 
     schema: str
@@ -41,6 +42,7 @@ class Type(Struct, frozen=True):
     write: Callable[[Any], str] | None = None
     rule: Callable[[Any], str | None] | None = None
     blank: Any = ""
+    code: str = "bad-value"
 
 
 def shown(text: str) -> str:
@@ -175,18 +177,20 @@ _WORD = r"(\*\*?|[a-z][a-z0-9_\-]*)"
 
 TEXT = Type("<text/>")
 SOME = Type(_pattern(r"(.|\s)*\S(.|\s)*"), rule=_some_rule)
-TAG = Type(_pattern(rf"{_TAG}|{_ROOT}(/{_PART})+"), rule=_tag_rule)
+TAG = Type(_pattern(rf"{_TAG}|{_ROOT}(/{_PART})+"), rule=_tag_rule, code="bad-tag")
 NAME = Type(
     _pattern(rf"([a-z][a-z0-9_\-]*|{_ROOT}(/{_PART})+)(\.[\w_\-]+)*"),
     rule=_name_rule,
+    code="bad-name",
 )
 PATTERN = Type(
     _pattern(rf"{_WORD}(\.{_WORD})*|{_ROOT}(/(\*\*?|{_PART}))+"),
     rule=_pattern_rule,
+    code="bad-tag",
 )
 TOKEN = Type(_pattern(r"[^\s#]\S*"), rule=_token_rule)
 TARGET = Type(_pattern(r"[^\s#]\S*|#again|#back"))
-TITLE = Type(_pattern(r"[^\s/{}*]([^/{}*]*[^\s/{}*])?"), rule=_title_rule)
+TITLE = Type(_pattern(r"[^\s/{}*]([^/{}*]*[^\s/{}*])?"), rule=_title_rule, code="bad-name")
 RESOURCES = Type(
     "<list><zeroOrMore>" + _pattern(r"[^\s/{}*]+") + "</zeroOrMore></list>",
     parse=_resources,
@@ -207,6 +211,7 @@ SECONDS = Type(
     parse=number,
     write=write_number,
     rule=_seconds_rule,
+    code="bad-time",
     blank=1.0,
 )
 COUNT = Type('<data type="positiveInteger"/>', parse=_integer, write=str, rule=_count_rule, blank=1)

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
-from typing import Any
+from typing import Any, cast
 
 from msgspec import Struct
 from msgspec.structs import fields, force_setattr, replace
 
 from situ.document import rbd, spds
-from situ.document.condition import TESTS, Condition, Group, Test
+from situ.document.aside import Aside
+from situ.document.condition import TESTS, Condition, Group, Test, TestName
 from situ.document.datatypes import (
     BOOLEAN,
     COUNT,
@@ -144,14 +145,12 @@ _TEXT = ("text", TEXT)
 
 # -- conditions --------------------------------------------------------------
 
-TEST_TYPES: dict[str, Type] = {test: TEXT for test in TESTS}
 
-
-def _make_test(tag: str, aside: Any, **found: Any) -> Test:
+def _make_test(tag: str, aside: Aside, **found: Any) -> Test:
     within, hold = found.pop("within", None), found.pop("hold", None)
     if len(found) == 1:
         ((test, value),) = found.items()
-        return Test(tag, test, value, within, hold, aside)
+        return Test(tag, cast(TestName, test), value, within, hold, aside)
     instead = Test(tag, "exists", "true", within, hold, aside)
     if not found:
         said = f"tests nothing: add one of {', '.join(TESTS)}"

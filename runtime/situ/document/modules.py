@@ -1,4 +1,4 @@
-"""Module information: what developers disclose (seed 000, 4.2; formats.md, *Module information*)."""
+"""Module information: what developers disclose (seed 000, 4.2)."""
 
 from __future__ import annotations
 

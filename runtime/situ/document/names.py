@@ -1,4 +1,4 @@
-"""The grammar of tags, names, patterns and references (formats.md, *Values, references, conditions*).
+"""The grammar of tags, names, patterns and references (formats.md, *Values, references*).
 
 A *tag* is where a value stands on the blackboard: dotted words (``user.name``), or
 a path under a reserved root (``robot/head``). A *name* is what a designer may
@@ -41,9 +41,7 @@ def is_name(text: str) -> bool:
 
 def is_pattern(text: str) -> bool:
     """Whether ``text`` is a pattern; every tag is one too."""
-    return (
-        _PATTERN_WORDS.fullmatch(text) is not None or _PATTERN_PATH.fullmatch(text) is not None
-    )
+    return _PATTERN_WORDS.fullmatch(text) is not None or _PATTERN_PATH.fullmatch(text) is not None
 
 
 def is_reserved(text: str) -> bool:

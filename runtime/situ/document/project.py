@@ -34,6 +34,7 @@ class Project(Struct, frozen=True, kw_only=True):
     """All of a project that has been read; paths are relative to ``root``, with ``/``.
 
     applications: file to application, in the project's order, which counts.
+    parts: file to application, those that only a ``flow`` names.
     texts: language to (text as written to translation), from ``texts/LANG.po``.
     tags: values before the start, ``robot.local.toml`` already laid over them.
     places: name to (x metres, y metres, heading degrees) in the robot's map.
@@ -43,6 +44,7 @@ class Project(Struct, frozen=True, kw_only=True):
     name: str
     toml: str | None = None
     applications: dict[str, Application] = field(default_factory=dict)
+    parts: dict[str, Application] = field(default_factory=dict)
     spds_file: str | None = None
     spds: Spds | None = None
     modules_file: str | None = None

@@ -42,8 +42,8 @@ class _Rule:
         "make",
         "many",
         "name",
-        "part",
         "parse_text",
+        "part",
         "required",
         "text",
     )
@@ -441,7 +441,7 @@ class _Reading:
             said += f'; did you mean "{_nearest(key, rule.attributes)}"?'
         self.problem("unknown-attribute", said)
 
-    def stranger(self, name: str, given: Mapping[str, str]) -> None:
+    def stranger(self, name: str, given: dict[str, str]) -> None:
         """An element that has no place here: foreign, or unknown."""
         parent = self.stack[-1].rule
         foreign = bool(given.get("xmlns")) or ":" in name

@@ -101,8 +101,7 @@ def _element(
     out: list[str], element: Element, value: Any, indent: str, prefixes: _Prefixes
 ) -> None:
     aside: Aside = value.aside
-    for fragment in aside.before:
-        out.append(indent + prefixes.fragment(fragment))
+    out += [indent + prefixes.fragment(fragment) for fragment in aside.before]
     _tagged(out, element, value, aside, indent, prefixes)
 
 
@@ -137,11 +136,11 @@ def _tagged(
     text = ""
     if element.text is not None:
         field, kind = element.text
-        held = getattr(value, field)
-        text = (held if kind.write is None else kind.write(held)).translate(_TEXT)
+        written = getattr(value, field)
+        text = (written if kind.write is None else kind.write(written)).translate(_TEXT)
     inner: list[str] = []
     for slot in element.slots:
-        held = getattr(value, slot.field) if slot.field else None
+        held: Any = getattr(value, slot.field) if slot.field else None
         if not slot.field:
             _part(inner, slot.elements[0], value, aside, indent + "  ", prefixes)
         elif slot.many:
@@ -177,8 +176,7 @@ def _part(
     if element.text is not None:
         held.append(getattr(value, element.text[0]))
     empty = not any(one is not None and one not in ((), "") for one in held)
-    for fragment in own.before:
-        out.append(indent + prefixes.fragment(fragment))
+    out += [indent + prefixes.fragment(fragment) for fragment in own.before]
     if empty and (element.attributes or not (own.inside or own.attributes)):
         return
     _tagged(out, element, value, own, indent, prefixes)

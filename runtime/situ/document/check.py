@@ -1,0 +1,158 @@
+"""What is wrong with a project: every structural error of formats.md, and its warnings.
+
+Each problem has a stable code, its place in the file and in the document, and
+words that say what to do. What needs a search (states that cannot be reached)
+is not here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+
+from situ.document import names
+from situ.document.aside import NOTHING
+from situ.document.check_application import check_application, texts, used_resources
+from situ.document.check_script import check_modules, check_script
+from situ.document.datatypes import shown
+from situ.document.finding import Disk, Files, Findings
+from situ.document.problem import Problem
+from situ.document.project import Project
+from situ.document.rbd import Application
+
+_SPOKEN = re.compile(r"[^\W\d_]")
+
+
+def check(project: Project, files: Files | None = None) -> list[Problem]:
+    """The problems of a project, file by file; never raises.
+
+    files: the project's folder; where it lies on disk unless given. Line and column
+    are those of the file on disk, 0 for a value that is in no file yet.
+    """
+    files = files if files is not None else Disk(project.root)
+    problems: list[Problem] = []
+
+    def of(file: str, look: Callable[[Findings], None]) -> None:
+        found = Findings(project.root, file)
+        look(found)
+        problems.extend(found.problems(files))
+
+    for file, application in {**project.applications, **project.parts}.items():
+        of(file, lambda found, a=application: _application(found, a, project, files))  # type: ignore[misc]
+    if project.spds is not None and project.spds_file is not None:
+        script = project.spds
+        of(project.spds_file, lambda found: check_script(found, script, project))
+    if project.modules is not None and project.modules_file is not None:
+        modules = project.modules
+        of(project.modules_file, lambda found: check_modules(found, modules))
+    if project.toml is not None:
+        of(project.toml, lambda found: _project(found, project))
+    return problems
+
+
+def merge(read: Iterable[Problem], checked: Iterable[Problem]) -> list[Problem]:
+    """Both, without what ``check`` says about a place of which reading already spoke."""
+    first = list(read)
+    places = {(p.file, p.line, p.column) for p in first}
+    return [*first, *(p for p in checked if (p.file, p.line, p.column) not in places or not p.line)]
+
+
+def _application(found: Findings, application: Application, project: Project, files: Files) -> None:
+    check_application(found, application, project, files)
+    _circles(found, application, project)
+    _languages(found, application, project)
+    if found.file not in project.applications:
+        return
+    for file, other in project.applications.items():
+        if file == found.file:
+            break
+        if other.name == application.name:
+            said = f"{file} has the name {shown(other.name)} too: give one of them another"
+            found.error("double-application", said, application.aside)
+    _authority(found, application, project)
+
+
+def _authority(found: Findings, application: Application, project: Project) -> None:
+    """An application is a module: it needs a priority, and its resources declared."""
+    script = project.spds
+    if script is not None and not any(
+        entry.module == application.name and entry.priority is not None
+        for situation in script.situations
+        for entry in situation.entries
+    ):
+        said = (
+            f"{project.spds_file} gives {shown(application.name)} no priority in any situation: "
+            f'add <module name="{application.name}" priority="…"/> to one'
+        )
+        found.error("application-without-priority", said, application.aside)
+    declared = project.resources(application.name)
+    if declared is None:
+        # Without a priority there is an error already, and with one ``undeclared-module``.
+        return
+    for resource, aside in used_resources(project, application).items():
+        if resource not in declared and resource:
+            said = (
+                f"{shown(application.name)} uses {shown(resource)} here but does not declare it: "
+                f"add it to the resources of its <module>"
+            )
+            at = application.aside if aside.index < 0 else aside
+            found.error("undeclared-resource", said, at)
+
+
+def _circles(found: Findings, application: Application, project: Project) -> None:
+    for state in application.states:
+        if state.flow is None:
+            continue
+        seen: set[str] = set()
+        waiting = [state.flow]
+        while waiting:
+            file = waiting.pop()
+            if file in seen:
+                continue
+            seen.add(file)
+            part = project.parts.get(file) or project.applications.get(file)
+            if part is not None:
+                waiting += [one.flow for one in part.states if one.flow is not None]
+        if found.file in seen:
+            said = (
+                f"The part {shown(state.flow)} leads back to this file: a part cannot hold itself"
+            )
+            aside = state.aside.part("flow")
+            found.error("circular-parts", said, aside, ("state", state.no))
+
+
+def _languages(found: Findings, application: Application, project: Project) -> None:
+    for language in project.languages[1:]:
+        known = project.texts.get(language)
+        if known is None:
+            continue
+        told: set[str] = set()
+        for text, aside, place in texts(application):
+            if text in known or text in told or not _is_spoken(text):
+                continue
+            told.add(text)
+            said = f"No text in {language} for {shown(text)}: it stays as it is written"
+            found.warning("missing-text", said, aside, place)
+
+
+def _is_spoken(text: str) -> bool:
+    """Whether there is a letter in a text outside its references."""
+    return any(_SPOKEN.search(literal) for literal, _ in names.split(text))
+
+
+def _project(found: Findings, project: Project) -> None:
+    if len(project.applications) > 1 and project.spds_file is None:
+        said = (
+            "Several applications need a script that says which of them comes first: "
+            'add spds = "….spds.xml" to [project]'
+        )
+        found.error("spds-needed", said, NOTHING)
+    for language in project.languages[1:]:
+        if language not in project.texts:
+            said = f"There is no texts/{language}.po: texts stay as they are written"
+            found.warning("missing-texts", said, NOTHING)
+    durable = [pattern for pattern in project.durable if names.is_pattern(pattern)]
+    for setting in project.settings:
+        if not any(names.matches(pattern, setting.tag) for pattern in durable):
+            said = f"The setting {shown(setting.tag)} is lost at a restart: add it to [durable]"
+            found.warning("setting-not-durable", said, NOTHING)

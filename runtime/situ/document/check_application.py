@@ -1,0 +1,300 @@
+"""What is wrong inside one application (formats.md, *RBD*)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from situ.document import names
+from situ.document.aside import Aside
+from situ.document.check_values import check_values
+from situ.document.datatypes import shown
+from situ.document.finding import Files, Findings, Place
+from situ.document.project import Project
+from situ.document.rbd import (
+    AGAIN,
+    BACK,
+    VISIBLE_ACTIONS,
+    Action,
+    Add,
+    Append,
+    Application,
+    Button,
+    Clear,
+    Event,
+    Image,
+    Input,
+    List,
+    Message,
+    Movie,
+    Repeat,
+    Robot,
+    Screen,
+    Service,
+    Set,
+    Sound,
+    Speech,
+    State,
+    Take,
+    Timeout,
+)
+
+_URL = re.compile(r"https?://\S|board:[^/\s]+/\S|media:\S", re.IGNORECASE)
+_ELSEWHERE = re.compile(r"https?://|data:", re.IGNORECASE)
+
+
+def used_resources(project: Project, application: Application) -> dict[str, Aside]:
+    """What the states of an application ask for, parts included, and one value that does.
+
+    ``<screen/>`` gives the screen back and uses none, unless ``always`` has a screen.
+    """
+    used: dict[str, Aside] = {}
+    seen: set[str] = set()
+    waiting = [application]
+    while waiting:
+        one = waiting.pop()
+        for screen in (s.screen for s in (one.always, *one.states) if s is not None):
+            if screen is not None and (screen.components or screen.background or screen.touched):
+                used.setdefault("screen", screen.aside if one is application else Aside())
+        for state in one.states:
+            for action in state.actions:
+                resource = _resource(action)
+                if resource is not None:
+                    used.setdefault(resource, action.aside if one is application else Aside())
+            if state.flow is not None and state.flow not in seen:
+                seen.add(state.flow)
+                part = project.parts.get(state.flow) or project.applications.get(state.flow)
+                if part is not None:
+                    waiting.append(part)
+    return used
+
+
+def _resource(action: Action) -> str | None:
+    if isinstance(action, Robot):
+        return action.resource
+    return "speech" if isinstance(action, (Speech, Sound)) else None
+
+
+def check_application(
+    found: Findings, application: Application, project: Project, files: Files
+) -> None:
+    """Tells what is wrong inside an application; nothing about other files but those it names."""
+    check_values(found, application)
+    _Check(found, application, project, files).run()
+
+
+class _Check:
+    def __init__(
+        self, found: Findings, application: Application, project: Project, files: Files
+    ) -> None:
+        self.found = found
+        self.application = application
+        self.project = project
+        self.files = files
+        self.numbers = {state.no for state in application.states}
+        self.own = f"module/{application.name}/"
+
+    def run(self) -> None:
+        application, error = self.application, self.found.error
+        if not application.states:
+            said = "The application has no state: add a <state>"
+            error("no-state", said, application.aside)
+        elif application.start is not None and application.start not in self.numbers:
+            said = f"start names no state: {shown(application.start)}{self.nearest()}"
+            error("dangling-start", said, application.aside)
+        always = application.always
+        if always is not None:
+            self.timeout(always.timeout, ("always", "timeout"))
+            self.screen(always.screen, ("always", "screen"), set())
+            for index, event in enumerate(always.events):
+                self.event(event, ("always", "event", str(index)))
+        shown_always: set[str] = set()
+        if always is not None and always.screen is not None:
+            shown_always = {one.id for one in always.screen.components}
+        seen: set[str] = set()
+        for state in application.states:
+            if state.no in seen:
+                said = f"There are two states {shown(state.no)}: give this one another no"
+                error("double-state", said, state.aside, ("state", state.no))
+            seen.add(state.no)
+            self.state(state, shown_always if state.always else set())
+
+    def nearest(self) -> str:
+        some = [state.no for state in self.application.states[:6]]
+        more = ", …" if len(self.application.states) > len(some) else ""
+        return f"; the states are {', '.join(some)}{more}" if some else ""
+
+    def state(self, state: State, always: set[str]) -> None:
+        place = ("state", state.no)
+        self.timeout(state.timeout, (*place, "timeout"))
+        self.screen(state.screen, (*place, "screen"), always)
+        for index, action in enumerate(state.actions):
+            self.action(action, (*place, "action", str(index)))
+            if isinstance(action, Repeat):
+                said = "<repeat> belongs in an event without next: put it there"
+                at = (*place, "action", str(index))
+                self.found.error("misplaced-repeat", said, action.aside, at)
+        for index, event in enumerate(state.events):
+            self.event(event, (*place, "event", str(index)))
+        if state.flow is not None:
+            self.flow(state, state.flow, place)
+
+    def flow(self, state: State, file: str, place: Place) -> None:
+        error = self.found.error
+        for there, name in (
+            (state.timeout, "timeout"),
+            (state.screen, "screen"),
+            (state.actions, "backgroundactions"),
+        ):
+            if there:
+                said = (
+                    f"A state with a flow has no <{name}> of its own: "
+                    "move it into a state beside it, or into the part"
+                )
+                error("flow-with-content", said, state.aside, place)
+        aside = state.aside.part("flow")
+        if file in self.project.parts or file in self.project.applications or not file.strip():
+            return
+        if not self.files.inside(file):
+            said = f"The part {shown(file)} leads out of the project: its files lie in its folder"
+            error("path-outside", said, aside, place)
+        elif not self.files.has(file):
+            said = f"There is no file {shown(file)} for this part: add it, or name another"
+            error("missing-file", said, aside, place)
+        else:
+            said = (
+                f"{shown(file)} cannot be run as a part: it must be an application that can be read"
+            )
+            error("wrong-document", said, aside, place)
+
+    def next(self, target: str | None, aside: Aside, place: Place) -> None:
+        if target is None or target in (AGAIN, BACK) or target in self.numbers:
+            return
+        said = f"next names no state: {shown(target)}{self.nearest()}"
+        self.found.error("dangling-next", said, aside, place)
+
+    def timeout(self, timeout: Timeout | None, place: Place) -> None:
+        if timeout is not None:
+            self.next(timeout.next, timeout.aside, place)
+
+    def screen(self, screen: Screen | None, place: Place, always: set[str]) -> None:
+        if screen is None:
+            return
+        if screen.background is not None and re.search(r"[./]", screen.background):
+            self.media(screen.background, screen.aside, place)
+        seen: set[str] = set()
+        for component in screen.components:
+            at = (*place, component.id)
+            if component.id in seen or component.id in always:
+                where = "on this screen" if component.id in seen else "here and in <always>"
+                said = f"There are two components {shown(component.id)} {where}: rename one"
+                self.found.error("double-component", said, component.aside, at)
+            seen.add(component.id)
+            if isinstance(component, (Image, Movie)):
+                self.media(component.src, component.aside, at)
+            if isinstance(component, (Button, Input, List)) and component.tag is not None:
+                self.writes(component.tag, component.aside, at)
+
+    def event(self, event: Event, place: Place) -> None:
+        error = self.found.error
+        self.next(event.next, event.aside, place)
+        if event.name is None:
+            if event.next is None:
+                said = (
+                    "An event without a name needs a next: it is taken as soon as its <when> holds"
+                )
+                error("event-without-next", said, event.aside, place)
+            if event.says:
+                said = "What is said means an event: give this event a name"
+                error("say-without-name", said, event.says[0].aside, (*place, "say", "0"))
+        for index, action in enumerate(event.actions):
+            at = (*place, "action", str(index))
+            self.action(action, at)
+            if isinstance(action, VISIBLE_ACTIONS):
+                said = (
+                    f"<{action.element}> cannot stand in an event: what the robot visibly does "
+                    "belongs to a state; move it to the state that next names"
+                )
+                error("visible-action", said, action.aside, at)
+            elif isinstance(action, Repeat) and event.next is not None:
+                said = "<repeat> belongs in an event without next: take next out, or <repeat>"
+                error("misplaced-repeat", said, action.aside, at)
+
+    def action(self, action: Action, place: Place) -> None:
+        if isinstance(action, Sound):
+            self.media(action.src, action.aside, place)
+        elif isinstance(action, Service):
+            self.service(action, place)
+        elif isinstance(action, (Set, Add, Append)):
+            self.writes(action.tag, action.aside, place)
+        elif isinstance(action, Take):
+            self.writes(action.tag, action.aside, place)
+            self.writes(action.source, action.aside, place)
+        elif isinstance(action, Clear):
+            if names.is_reserved(action.tag):
+                said = f"<clear> never touches what the runtime keeps: {shown(action.tag)}"
+                self.found.warning("reserved-tag", said, action.aside, place)
+        elif isinstance(action, Message) and action.params and action.text:
+            said = "<message> sends its params, so its text is never sent: take one of them out"
+            self.found.warning("text-and-params", said, action.aside, place)
+
+    def service(self, service: Service, place: Place) -> None:
+        for index, result in enumerate(service.results):
+            self.writes(result.tag, result.aside, (*place, "result", str(index)))
+        url = service.url
+        if not url or (url.startswith("{") and names.references(url)):
+            return
+        if _URL.match(url) is None:
+            said = (
+                f"The url of <service> cannot be {shown(url)}: begin with http://, https://, "
+                "board:module/request, media: or a reference"
+            )
+            self.found.error("bad-url", said, service.aside, place)
+        elif url.lower().startswith("media:"):
+            self.media(url[6:], service.aside, place)
+
+    def writes(self, tag: str, aside: Aside, place: Place) -> None:
+        if names.is_reserved(tag) and not tag.startswith(self.own):
+            said = f"{shown(tag)} is written by the runtime only: choose another tag"
+            self.found.error("reserved-tag", said, aside, place)
+
+    def media(self, src: str, aside: Aside, place: Place) -> None:
+        if not src.strip() or _ELSEWHERE.match(src) or names.references(src):
+            return
+        file = f"{self.project.media}/{src}" if self.project.media is not None else src
+        if not self.files.inside(src) or not self.files.inside(file):
+            said = f"{shown(src)} leads out of the project: its media lie inside its folder"
+            self.found.error("path-outside", said, aside, place)
+        elif self.project.toml is not None and not self.files.has(file):
+            where = (
+                f"in {self.project.media}" if self.project.media is not None else "in the project"
+            )
+            said = f"There is no file {shown(src)} {where}: add it, or name another"
+            self.found.error("missing-media", said, aside, place)
+
+
+def texts(application: Application) -> Iterator[tuple[str, Aside, Place]]:
+    """Every text that a person hears, reads or says, as written, with its place."""
+    screens: list[tuple[Screen | None, Place]] = []
+    events: list[tuple[Event, Place]] = []
+    if application.always is not None:
+        screens.append((application.always.screen, ("always", "screen")))
+        events += [
+            (e, ("always", "event", str(i))) for i, e in enumerate(application.always.events)
+        ]
+    for state in application.states:
+        place: Place = ("state", state.no)
+        screens.append((state.screen, (*place, "screen")))
+        events += [(e, (*place, "event", str(i))) for i, e in enumerate(state.events)]
+        for index, action in enumerate(state.actions):
+            if isinstance(action, Speech) and action.lang is None:
+                yield action.text, action.aside, (*place, "action", str(index))
+    for screen, at in screens:
+        for component in screen.components if screen is not None else ():
+            written = (
+                component.label if isinstance(component, List) else getattr(component, "text", "")
+            )
+            yield written, component.aside, (*at, component.id)
+    for event, at in events:
+        for index, say in enumerate(event.says):
+            yield say.text, say.aside, (*at, "say", str(index))

@@ -1,0 +1,100 @@
+"""What a check of one file has found, until it becomes problems with line and column."""
+
+from __future__ import annotations
+
+import os
+from typing import Protocol
+
+from msgspec import Struct
+
+from situ.document.aside import NOTHING, Aside
+from situ.document.folder import resolve
+from situ.document.problem import Problem, Severity
+from situ.document.reader import locate_all
+
+Place = tuple[str, ...]
+
+
+class Files(Protocol):
+    """The files of a project, by their paths relative to its folder."""
+
+    def read(self, file: str) -> bytes | None:
+        """What is in a file; None where it cannot be read or lies outside the folder."""
+
+    def inside(self, file: str) -> bool:
+        """Whether the path stays in the folder."""
+
+    def has(self, file: str) -> bool:
+        """Whether there is such a file in the folder."""
+
+
+class Disk:
+    """The files of a project where they lie."""
+
+    def __init__(self, root: str) -> None:
+        self._root = root
+        self._there: dict[str, bool] = {}
+
+    def read(self, file: str) -> bytes | None:
+        place = resolve(self._root, file)
+        try:
+            return place.read_bytes() if place is not None else None
+        except OSError:
+            return None
+
+    def inside(self, file: str) -> bool:
+        return resolve(self._root, file) is not None
+
+    def has(self, file: str) -> bool:
+        found = self._there.get(file)
+        if found is None:
+            place = resolve(self._root, file)
+            found = self._there[file] = place is not None and place.is_file()
+        return found
+
+
+class Finding(Struct, frozen=True):
+    code: str
+    message: str
+    aside: Aside
+    place: Place
+    severity: Severity
+
+
+class Findings:
+    """Gathers what is wrong in one file of a project."""
+
+    def __init__(self, root: str, file: str) -> None:
+        self._root = root
+        self.file = file
+        self._found: list[Finding] = []
+
+    def error(self, code: str, message: str, aside: Aside = NOTHING, place: Place = ()) -> None:
+        self._found.append(Finding(code, message, aside, place, "error"))
+
+    def warning(self, code: str, message: str, aside: Aside = NOTHING, place: Place = ()) -> None:
+        self._found.append(Finding(code, message, aside, place, "warning"))
+
+    def problems(self, files: Files) -> list[Problem]:
+        """In the order of the file; what was never in it comes last, without a line."""
+        if not self._found:
+            return []
+        wanted = {one.aside.index for one in self._found if one.aside.index >= 0}
+        data = files.read(self.file) if wanted else None
+        lines = locate_all(data, wanted) if data is not None else {}
+        name = os.path.join(self._root, self.file) if self._root != "." else self.file
+        made = []
+        for one in self._found:
+            line, column = lines.get(one.aside.index, (0, 0))
+            made.append(
+                Problem(
+                    file=name,
+                    line=line,
+                    column=column,
+                    severity=one.severity,
+                    code=one.code,
+                    message=one.message,
+                    place=one.place,
+                )
+            )
+        return sorted(made, key=lambda p: (p.line == 0, p.line, p.column))

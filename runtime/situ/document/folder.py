@@ -1,0 +1,319 @@
+"""A project's files: read as one value, written one by one (formats.md, *A project*).
+
+Paths in a project never leave its folder: no ``..``, no absolute ones, no links
+that lead out.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from msgspec.structs import replace
+
+from situ.document import codec, texts
+from situ.document.modules import Modules
+from situ.document.problem import Problem
+from situ.document.project import Project
+from situ.document.projectfile import ProjectFile
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+from situ.errors import UsageError
+
+PROJECT_FILE = "situ.toml"
+LOCAL_FILE = "robot.local.toml"
+TEXTS_FOLDER = "texts"
+
+_KINDS: dict[str, tuple[type, str]] = {
+    "applications": (Application, "an application"),
+    "spds": (Spds, "a situated priority description script"),
+    "modules": (Modules, "module information"),
+}
+
+
+def load(path: str | Path) -> tuple[Project | None, list[Problem]]:
+    """The project at ``path``, or None where there is none, and what is wrong with its files.
+
+    ``path``: a folder with ``situ.toml``, that file, or a single document
+    (``*.xml``). What a file with errors holds as far as it could be read is in
+    the project; a file without a document is not. UsageError where ``path``
+    itself is not there, cannot be read, or is nothing of the kind.
+    """
+    given = Path(path)
+    try:
+        is_folder = given.is_dir()
+        if not is_folder and not given.exists():
+            raise UsageError(f"{path}: no such file or folder")
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: cannot be read: {_reason(error)}") from error
+    if is_folder:
+        return _Loading(given).project(_bytes(given / PROJECT_FILE, path))
+    if given.name == PROJECT_FILE:
+        return _Loading(given.parent).project(_bytes(given, path))
+    if given.suffix != ".xml":
+        raise UsageError(
+            f"{path}: neither a project's folder, its situ.toml, nor a document "
+            "(.rbd.xml, .spds.xml, modules.xml)"
+        )
+    return _Loading(given.parent).single(given.name, _bytes(given, path))
+
+
+def resolve(root: str | Path, path: str) -> Path | None:
+    """Where a path of a project lies, links followed; None where it leaves the folder ``root``."""
+    if not path or "\\" in path or "\0" in path or Path(path).is_absolute():
+        return None
+    if ".." in Path(path).parts:
+        return None
+    try:
+        home = Path(root).resolve()
+        found = (home / path).resolve()
+    except (OSError, RuntimeError):
+        return None
+    return found if found.is_relative_to(home) else None
+
+
+def write(path: str | Path, data: bytes) -> None:
+    """Puts ``data`` into a file: the old content or the new one whole, whatever happens.
+
+    The file keeps its mode, a link stays a link. UsageError where it cannot be written.
+    """
+    try:
+        target = Path(path).resolve()
+        handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
+                file.flush()
+                os.fsync(file.fileno())
+            os.chmod(temporary, _mode(target))
+            os.replace(temporary, target)
+        except BaseException:
+            Path(temporary).unlink(missing_ok=True)
+            raise
+        folder = os.open(target.parent, os.O_RDONLY)
+        try:
+            os.fsync(folder)
+        finally:
+            os.close(folder)
+    except OSError as error:
+        raise UsageError(f"{path}: cannot be written: {_reason(error)}") from error
+
+
+def _mode(target: Path) -> int:
+    try:
+        return target.stat().st_mode & 0o7777
+    except FileNotFoundError:
+        return 0o644
+
+
+def _reason(error: Exception) -> str:
+    return getattr(error, "strerror", None) or str(error)
+
+
+def _bytes(file: Path, given: str | Path) -> bytes:
+    try:
+        return file.read_bytes()
+    except FileNotFoundError as error:
+        raise UsageError(
+            f"{given}: no {PROJECT_FILE} here; give the folder of a project, or a document"
+        ) from error
+    except OSError as error:
+        raise UsageError(f"{file}: cannot be read: {_reason(error)}") from error
+
+
+class _Loading:
+    """One ``load``: gathers the problems of all files."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.problems: list[Problem] = []
+
+    def called(self, file: str) -> str:
+        """A file as the user would name it, who named the project as he did."""
+        return os.path.join(self.root, file) if str(self.root) != "." else file
+
+    def single(self, name: str, data: bytes) -> tuple[Project | None, list[Problem]]:
+        document, self.problems = codec.read(data, self.called(name))
+        root = str(self.root)
+        if isinstance(document, Application):
+            found = Project(root=root, name=document.name, applications={name: document})
+            return self.with_parts(found), self.problems
+        if isinstance(document, Spds):
+            found = Project(root=root, name=document.name, spds_file=name, spds=document)
+            return found, self.problems
+        if isinstance(document, Modules):
+            found = Project(
+                root=root, name=name.removesuffix(".xml"), modules_file=name, modules=document
+            )
+            return found, self.problems
+        return None, self.problems
+
+    def project(self, data: bytes) -> tuple[Project | None, list[Problem]]:
+        toml = ProjectFile(data, self.called(PROJECT_FILE))
+        if toml.tables is None:
+            return None, toml.problems
+        local = self.local()
+        applications: dict[str, Application] = {}
+        for file in toml.get("project", "applications") or ():
+            if file in applications:
+                said = f"{file} stands here twice: name each application once"
+                toml.problem("duplicate-file", said, "project", "applications", file)
+                continue
+            document = self.document(toml, "applications", file)
+            if document is not None:
+                applications[file] = document
+        spds_file = toml.get("project", "spds")
+        modules_file = toml.get("project", "modules")
+        project = Project(
+            root=str(self.root),
+            name=toml.get("project", "name") or self.root.resolve().name,
+            toml=PROJECT_FILE,
+            applications=applications,
+            spds_file=spds_file,
+            spds=self.document(toml, "spds", spds_file),
+            modules_file=modules_file,
+            modules=self.document(toml, "modules", modules_file),
+            media=self.inner_folder(toml, "media"),
+            scenarios=self.inner_folder(toml, "scenarios"),
+            languages=tuple(toml.get("project", "languages") or ()),
+            endpoint=_first(local, toml, "robot", "endpoint", "tcp://127.0.0.1:5570"),
+            adapter=_first(local, toml, "robot", "adapter", "sim"),
+            tags=_merged(local, toml, "tags"),
+            durable=tuple(toml.get("durable", "tags") or ()),
+            places={
+                place: (float(x), float(y), float(heading))
+                for place, (x, y, heading) in _merged(local, toml, "places").items()
+            },
+            mqtt=(local and local.mqtt()) or toml.mqtt(),
+            private=tuple(toml.get("privacy", "private") or ()),
+            settings=toml.settings(),
+        )
+        project = replace(project, texts=self.texts(toml, project.languages))
+        project = self.with_parts(project)
+        self.problems = [*toml.problems, *(local.problems if local else ()), *self.problems]
+        return project, self.problems
+
+    def local(self) -> ProjectFile | None:
+        try:
+            data = (self.root / LOCAL_FILE).read_bytes()
+        except FileNotFoundError:
+            return None
+        except OSError as error:
+            self.unreadable(LOCAL_FILE, error)
+            return None
+        found = ProjectFile(data, self.called(LOCAL_FILE), local=True)
+        if found.tables is None:
+            self.problems += found.problems
+            return None
+        return found
+
+    def unreadable(self, file: str, error: Exception) -> None:
+        self.problems.append(
+            Problem(
+                file=self.called(file),
+                code="unreadable-file",
+                message=f"The file cannot be read: {_reason(error)}",
+            )
+        )
+
+    def document(self, toml: ProjectFile, key: str, file: str | None) -> Any:
+        """The document in a file that ``[project]`` names, None where there is none."""
+        if file is None:
+            return None
+        place = resolve(self.root, file)
+        if place is None:
+            said = f"{file} leads out of the project: its files lie inside its folder"
+            toml.problem("path-outside", said, "project", key, file)
+            return None
+        try:
+            data = place.read_bytes()
+        except (FileNotFoundError, IsADirectoryError, NotADirectoryError):
+            said = f"There is no file {file}: add it, or take it out here"
+            toml.problem("missing-file", said, "project", key, file)
+            return None
+        except OSError as error:
+            self.unreadable(file, error)
+            return None
+        document, problems = codec.read(data, self.called(file))
+        self.problems += problems
+        kind, words = _KINDS[key]
+        if document is not None and not isinstance(document, kind):
+            toml.problem("wrong-document", f"{file} is not {words}", "project", key, file)
+            return None
+        return document
+
+    def inner_folder(self, toml: ProjectFile, key: str) -> str | None:
+        path: str | None = toml.get("project", key)
+        if path is None:
+            return None
+        place = resolve(self.root, path)
+        if place is None:
+            said = f"{path} leads out of the project: its files lie inside its folder"
+            toml.problem("path-outside", said, "project", key, path)
+            return None
+        if not place.is_dir():
+            said = f"There is no folder {path}: make it, or take it out here"
+            toml.problem("missing-file", said, "project", key, path)
+        return path
+
+    def texts(self, toml: ProjectFile, languages: tuple[str, ...]) -> dict[str, dict[str, str]]:
+        found: dict[str, dict[str, str]] = {}
+        for language in languages:
+            file = f"{TEXTS_FOLDER}/{language}.po"
+            place = resolve(self.root, file)
+            if place is None or not language.replace("-", "").replace("_", "").isalnum():
+                said = f"{language!r} is no language: write a code such as ja or pt-BR"
+                toml.problem("bad-value", said, "project", "languages", language)
+                continue
+            try:
+                data = place.read_bytes()
+            except FileNotFoundError:
+                continue
+            except OSError as error:
+                self.unreadable(file, error)
+                continue
+            found[language], problems = texts.read(data, self.called(file))
+            self.problems += problems
+        return found
+
+    def with_parts(self, project: Project) -> Project:
+        """The project with every application that a ``flow`` names, however deep."""
+        parts: dict[str, Application] = {}
+        seen = set(project.applications)
+        waiting = list(project.applications.values())
+        while waiting:
+            for state in waiting.pop().states:
+                file = state.flow
+                if file is None or file in seen:
+                    continue
+                seen.add(file)
+                place = resolve(self.root, file)
+                if place is None or not place.is_file():
+                    continue
+                try:
+                    data = place.read_bytes()
+                except OSError as error:
+                    self.unreadable(file, error)
+                    continue
+                document, problems = codec.read(data, self.called(file))
+                self.problems += problems
+                if isinstance(document, Application):
+                    parts[file] = document
+                    waiting.append(document)
+        return replace(project, parts=parts) if parts else project
+
+
+def _first(local: ProjectFile | None, toml: ProjectFile, table: str, key: str, default: str) -> str:
+    for one in (local, toml):
+        if one is not None and one.get(table, key) is not None:
+            return str(one.get(table, key))
+    return default
+
+
+def _merged(local: ProjectFile | None, toml: ProjectFile, table: str) -> dict[str, Any]:
+    found = dict((toml.tables or {}).get(table, {}))
+    if local is not None:
+        found.update((local.tables or {}).get(table, {}))
+    return found

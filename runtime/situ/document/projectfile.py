@@ -1,0 +1,272 @@
+"""``situ.toml`` and ``robot.local.toml`` as settings (formats.md, *A project*).
+
+Only what the file itself says is judged here; what it names is read by
+``situ.document.folder``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from difflib import get_close_matches
+from typing import Any
+
+from situ.document import names
+from situ.document.datatypes import shown
+from situ.document.problem import Problem
+from situ.document.project import Mqtt, Setting
+
+MAX_BYTES = 1_000_000
+
+_TEXT, _TEXTS, _ANY, _TABLE = "text", "texts", "any", "table"
+_WORDS = {_TEXT: "a text in quotes", _TEXTS: "a list of texts", _TABLE: "a table"}
+
+KEYS: dict[str, dict[str, str]] = {
+    "project": {
+        "name": _TEXT,
+        "applications": _TEXTS,
+        "spds": _TEXT,
+        "modules": _TEXT,
+        "media": _TEXT,
+        "scenarios": _TEXT,
+        "languages": _TEXTS,
+    },
+    "robot": {"endpoint": _TEXT, "adapter": _TEXT},
+    "tags": {"*": _ANY},
+    "durable": {"tags": _TEXTS},
+    "places": {"*": _ANY},
+    "mqtt": {"url": _TEXT, "in": _TABLE},
+    "privacy": {"private": _TEXTS},
+    "setting": {"tag": _TEXT, "label": _TEXT, "type": _TEXT},
+}
+"""Every table and its keys; ``*`` stands for names of the designer's own."""
+
+LOCAL = ("robot", "tags", "places", "mqtt")
+"""The tables that ``robot.local.toml`` may lay over those of ``situ.toml``."""
+
+_AT = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
+
+
+class ProjectFile:
+    """One file: its tables with the right types in them, and what was wrong.
+
+    ``tables`` is None where the file could not be read at all.
+    """
+
+    def __init__(self, data: bytes, file: str, *, local: bool = False) -> None:
+        self.file = file
+        self.problems: list[Problem] = []
+        self._text = ""
+        self.tables: dict[str, Any] | None = self._parse(data)
+        if self.tables is not None:
+            self._judge({key: KEYS[key] for key in LOCAL} if local else KEYS)
+
+    def get(self, table: str, key: str) -> Any:
+        """The value at ``table.key``, None where there is none."""
+        return (self.tables or {}).get(table, {}).get(key)
+
+    def problem(
+        self, code: str, message: str, table: str = "", key: str = "", value: str = ""
+    ) -> None:
+        """Notes a problem at the place where ``key`` (and in it ``value``) is written."""
+        line, column = self._place(table, key, value)
+        self.problems.append(
+            Problem(file=self.file, line=line, column=column, code=code, message=message)
+        )
+
+    def mqtt(self) -> Mqtt | None:
+        url, incoming = self.get("mqtt", "url"), self.get("mqtt", "in")
+        if url is None and incoming is None:
+            return None
+        return Mqtt(url=url or "", incoming=incoming or {})
+
+    def settings(self) -> tuple[Setting, ...]:
+        return tuple(Setting(**one) for one in (self.tables or {}).get("setting", ()))
+
+    # -- reading -----------------------------------------------------------------
+
+    def _parse(self, data: bytes) -> dict[str, Any] | None:
+        if len(data) > MAX_BYTES:
+            self.problem("too-large", f"The file is larger than {MAX_BYTES // 1_000_000} MB")
+            return None
+        try:
+            self._text = data.decode()
+        except UnicodeDecodeError as wrong:
+            line = data[: wrong.start].count(b"\n") + 1
+            self._bad_toml("The file is not UTF-8 here: save it as UTF-8", line, 1)
+            return None
+        try:
+            return tomllib.loads(self._text)
+        except tomllib.TOMLDecodeError as wrong:
+            said = str(wrong)
+            match = _AT.search(said)
+            if match is not None:
+                said = said[: match.start()]
+            if match is not None and match[1]:
+                line, column = int(match[1]), int(match[2])
+            else:
+                lines = self._text.split("\n")
+                line, column = len(lines), len(lines[-1]) + 1
+            self._bad_toml(f"This is no TOML here: {said}", line, column)
+        except (RecursionError, ValueError) as wrong:
+            self._bad_toml(f"This is no TOML: {shown(str(wrong))}", 1, 1)
+        return None
+
+    def _bad_toml(self, message: str, line: int, column: int) -> None:
+        self.problems.append(
+            Problem(
+                file=self.file, line=line, column=column, code="malformed-toml", message=message
+            )
+        )
+
+    def _judge(self, known: dict[str, dict[str, str]]) -> None:
+        assert self.tables is not None
+        tables, self.tables = self.tables, {}
+        for table, content in tables.items():
+            keys = known.get(table)
+            if keys is None:
+                near = get_close_matches(table[:40], known, n=1, cutoff=0.0)[0]
+                where = table if isinstance(content, (dict, list)) else ""
+                self.problem(
+                    "unknown-key",
+                    f"{shown(table)} is not known here; did you mean [{near}]?",
+                    where,
+                    "" if where else table,
+                )
+            elif table == "setting":
+                self.tables[table] = self._setting(content, keys)
+            elif not isinstance(content, dict):
+                self.problem("bad-value", f"{table} must be a table: [{table}]", "", table)
+            else:
+                self.tables[table] = {
+                    key: value
+                    for key, value in content.items()
+                    if self._fits(table, keys, key, value)
+                }
+        self._tags()
+        self._places()
+        self._patterns("durable", "tags")
+        self._patterns("privacy", "private")
+        self._mqtt()
+
+    def _setting(self, content: Any, keys: dict[str, str]) -> list[dict[str, Any]]:
+        if not isinstance(content, list) or not all(isinstance(one, dict) for one in content):
+            self.problem("bad-value", "setting must be a table: [[setting]]", "setting")
+            return []
+        kept = []
+        for one in content:
+            found = {k: v for k, v in one.items() if self._fits("setting", keys, k, v)}
+            if not names.is_tag(found.get("tag", "")):
+                said = f"needs a tag, not {shown(str(one.get('tag', '')))}"
+                self.problem("bad-tag", f"A [[setting]] {said}", "setting", "tag")
+            else:
+                kept.append(found)
+        return kept
+
+    def _fits(self, table: str, keys: dict[str, str], key: str, value: Any) -> bool:
+        kind = keys.get(key, keys.get("*"))
+        if kind is None:
+            near = get_close_matches(key[:40], keys, n=1, cutoff=0.0)[0]
+            self.problem(
+                "unknown-key",
+                f"[{table}] has no key {shown(key)}; did you mean {near}?",
+                table,
+                key,
+            )
+            return False
+        fits = (
+            kind == _ANY
+            or (kind == _TEXT and isinstance(value, str))
+            or (kind == _TABLE and isinstance(value, dict))
+            or (
+                kind == _TEXTS
+                and isinstance(value, list)
+                and all(isinstance(one, str) for one in value)
+            )
+        )
+        if not fits:
+            self.problem("bad-value", f"{key} must be {_WORDS[kind]}", table, key)
+        return fits
+
+    # -- what the values may be --------------------------------------------------
+
+    def _drop(self, table: str, key: str, code: str, message: str) -> None:
+        self.problem(code, message, table, key)
+        assert self.tables is not None
+        del self.tables[table][key]
+
+    def _tags(self) -> None:
+        assert self.tables is not None
+        for tag, value in list(self.tables.get("tags", {}).items()):
+            if not names.is_tag(tag):
+                said = "a tag is words of a-z, 0-9, _ and - joined by dots"
+                self._drop("tags", tag, "bad-tag", f"{shown(tag)} is no tag: {said}")
+            elif names.is_reserved(tag):
+                said = f"{shown(tag)} is written by the runtime only: choose another tag"
+                self._drop("tags", tag, "reserved-tag", said)
+            elif not _is_json(value):
+                said = "hold text, numbers, true, false, lists and tables only"
+                self._drop("tags", tag, "bad-value", f"{shown(tag)} must {said}")
+
+    def _places(self) -> None:
+        assert self.tables is not None
+        for place, value in list(self.tables.get("places", {}).items()):
+            if not (
+                isinstance(value, list)
+                and len(value) == 3
+                and all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in value)
+                and all(_is_json(v) for v in value)
+            ):
+                said = "must be [x, y, heading]: two numbers in metres and one in degrees"
+                self._drop("places", place, "bad-value", f"The place {shown(place)} {said}")
+
+    def _patterns(self, table: str, key: str) -> None:
+        for pattern in self.get(table, key) or ():
+            if not names.is_pattern(pattern):
+                said = f"{shown(pattern)} is no tag or pattern: use words, dots, * and **"
+                self.problem("bad-tag", said, table, key, pattern)
+
+    def _mqtt(self) -> None:
+        incoming = self.get("mqtt", "in")
+        if incoming is None:
+            return
+        for topic, target in list(incoming.items()):
+            kind, _, name = target.partition(":") if isinstance(target, str) else ("", "", "")
+            if not ((kind == "event" and name) or (kind == "tag" and names.is_tag(name))):
+                said = 'must be given as "event:NAME" or "tag:NAME"'
+                self.problem("bad-value", f"What {shown(topic)} means {said}", "mqtt", "in", topic)
+                del incoming[topic]
+
+    # -- places ------------------------------------------------------------------
+
+    def _place(self, table: str, key: str, value: str) -> tuple[int, int]:
+        """Line and column of a key, or of a value behind it; of its table where it is not found."""
+        lines = self._text.split("\n")
+        current, header, at = "", (0, 0), (0, 0)
+        wanted = re.compile(rf"""\s*(["']?){re.escape(key)}\1\s*[=.]""") if key else None
+        for number, line in enumerate(lines, 1):
+            opened = re.match(r"""\s*\[+\s*["']?([^\]"']+)""", line)
+            if opened is not None and (not at[0]) and "=" not in line.partition("]")[0]:
+                current = opened[1].strip()
+                if current == table and not header[0]:
+                    header = (number, line.index("[") + 1)
+            elif wanted is not None and not at[0] and current == table and wanted.match(line):
+                at = (number, len(line) - len(line.lstrip()) + 1)
+            if at[0] and value:
+                column = line.find(value)
+                if column >= 0:
+                    return number, column + 1
+            elif at[0]:
+                return at
+        return at if at[0] else header
+
+
+def _is_json(value: Any) -> bool:
+    if isinstance(value, dict):
+        return all(_is_json(one) for one in value.values())
+    if isinstance(value, list):
+        return all(_is_json(one) for one in value)
+    if isinstance(value, float):
+        return math.isfinite(value)
+    return isinstance(value, (str, bool, int))

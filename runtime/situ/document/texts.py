@@ -1,0 +1,41 @@
+"""The texts of a project in other languages: ``texts/LANG.po`` (formats.md, *A project*)."""
+
+from __future__ import annotations
+
+import re
+
+import polib
+
+from situ.document.problem import Problem
+
+MAX_BYTES = 16_000_000
+
+_LINE = re.compile(r"line (\d+)")
+
+
+def read(data: bytes, file: str) -> tuple[dict[str, str], list[Problem]]:
+    """Texts as written to their translations; empty, unsure and retired ones are left out."""
+
+    def bad(message: str, line: int = 1) -> tuple[dict[str, str], list[Problem]]:
+        return {}, [Problem(file=file, line=line, column=1, code="malformed-po", message=message)]
+
+    if len(data) > MAX_BYTES:
+        return bad(f"The file is larger than {MAX_BYTES // 1_000_000} MB")
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as wrong:
+        line = data[: wrong.start].count(b"\n") + 1
+        return bad("The file is not UTF-8 here: save it as UTF-8", line)
+    if "\n" not in text:
+        # polib takes a text of one line for the name of a file.
+        text += "\n#\n"
+    try:
+        entries = polib.pofile(text)
+    except (OSError, ValueError, AttributeError, IndexError, UnicodeError) as wrong:
+        match = _LINE.search(str(wrong))
+        return bad("This is no .po file here", int(match[1]) if match else 1)
+    return {
+        entry.msgid: entry.msgstr
+        for entry in entries
+        if entry.msgstr and not entry.obsolete and not entry.fuzzy
+    }, []
