@@ -17,7 +17,7 @@ def main(endpoint: str = "tcp://127.0.0.1:5570") -> None:
         while True:
             # Said again and again, each good for half a second: taken over without delay,
             # and if this program hangs the head stops.
-            face.next(timeout=0.2)
+            face.next(0.2)
             direction = board.get("face.direction")
             if board.get("face.visible") and direction is not None:
                 head.command({"yaw": direction, "pitch": 0}, valid=0.5)

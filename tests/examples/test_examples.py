@@ -1,0 +1,194 @@
+"""The examples are whole: read, checked, saved unchanged, played, translated, and drawn."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import polib
+import pytest
+
+from situ.document import codec, folder
+from situ.document.check import check
+from situ.document.project import Project
+from situ.document.rbd import (
+    Always,
+    Application,
+    Button,
+    Image,
+    List,
+    Movie,
+    Sound,
+    Speech,
+    State,
+    Text,
+)
+from situ.rehearse import scenario
+from situ.rehearse.simulate import simulate
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+NAMES = ["conversation", "reception"]
+SCENARIOS = sorted(EXAMPLES.glob("*/scenarios/*.jsonl"))
+
+# The issue's reading of Fig. 6, all of its arrows: from, event, to.
+ARROWS = """
+start screenTouched intro
+start humanDetected intro
+intro clickContinue enter initial 1
+enter initial 1 clickConfirm enter initial 2
+enter initial 2 clickConfirm verify initials
+verify initials clickConfirm show names
+verify initials clickNo enter initial 1
+show names clickYes search names
+show names clickNo learn user
+search names returnedWithNames names
+search names returnedWithNoNames no user
+names userNameSelected save profile
+greeting clickContinue main menu
+main menu clickMeasure measure
+measure clickSPO2 SPO2
+no user tryAgain enter initial 1
+no user clickNo learn user
+learn user clickYes first name
+learn user clickNo start
+first name clickConfirm last name
+last name clickConfirm verify name
+verify name clickYes register name
+verify name clickNo first name
+register name registrationComplete greeting
+register name registrationIncomplete register error
+register error clickContinue learn user
+"""
+
+
+def project(name: str) -> Project:
+    loaded, problems = folder.load(EXAMPLES / name)
+    assert problems == []
+    assert loaded is not None
+    return loaded
+
+
+def application(name: str) -> Application:
+    (only,) = project(name).applications.values()
+    assert isinstance(only, Application)
+    return only
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_example_has_no_problem(name: str) -> None:
+    assert [str(p) for p in check(project(name))] == []
+
+
+@pytest.mark.parametrize("file", sorted(EXAMPLES.glob("*/*.xml")), ids=lambda p: p.name)
+def test_saving_an_example_changes_no_byte(file: Path) -> None:
+    data = file.read_bytes()
+    document, problems = codec.read(data, str(file))
+    assert problems == []
+    assert document is not None
+    assert codec.write(document) == data
+
+
+@pytest.mark.parametrize("file", SCENARIOS, ids=lambda p: f"{p.parent.parent.name}/{p.stem}")
+def test_a_scenario_passes(file: Path) -> None:
+    played = project(file.parent.parent.name)
+    lines = scenario.load(file, [a.name for a in played.applications.values()])
+    verdict = simulate(played, lines)
+    assert [str(f) for f in verdict.failures] == []
+    assert verdict.fulfilled > 0
+
+
+def test_there_are_scenarios_for_both_examples() -> None:
+    assert {p.parent.parent.name for p in SCENARIOS} == set(NAMES)
+
+
+def test_the_reception_has_the_states_of_the_figure_in_reading_order() -> None:
+    states = application("reception").states
+    assert [s.no for s in states] == [str(n) for n in range(1, 21)]
+    assert [s.name for s in states] == [
+        *("start", "intro", "enter initial 1", "enter initial 2", "verify initials"),
+        *("show names", "search names", "names", "save profile", "greeting", "main menu"),
+        *("measure", "SPO2", "no user", "learn user", "first name", "last name"),
+        *("verify name", "register name", "register error"),
+    ]
+
+
+@pytest.mark.parametrize("arrow", ARROWS.strip().split("\n"))
+def test_the_reception_has_every_arrow_of_the_figure(arrow: str) -> None:
+    app = application("reception")
+    names = {s.no: s.name for s in app.states}
+    drawn = {
+        f"{s.name} {e.name} {names[e.next]}"
+        for s in app.states
+        for e in s.events
+        if e.next in names
+    }
+    assert arrow in drawn
+
+
+def test_nobody_is_left_alone_with_a_state() -> None:
+    """Every state but the first can be waited out, and shows the way home."""
+    app = application("reception")
+    first, *others = app.states
+    assert not first.always
+    for state in others:
+        assert state.always
+        assert state.timeout is not None
+        assert state.timeout.next is not None
+
+
+def test_targets_and_texts_are_large_enough_for_old_hands_and_eyes() -> None:
+    """A 10-inch screen is 215 by 135 mm: 12 mm are 5.6 % of the width, 8.9 % of the height."""
+    for name in NAMES:
+        app = application(name)
+        owners: list[State | Always] = [*app.states, *([app.always] if app.always else [])]
+        screens = [owner.screen for owner in owners if owner.screen is not None]
+        for component in (c for screen in screens for c in screen.components):
+            assert component.x + component.width <= 100
+            assert component.y + component.height <= 100
+            if isinstance(component, Text | Button | List):
+                assert component.size is not None
+                assert component.size >= 6
+            if isinstance(component, Button):
+                assert component.width >= 5.6
+                assert component.height >= 8.9
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_text_is_translated(name: str) -> None:
+    app = application(name)
+    texts: set[str] = set()
+    for owner in (app.always, *app.states):
+        if owner is None:
+            continue
+        for component in owner.screen.components if owner.screen else ():
+            if isinstance(component, Text | Button):
+                texts.add(component.text)
+            elif isinstance(component, List):
+                texts.add(component.label)
+        for action in getattr(owner, "actions", ()):
+            if isinstance(action, Speech):
+                texts.add(action.text)
+        texts |= {say.text for event in owner.events for say in event.says}
+    entries = polib.pofile(str(EXAMPLES / name / "texts" / "ja.po"))
+    assert {e.msgid for e in entries} == texts
+    assert [e.msgid for e in entries if not e.msgstr or e.fuzzy] == []
+
+
+def test_a_translation_keeps_every_reference() -> None:
+    for name in NAMES:
+        for entry in polib.pofile(str(EXAMPLES / name / "texts" / "ja.po")):
+            assert sorted(_references(entry.msgid)) == sorted(_references(entry.msgstr))
+
+
+def _references(text: str) -> list[str]:
+    return [part.split("}")[0] for part in text.split("{")[1:]]
+
+
+def test_all_media_are_used_and_all_that_is_used_is_there() -> None:
+    app = application("reception")
+    used: set[str] = set()
+    for state in app.states:
+        if state.screen is not None:
+            used |= {state.screen.background} if state.screen.background else set()
+            used |= {c.src for c in state.screen.components if isinstance(c, Image | Movie)}
+        used |= {a.src for a in state.actions if isinstance(a, Sound)}
+    assert used == {p.name for p in (EXAMPLES / "reception" / "media").iterdir()}
