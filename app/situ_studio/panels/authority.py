@@ -1,0 +1,37 @@
+"""Authority: who holds which resource of the connected robot, and who else asks for it."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from situ.decide.values import in_text
+from situ_studio.live.log import Moment
+from situ_studio.panels.blackboard import ago
+from situ_studio.panels.table import Row, RowsTable
+from situ_studio.theme import Theme
+
+
+class Authority(RowsTable):
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        titles = ("Resource", "Held by", "Since", "Also asked for by", "Does")
+        widths = (120, 140, 80, 220)
+        super().__init__("Authority", [self.tr(t) for t in titles], widths, theme, parent)
+
+    def show_moment(self, moment: Moment) -> None:
+        """Every resource that is held, asked for or mapped, by name."""
+        asked = {resource for wanted in moment.asking.values() for resource in wanted}
+        every = sorted(asked | moment.holders.keys() | moment.robot.keys())
+        self.rows.show([self._row(resource, moment) for resource in every])
+
+    def _row(self, resource: str, moment: Moment) -> Row:
+        holder, since = moment.holders.get(resource, (None, 0.0))
+        others = [m for m, wanted in moment.asking.items() if resource in wanted and m != holder]
+        does = moment.robot.get(resource)
+        cells = (
+            resource,
+            holder or self.tr("nobody"),
+            ago(moment.t - since) if holder is not None else "",
+            ", ".join(others),
+            in_text(does) if resource != "screen" else self.tr("shown") if does else "",
+        )
+        return Row(resource, cells, holder is not None)

@@ -1,0 +1,47 @@
+"""Blackboard: every tag of the connected robot, its value, who set it and how long ago."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtWidgets import QWidget
+
+from situ.decide.values import in_text
+from situ.document import names
+from situ_studio.live.log import Entry, Moment
+from situ_studio.panels.table import Row, RowsTable
+from situ_studio.theme import Theme
+
+HIDDEN = "•••"
+FRESH = 2.0
+"""Seconds for which a value that was just set is marked."""
+
+
+class Blackboard(RowsTable):
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        titles = ("Tag", "Value", "Set by", "Ago")
+        super().__init__("Blackboard", [self.tr(t) for t in titles], (200, 320, 140), theme, parent)
+
+    def show_moment(self, moment: Moment, private: Sequence[str] = ()) -> None:
+        """The board at a moment. private: patterns of tags whose values are not shown."""
+        self.rows.show([_row(tag, moment, private) for tag in sorted(moment.board)])
+
+
+def _row(tag: str, moment: Moment, private: Sequence[str]) -> Row:
+    entry = moment.board[tag]
+    hidden = any(names.matches(pattern, tag) for pattern in private)
+    value = HIDDEN if hidden else in_text(entry.value)
+    age = max(moment.t - entry.t, 0.0)
+    marked = age < FRESH and entry.t > 0
+    return Row(tag, (tag, value, _writer(entry), ago(age)), marked, f"{tag} = {value}")
+
+
+def _writer(entry: Entry) -> str:
+    return entry.writer or "–"
+
+
+def ago(seconds: float) -> str:
+    """A length of time as it is read at a glance: ``0.4 s``, ``12 s``, ``3 min``."""
+    if seconds < 10:
+        return f"{seconds:.1f} s"
+    return f"{seconds:.0f} s" if seconds < 120 else f"{seconds / 60:.0f} min"

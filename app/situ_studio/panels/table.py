@@ -1,0 +1,141 @@
+"""A quiet table of text for what a robot tells: rows are replaced, the selection stays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from msgspec import Struct
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+
+from situ_studio.theme import Theme, font
+
+ROW = 24
+
+
+class Row(Struct, frozen=True):
+    """key: what a row is about, the same over changes. marked: drawn in the live colour."""
+
+    key: str
+    cells: tuple[str, ...]
+    marked: bool = False
+    tip: str = ""
+
+
+class RowsModel(QAbstractTableModel):
+    """Rows in the order given; only what differs is told to the view."""
+
+    def __init__(self, titles: Sequence[str], theme: Theme, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._titles = list(titles)
+        self._theme = theme
+        self.rows: list[Row] = []
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self._told(0, len(self.rows) - 1)
+
+    def show(self, rows: list[Row]) -> None:
+        """Takes these rows; the same keys in the same order keep their places."""
+        if [row.key for row in rows] != [row.key for row in self.rows]:
+            self.beginResetModel()
+            self.rows = rows
+            self.endResetModel()
+            return
+        before, self.rows = self.rows, rows
+        changed = [n for n, (a, b) in enumerate(zip(before, rows, strict=True)) if a != b]
+        if changed:
+            self._told(changed[0], changed[-1])
+
+    def append(self, rows: list[Row], limit: int) -> None:
+        """Adds rows at the end; only the last ``limit`` are kept."""
+        if not rows:
+            return
+        rows = rows[-limit:]
+        over = len(self.rows) + len(rows) - limit
+        if over > 0:
+            self.beginRemoveRows(QModelIndex(), 0, over - 1)
+            del self.rows[:over]
+            self.endRemoveRows()
+        first = len(self.rows)
+        self.beginInsertRows(QModelIndex(), first, first + len(rows) - 1)
+        self.rows += rows
+        self.endInsertRows()
+
+    def _told(self, first: int, last: int) -> None:
+        if last >= first:
+            end = self.index(last, len(self._titles) - 1)
+            self.dataChanged.emit(self.index(first, 0), end)
+
+    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(self._titles)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
+            return self._titles[section]
+        return None
+
+    def data(
+        self,
+        index: QModelIndex | QPersistentModelIndex,
+        role: int = Qt.ItemDataRole.DisplayRole,
+    ) -> Any:
+        row = self.rows[index.row()]
+        if role == Qt.ItemDataRole.DisplayRole:
+            return row.cells[index.column()]
+        if role == Qt.ItemDataRole.ForegroundRole:
+            token = "text2" if index.column() else "text"
+            return self._theme.color("live" if row.marked else token)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return row.tip or row.cells[index.column()]
+        if role == Qt.ItemDataRole.FontRole:
+            return font(12)
+        return None
+
+
+class RowsTable(QTableView):
+    """widths: px of all columns but the last, which takes the rest."""
+
+    def __init__(
+        self,
+        name: str,
+        titles: Sequence[str],
+        widths: Sequence[int],
+        theme: Theme,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setAccessibleName(name)
+        self.rows = RowsModel(titles, theme, self)
+        self.setModel(self.rows)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setTabKeyNavigation(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(ROW)
+        self.verticalHeader().setMinimumSectionSize(ROW)
+        header = self.horizontalHeader()
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header.setHighlightSections(False)
+        header.setFixedHeight(ROW)
+        for column, width in enumerate(widths):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
+            header.resizeSection(column, width)
+        header.setStretchLastSection(True)
+
+    def set_theme(self, theme: Theme) -> None:
+        self.rows.set_theme(theme)
+
+    def when_chosen(self, told: Callable[[str], None]) -> None:
+        """``told`` gets the key of a row that a person clicks or presses Enter on."""
+        self.clicked.connect(lambda index: told(self.rows.rows[index.row()].key))
+        self.activated.connect(lambda index: told(self.rows.rows[index.row()].key))

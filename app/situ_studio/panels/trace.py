@@ -1,0 +1,55 @@
+"""Trace: what the connected robot did, one event a row, the last at the bottom."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from situ.decide.values import in_text
+from situ_studio.live.log import TraceFields
+from situ_studio.panels.table import Row, RowsTable
+from situ_studio.theme import Theme
+
+LIMIT = 2_000
+"""Rows shown; the log keeps more."""
+
+_ALWAYS = ("kind", "seq", "t", "cause", "time")
+_LOUD = ("transition", "situation", "authority", "error", "warning")
+
+
+class Trace(RowsTable):
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        titles = ("Time", "What", "Because of", "Details")
+        super().__init__("Trace", [self.tr(t) for t in titles], (90, 110, 90), theme, parent)
+
+    def show_all(self, events: list[TraceFields]) -> None:
+        """Begins anew with these events."""
+        self.rows.show([_row(event) for event in events[-LIMIT:]])
+        self.scrollToBottom()
+
+    def add(self, events: list[TraceFields]) -> None:
+        """Adds events; stays at the end where it was at the end."""
+        bar = self.verticalScrollBar()
+        at_end = bar.value() == bar.maximum()
+        self.rows.append([_row(event) for event in events], LIMIT)
+        if at_end:
+            self.scrollToBottom()
+
+
+def _row(event: TraceFields) -> Row:
+    cause = "" if event["cause"] is None else f"{event['cause']}"
+    cells = (f"{event['t']:.3f} s", f"{event['seq']} {event['kind']}", cause, words(event))
+    return Row(str(event["seq"]), cells, event["kind"] in _LOUD)
+
+
+def words(event: TraceFields) -> str:
+    """An event's own fields in one line: ``reception: 2 → 3 by clickContinue``."""
+    fields = {key: value for key, value in event.items() if key not in _ALWAYS}
+    parts = []
+    application = fields.pop("application", None)
+    if "from" in fields and "to" in fields:
+        parts.append(f"{fields.pop('from') or 'nobody'} → {fields.pop('to') or 'nobody'}")
+    for key, value in fields.items():
+        if value is None or (key == "components"):
+            continue
+        parts.append(f"{key} {in_text(value)}")
+    return f"{application}: {', '.join(parts)}" if application else ", ".join(parts)
