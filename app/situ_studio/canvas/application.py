@@ -1,0 +1,473 @@
+"""The canvas of an application: state cards, transitions, and what the robot does to them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from PySide6.QtCore import QMimeData, QPointF
+from PySide6.QtGui import QCursor, QGuiApplication, Qt
+from PySide6.QtWidgets import QWidget
+
+from situ.document.problem import Problem
+from situ.document.rbd import Application
+from situ_studio.canvas import gestures, layout
+from situ_studio.canvas.base import Canvas, Place
+from situ_studio.canvas.cards import CardItem, chip_width
+from situ_studio.canvas.live import LiveView
+from situ_studio.canvas.menu import FollowMenu
+from situ_studio.canvas.nodes import NodeFace, Spot
+from situ_studio.canvas.pipes import GUARD_HEIGHT, LABEL_HEIGHT, RoutedPipe
+from situ_studio.canvas.projection import (
+    ALWAYS,
+    NEW,
+    Card,
+    Picture,
+    Projector,
+    exit_of,
+    identified,
+    place_of,
+)
+from situ_studio.canvas.routes import Box, Pipe, Router
+from situ_studio.canvas.style import Label
+from situ_studio.theme import Theme
+
+MIME = "application/x-situ-states+xml"
+"""Copied states on the clipboard: an application of their own, as a file has it."""
+
+
+class ApplicationCanvas(Canvas):
+    """Shows an application; gestures become ``edited`` (canvas.md)."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(theme, parent)
+        self.document = Application(name="")
+        self._projector = Projector()
+        self._picture = Picture({}, {}, {})
+        self._router = Router()
+        self._laid: dict[str, tuple[float, float]] = {}
+        self._drop: tuple[str, str, QPointF] | None = None
+        self._widths: dict[str, float] = {}
+        self.menu: FollowMenu | None = None
+        self.viewer.dropped.connect(self._on_dropped)
+
+    # -- showing ---------------------------------------------------------------------
+
+    def show_document(self, document: Application, problems: Sequence[Problem] = ()) -> None:
+        self.document = document
+        self._problems = tuple(problems)
+        self.render_document()
+
+    def render_document(self) -> None:
+        self._lay_out_missing()
+        self._picture = self._projector.picture(self.document, self._problems, self._laid)
+        self._show(self._picture.cards, self._picture.links)
+
+    def _lay_out_missing(self) -> None:
+        """A place for cards that have none in the file; they keep it while they are shown."""
+        missing = [
+            (uid, value)
+            for uid, value in identified(self.document)
+            if value.aside.position is None and uid not in self._laid
+        ]
+        if not missing:
+            return
+        arranged = layout.arrange(self.document)
+        placed = [v.aside.position for _, v in identified(self.document) if v.aside.position]
+        if not placed and not self._laid:
+            self._laid.update(arranged)
+            return
+        if [uid for uid, _ in missing] == [f"{ALWAYS} "] and placed:
+            left, top = min(p[0] for p in placed), min(p[1] for p in placed)
+            self._laid[missing[0][0]] = (left, top - 210)
+            return
+        taken = [
+            (*at, 176.0, 62 + 18.0 * max(3, len(v.events) + 1))
+            for uid, v in identified(self.document)
+            if (at := v.aside.position or self._laid.get(uid)) is not None
+        ]
+        below = max((y + h for _, y, _, h in taken), default=0.0) + 64
+        left = min((x for x, _, _, _ in taken), default=24.0)
+        for uid, _ in missing:
+            spot = layout.beside(taken, left, below)
+            self._laid[uid] = spot
+            taken.append((*spot, 176.0, 116.0))
+
+    def _item_kind(self, card: Any) -> type[NodeFace]:
+        return CardItem
+
+    def _route(self, moved: Iterable[str] = ()) -> None:
+        cards = self._picture.cards
+        boxes: dict[str, Box] = {}
+        for uid, card in cards.items():
+            view = self.graph.nodes[uid].view
+            x, y = view.x(), view.y()
+            below = 8 if card.chips else 0
+            boxes[uid] = Box(x, y, x + card.width, y + card.height + below)
+        groups: dict[tuple[str, str], list[Any]] = {}
+        for link in self._picture.links.values():
+            groups.setdefault((link.source, link.target), []).append(link)
+        pipes: list[Pipe] = []
+        said: dict[tuple[str, ...], tuple[str, bool]] = {}
+        for (source, target), links in groups.items():
+            pill = len(links) == 1 and bool(links[0].guard)
+            text = links[0].guard if pill else ", ".join(dict.fromkeys(x.label for x in links))
+            width = self._text_width(text) + (36 if pill else 10)
+            for link in links:
+                from_card, to_card = cards[source], cards[target]
+                ax, ay = from_card.port(link.exit)
+                bx, by = to_card.port(link.entry)
+                said[link.id] = text, pill
+                pipes.append(
+                    Pipe(
+                        id=link.id,
+                        source=source,
+                        target=target,
+                        start=(boxes[source].left + ax, boxes[source].top + ay),
+                        end=(boxes[target].left + bx, boxes[target].top + by),
+                        width=width,
+                        height=GUARD_HEIGHT if pill else LABEL_HEIGHT,
+                        chip=chip_width(to_card.no),
+                        timeout=link.exit == "timeout",
+                        folded=from_card.kind == "always",
+                    )
+                )
+        moved = set(moved)
+        if moved:
+            routes = self._router.follow(boxes, pipes, moved)
+        else:
+            routes = self._router.route(boxes, pipes)
+        for pipe in pipes:
+            item = self.graph.pipe(pipe.id)
+            if item is not None:
+                text, pill = said[pipe.id]
+                item.set_route(routes[pipe.id], text, pill, cards[pipe.target].no)
+
+    def _text_width(self, text: str) -> float:
+        width = self._widths.get(text)
+        if width is None:
+            if len(self._widths) > 20000:
+                self._widths.clear()
+            width = self._widths[text] = Label(text, 12, 500, 220).width
+        return width
+
+    def set_live(self, live: LiveView | None) -> None:
+        """Highlights of the running robot; None for none. They live in the view only."""
+        before, self.look.live = self.look.live, live
+        old, new = before or LiveView(), live or LiveView()
+        changed = old.active | new.active
+        changed |= {no for no in new.counts if old.counts.get(no) != new.counts[no]}
+        changed |= {no for no in old.counts if no not in new.counts}
+        if (before is None) != (live is None):
+            changed |= {card.no for card in self._picture.cards.values()}
+        for uid, card in self._picture.cards.items():
+            if card.no in changed:
+                self.graph.nodes[uid].view.update()
+        exits = {(t.state, t.exit) for t in (*old.taken, *new.taken)}
+        exits |= set(old.transitions.items() ^ new.transitions.items()) and {
+            k
+            for k in {**old.transitions, **new.transitions}
+            if old.transitions.get(k) != new.transitions.get(k)
+        }
+        for id in self.graph.links:
+            if (id[0], id[1]) in exits or (before is None) != (live is None):
+                pipe = self.graph.pipe(id)
+                if pipe is not None:
+                    pipe.update()
+        if self.look.level in ("quarter", "tiny"):
+            self.viewer.viewport().update()
+        self.minimap.update()
+
+    # -- gestures become edits -----------------------------------------------------------
+
+    def settle(self) -> None:
+        moved = self.graph.moved(self.viewer.touched)
+        connections, slices = self.graph.take_intents()
+        after, text = self.document, ""
+        if connections:
+            after, text = self._connected(connections)
+        elif slices:
+            after, text = self._sliced(slices)
+        elif moved:
+            after, text = self._moved(moved)
+        if text:
+            self.edited.emit(after, text)
+        if self.viewer.touched:
+            self.render_document()
+        drop, self._drop = self._drop, None
+        if drop is not None:
+            self._ask_what_follows(*drop)
+
+    def _exit_place(self, uid: str, exit: str) -> Place:
+        return place_of(uid, exit, self._picture.cards[uid])
+
+    def _connected(self, connections: list[Any]) -> tuple[Application, str]:
+        _, connected = connections[-1]
+        for leaving, entry in connected:
+            source = self._picture.cards.get(leaving.node.uid)
+            target = self._picture.cards.get(entry.node.uid)
+            if source is not None and target is not None:
+                return gestures.lead(self.document, source.place, leaving.name, target.no)
+        return self.document, ""
+
+    def _sliced(self, slices: list[Any]) -> tuple[Application, str]:
+        document, texts = self.document, []
+        places = []
+        for cut in slices:
+            for entry, leaving in cut:
+                if leaving.node is not None and leaving.node.uid in self._picture.cards:
+                    places.append(self._exit_place(leaving.node.uid, leaving.name))
+                del entry
+        # Unnamed events go when they are cut: the last ones first, so that positions still fit.
+        for place in sorted(set(places), key=lambda p: (p[:-1], _number(p[-1])), reverse=True):
+            document, text = gestures.disconnect(document, place)
+            texts += [text] if text else []
+        if len(texts) > 1:
+            return document, f"Cut {len(texts)} pipes"
+        return document, texts[0] if texts else ""
+
+    def _moved(self, moved: dict[str, tuple[float, float]]) -> tuple[Application, str]:
+        to = {
+            self._picture.cards[uid].place: (gestures.snap(x), gestures.snap(y))
+            for uid, (x, y) in moved.items()
+        }
+        changed = {p: at for p, at in to.items() if self._shown_at(p) != at}
+        if not changed:
+            return self.document, ""
+        after, text = gestures.move(self.document, changed)
+        return gestures.move(after, {**self._unplaced(), **changed})[0], text
+
+    def _shown_at(self, place: Place) -> tuple[float, float]:
+        card = self._picture.cards[self._picture.uids[place]]
+        return card.x, card.y
+
+    def _unplaced(self) -> dict[Place, tuple[float, float]]:
+        """Cards that have no place in the file, where they are shown: they stay when one is moved."""
+        return {
+            self._picture.cards[uid].place: self._laid[uid]
+            for uid, value in identified(self.document)
+            if value.aside.position is None and uid in self._laid
+        }
+
+    def _pinned(self) -> Application:
+        return gestures.move(self.document, self._unplaced())[0]
+
+    # -- what can follow -----------------------------------------------------------------
+
+    def _on_dropped(self, leaving: Any, spot: QPointF) -> None:
+        self._drop = leaving.node.uid, leaving.name, spot
+
+    def _ask_what_follows(self, uid: str, exit: str, spot: QPointF) -> None:
+        if uid not in self._picture.cards:
+            return
+        source = self._picture.cards[uid]
+        leaving = source.exit(exit)
+        choices = [
+            f
+            for f in gestures.FOLLOWS
+            if (f.key != "" or leaving is None or leaving.next is not None)
+            and not (f.key.startswith("#") and source.kind == "always" and f.key == "#again")
+        ]
+        for card in self._picture.cards.values():
+            if card.no:
+                choices.append(
+                    gestures.Follow(card.no, f"{card.no}  {card.name}", "state", "existing state")
+                )
+        menu = FollowMenu(choices, self.look.theme, self)
+        menu.chosen.connect(lambda key: self._follow(uid, exit, key, spot))
+        menu.closed.connect(self._menu_closed)
+        self.menu = menu
+        menu.popup(self.viewer.viewport().mapToGlobal(self.viewer.mapFromScene(spot)))
+
+    def _menu_closed(self) -> None:
+        self.menu = None
+        self.viewer.setFocus()
+
+    def _follow(self, uid: str, exit: str, key: str, spot: QPointF) -> None:
+        card = self._picture.cards.get(uid)
+        if card is None or (exit != NEW and card.exit(exit) is None):
+            return
+        x, y = layout.entry(spot.x(), spot.y())
+        after, text, no = gestures.follow(self.document, card.place, exit, key, x, y)
+        if text:
+            self.edited.emit(after, text)
+        if no is not None and ("state", no) in self._picture.uids:
+            self.select([("state", no)])
+
+    # -- commands ---------------------------------------------------------------------------
+
+    def _edit(self, after: Application, text: str) -> None:
+        if text:
+            self.edited.emit(after, text)
+
+    def _numbers(self) -> list[str]:
+        cards = (self._picture.cards[uid] for uid in self.selected_uids())
+        return [c.no for c in cards if c.no]
+
+    def _free_spot(self) -> tuple[float, float]:
+        """Beside the selected card, else in the middle of what is seen; never on another card."""
+        taken = [(c.x, c.y, c.width, c.height) for c in self._picture.cards.values()]
+        uids = self.selected_uids()
+        if uids:
+            area = self.card_area(uids[-1])
+            return layout.beside(taken, area.left() + 230, area.top())
+        middle = self.viewer._scene_range.center()
+        return layout.beside(taken, gestures.snap(middle.x() - 88), gestures.snap(middle.y() - 58))
+
+    def add_state(self, kind: str = "state", at: QPointF | None = None) -> None:
+        """A new state, selected. at: its corner in the scene; None: a free place near."""
+        x, y = (at.x(), at.y()) if at is not None else self._free_spot()
+        after, text, no = gestures.add_state(self._pinned(), x, y, kind)
+        self._edit(after, text)
+        if ("state", no) in self._picture.uids:
+            self.select([("state", no)])
+            self.viewer.reveal(self.card_area(self._picture.uids["state", no]))
+
+    def add_part(self) -> None:
+        self.add_state()
+
+    def delete_selection(self) -> None:
+        self._edit(*gestures.delete(self.document, self.selection()))
+
+    def duplicate(self) -> None:
+        numbers = self._numbers()
+        if numbers:
+            after, text, new = gestures.duplicate(self._pinned(), numbers)
+            self._edit(after, text)
+            self.select([("state", no) for no in new])
+
+    def copy(self) -> None:
+        """The selected states to the clipboard, as XML that any text editor takes too."""
+        numbers = self._numbers()
+        if not numbers:
+            return
+        from situ.document import codec
+
+        data = codec.write(gestures.fragment(self._pinned(), numbers))
+        mime = QMimeData()
+        mime.setData(MIME, data)
+        mime.setText(data.decode())
+        QGuiApplication.clipboard().setMimeData(mime)
+        self.status.emit(f"{len(numbers)} states copied" if len(numbers) > 1 else "1 state copied")
+
+    def cut(self) -> None:
+        numbers = self._numbers()
+        if numbers:
+            self.copy()
+            after, text = gestures.delete(self.document, [("state", no) for no in numbers])
+            self._edit(after, text.replace("Delete", "Cut", 1))
+
+    def paste(self) -> None:
+        """States from the clipboard, under new numbers; says so where there are none."""
+        mime = QGuiApplication.clipboard().mimeData()
+        data = bytes(mime.data(MIME).data()) if mime.hasFormat(MIME) else mime.text().encode()
+        from situ.document import codec
+
+        copied, _ = codec.read(data, "clipboard") if data.strip() else (None, [])
+        if not isinstance(copied, Application) or not copied.states:
+            self.status.emit("There are no states on the clipboard")
+            return
+        pointer = self.viewer.viewport().mapFromGlobal(QCursor.pos())
+        if self.viewer.viewport().rect().contains(pointer):
+            at = self.viewer.mapToScene(pointer)
+            x, y = at.x(), at.y()
+        else:
+            x, y = self._free_spot()
+        after, text, new = gestures.paste(self._pinned(), copied, x, y)
+        self._edit(after, text)
+        self.select([("state", no) for no in new])
+
+    def align(self, edge: str) -> None:
+        """edge: left, center, right, top, middle, bottom; or across, down: spaced evenly."""
+        areas = {}
+        for uid in self.selected_uids():
+            card = self._picture.cards[uid]
+            areas[card.place] = gestures.Area(card.x, card.y, card.width, card.height)
+        self._edit(*gestures.align(self._pinned(), areas, edge))
+
+    def auto_layout(self) -> None:
+        """Every card by the automatic layout; one edit."""
+        placed = layout.arrange(self.document)
+        to = {self._picture.cards[uid].place: at for uid, at in placed.items()}
+        after, text = gestures.move(self.document, to)
+        self._edit(after, "Arrange all cards" if text else "")
+        self.zoom_to_fit()
+
+    def connect_selected(self) -> None:
+        """A new event from each selected card to the next, in the order of the document."""
+        numbers = self._numbers()
+        if len(numbers) < 2:
+            self.status.emit("Select two states to connect")
+            return
+        after, texts = self.document, []
+        for source, target in zip(numbers, numbers[1:], strict=False):
+            after, text = gestures.add_event(after, ("state", source), target)
+            texts.append(text)
+        self._edit(after, texts[0] if len(texts) == 1 else f"Connect {len(numbers)} states")
+
+    def nudge(self, across: int, down: int) -> None:
+        to = {}
+        for uid in self.selected_uids():
+            card = self._picture.cards[uid]
+            to[card.place] = (card.x + across * gestures.GRID, card.y + down * gestures.GRID)
+        if to:
+            after, text = gestures.move(self.document, to)
+            self._edit(gestures.move(after, {**self._unplaced(), **to})[0], text)
+
+    def _rename_card(self, uid: str, name: str) -> None:
+        card = self._picture.cards[uid]
+        if card.no:
+            self._edit(*gestures.rename(self.document, card.no, name))
+
+    def edit_name(self, uid: str) -> None:
+        if self._picture.cards[uid].no:
+            super().edit_name(uid)
+
+    # -- places --------------------------------------------------------------------------------
+
+    def _place(self, uid: str, exit: str | None = None) -> Place:
+        return place_of(uid, exit, self._picture.cards[uid])
+
+    def _find(self, place: Place) -> tuple[str | None, str | None]:
+        root = place[:1] if place[:1] == (ALWAYS,) else place[:2]
+        uid = self._picture.uids.get(root)
+        if uid is None:
+            return None, None
+        exit = exit_of(place)
+        if exit is not None and self._picture.cards[uid].exit(exit) is None:
+            exit = None
+        return uid, exit
+
+    def _choose_exit(self, card: NodeFace, exit: str) -> None:
+        if exit == NEW:
+            self.select([self._place(card.uid)])
+        else:
+            super()._choose_exit(card, exit)
+
+    def _on_clicked(self, item: Any, spot: QPointF) -> None:
+        if isinstance(item, RoutedPipe) and item.route.folded and item.link is not None:
+            if self.viewer.held & Qt.KeyboardModifier.AltModifier:
+                self._router.drawn.add(item.link.id)
+                self._route()
+            else:
+                target = self._picture.cards[item.link.target]
+                self.select([target.place])
+                self.zoom_to([target.place])
+            return
+        if isinstance(item, CardItem) and not isinstance(item, Spot):
+            part = item.part_at(item.mapFromScene(spot))
+            if part.startswith("exit ") and self._told == (item.face.place,) and item.row is None:
+                self.select([self._place(item.uid, part[5:])])
+                return
+        super()._on_clicked(item, spot)
+
+    def _on_double_click(self, card: NodeFace, spot: QPointF) -> None:
+        face: Card = card.face
+        if spot.y() < 28 and face.no and self.look.level == "full":
+            self.edit_name(card.uid)
+        else:
+            self.activated.emit(face.place)
+
+
+def _number(text: str) -> int:
+    return int(text) if text.isdigit() else -1

@@ -1,0 +1,472 @@
+"""What both canvases are: a viewer with a graph, its zoom, its selection, its edits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from situ.document.problem import Problem
+from situ_studio.canvas.graph import Graph
+from situ_studio.canvas.nodes import NodeFace, Spot
+from situ_studio.canvas.overlay import MiniMap, NameEditor, ZoomBar
+from situ_studio.canvas.pipes import RoutedPipe
+from situ_studio.canvas.style import Look
+from situ_studio.canvas.viewer import Viewer
+from situ_studio.theme import Theme
+
+Place = tuple[str, ...]
+ZOOMS = (0.1, 0.15, 0.25, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0)
+
+
+class Canvas(QWidget):
+    """A drawing of one document. It never changes it: it emits ``edited`` and shows what it is given.
+
+    Selections and problems are places, as ``Problem.place`` has them.
+    """
+
+    edited = Signal(object, str)
+    """The document after a gesture, and the edit's name."""
+    selection_changed = Signal(tuple)
+    activated = Signal(tuple)
+    status = Signal(str)
+    zoomed = Signal(float)
+    menu_requested = Signal(tuple, QPoint)
+    """A right click: the place under it (empty for the ground), where on the screen."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.look = Look(theme)
+        self.viewer = Viewer(self.look, self)
+        self.graph = Graph(self.viewer, self.look, self._item_kind)
+        self.viewer.straight_lines = self.graph.lines
+        self.viewer.on_key = self._key
+        self._problems: tuple[Problem, ...] = ()
+        self._told: tuple[Place, ...] = ()
+        self._row: tuple[str, str] | None = None
+        self._quiet = 0
+        self._fitted = False
+        self._editor: NameEditor | None = None
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.viewer)
+        self.setFocusProxy(self.viewer)
+        self.zoom_bar = ZoomBar(self)
+        self.zoom_bar.stepped.connect(self._step_zoom)
+        self.zoom_bar.fitted.connect(self.zoom_to_fit)
+        self.zoom_bar.set_theme(theme)
+        self.minimap = MiniMap(self.viewer, self.look, self)
+        self._moved_timer = QTimer(self)
+        self._moved_timer.setSingleShot(True)
+        self._moved_timer.setInterval(0)
+        self._moved_timer.timeout.connect(self._follow_cards)
+        self.viewer.moved.connect(self._moved_timer.start)
+        self.viewer.settled.connect(self.settle)
+        self.viewer.zoomed.connect(self._on_zoomed)
+        self.viewer.double_click.connect(self._on_double_click)
+        self.viewer.clicked.connect(self._on_clicked)
+        self.viewer.menu_wanted.connect(self._on_menu)
+        self.viewer.scene().selectionChanged.connect(self._on_selection)
+
+    # -- for subclasses --------------------------------------------------------------
+
+    def _item_kind(self, card: Any) -> type[NodeFace]:
+        raise NotImplementedError
+
+    def render_document(self) -> None:
+        """Shows the document as it is now, touched nodes included."""
+        raise NotImplementedError
+
+    def settle(self) -> None:
+        """Turns what a gesture asked for into one edit or none, and heals the view."""
+        raise NotImplementedError
+
+    def _route(self, moved: Iterable[str] = ()) -> None:
+        """Every pipe's way; while these cards are being dragged, only what that changes."""
+        raise NotImplementedError
+
+    def _rename_card(self, uid: str, name: str) -> None:
+        raise NotImplementedError
+
+    def _place(self, uid: str, exit: str | None = None) -> Place:
+        raise NotImplementedError
+
+    def _find(self, place: Place) -> tuple[str | None, str | None]:
+        """The uid and the exit that a place names; None where it names none."""
+        raise NotImplementedError
+
+    def delete_selection(self) -> None:
+        raise NotImplementedError
+
+    # -- showing -----------------------------------------------------------------------
+
+    def _show(self, cards: dict[str, Any], links: dict[tuple[str, ...], Any]) -> None:
+        chosen = {id for id in self.graph.links if self._selected_pipe(id)}
+        self._quiet += 1
+        try:
+            self.graph.show_picture(cards, links)
+            for id in chosen:
+                pipe = self.graph.pipe(id)
+                if pipe is not None:
+                    pipe.setSelected(True)
+            if self._row is not None and self._row[0] not in cards:
+                self._row = None
+        finally:
+            self._quiet -= 1
+        if self._editor is not None and self._editor.uid not in cards:
+            self._editor.close_editor()
+        self._moved_timer.stop()
+        self._route()
+        self.minimap.update()
+        self._on_selection()
+        if not self._fitted and cards and self.isVisible():
+            self._fitted = True
+            self.zoom_to_fit()
+
+    def _selected_pipe(self, id: tuple[str, ...]) -> bool:
+        pipe = self.graph.pipe(id)
+        return pipe is not None and bool(pipe.isSelected())
+
+    def _follow_cards(self) -> None:
+        """Cards are being dragged: the pipes follow."""
+        self._route(self.graph.moved(self.viewer.touched))
+        self.minimap.update()
+
+    def set_theme(self, theme: Theme) -> None:
+        self.look.set_theme(theme)
+        for node in self.graph.nodes.values():
+            node.view.prepare()
+        self.zoom_bar.set_theme(theme)
+        self.viewer.viewport().update()
+        self.minimap.update()
+
+    def showEvent(self, event: Any) -> None:
+        super().showEvent(event)
+        if not self._fitted and self.graph.cards:
+            self._fitted = True
+            QTimer.singleShot(0, self, self.zoom_to_fit)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.zoom_bar.move(8, self.height() - self.zoom_bar.height() - 8)
+        self.minimap.move(
+            self.width() - self.minimap.width() - 8, self.height() - self.minimap.height() - 8
+        )
+        self.minimap.setVisible(self.height() >= 560 and self.width() >= 500)
+
+    # -- zoom ---------------------------------------------------------------------------
+
+    def zoom(self) -> float:
+        """1.0 is 100 %."""
+        return self.look.zoom
+
+    def set_zoom(self, factor: float) -> None:
+        """Around the middle of the canvas."""
+        self.viewer.zoom_to(factor)
+
+    def zoom_to_fit(self) -> None:
+        """The whole drawing, at most at 100 %."""
+        self.viewer.show_area(self.extent().adjusted(-24, -24, 24, 24))
+
+    def zoom_to(self, places: Iterable[Place]) -> None:
+        """Cards of these places, moved into view; zoomed out only where they do not fit."""
+        area = QRectF()
+        for place in places:
+            uid, _ = self._find(place)
+            if uid is not None:
+                area = area.united(self.card_area(uid))
+        if not area.isEmpty():
+            wide = self.viewer._scene_range
+            if area.width() > wide.width() or area.height() > wide.height():
+                self.viewer.show_area(area.adjusted(-40, -40, 40, 40))
+            elif self.look.zoom < 0.4:
+                self.viewer.zoom_to(0.8)
+                self.viewer.show_area(
+                    QRectF(area.center() - QPointF(1, 1), area.center() + QPointF(1, 1)), 0.8
+                )
+            else:
+                self.viewer.reveal(area)
+
+    def zoom_to_selection(self) -> None:
+        area = QRectF()
+        for uid in self.selected_uids():
+            area = area.united(self.card_area(uid))
+        if not area.isEmpty():
+            self.viewer.show_area(area.adjusted(-60, -60, 60, 60))
+
+    def _step_zoom(self, direction: int) -> None:
+        now = self.look.zoom
+        if direction > 0:
+            self.set_zoom(next((z for z in ZOOMS if z > now * 1.01), ZOOMS[-1]))
+        else:
+            self.set_zoom(next((z for z in reversed(ZOOMS) if z < now * 0.99), ZOOMS[0]))
+
+    def zoom_in(self) -> None:
+        self._step_zoom(1)
+
+    def zoom_out(self) -> None:
+        self._step_zoom(-1)
+
+    def _on_zoomed(self, zoom: float) -> None:
+        self.zoom_bar.set_zoom(zoom)
+        self.minimap.update()
+        if self._editor is not None:
+            self._editor.close_editor()
+        self.zoomed.emit(zoom)
+
+    def extent(self) -> QRectF:
+        """What the drawing takes, pipes included."""
+        area = QRectF()
+        for uid in self.graph.cards:
+            area = area.united(self.card_area(uid))
+        for id in self.graph.links:
+            pipe = self.graph.pipe(id)
+            if pipe is not None:
+                area = area.united(pipe.boundingRect())
+        return area
+
+    def card_area(self, uid: str) -> QRectF:
+        view = self.graph.nodes[uid].view
+        return QRectF(view.x(), view.y(), view.width, view.height)
+
+    # -- selection -----------------------------------------------------------------------
+
+    def selected_uids(self) -> list[str]:
+        """Selected cards, in document order."""
+        return [u for u in self.graph.cards if self.graph.nodes[u].view.isSelected()]
+
+    def selection(self) -> tuple[Place, ...]:
+        """Places of what is selected: cards in document order, then transitions."""
+        uids = self.selected_uids()
+        if self._row is not None and uids == [self._row[0]]:
+            return (self._place(*self._row),)
+        places = [self._place(uid) for uid in uids]
+        for id in self.graph.links:
+            pipe = self.graph.pipe(id)
+            if pipe is not None and pipe.isSelected():
+                places.append(self.link_place(id))
+        return tuple(dict.fromkeys(places))
+
+    def link_place(self, id: tuple[str, ...]) -> Place:
+        return self._place(id[0], id[1])
+
+    def select(self, places: Iterable[Place]) -> None:
+        """Selects these places and nothing else; unknown ones are left out."""
+        self._quiet += 1
+        try:
+            self.viewer.scene().clearSelection()
+            self._set_row(None)
+            for place in places:
+                uid, exit = self._find(place)
+                if uid is None:
+                    continue
+                pipes = []
+                if exit is not None:
+                    pipes = [
+                        self.graph.pipe(i) for i in self.graph.links if self.link_place(i) == place
+                    ]
+                if pipes and pipes[0] is not None:
+                    for pipe in pipes:
+                        pipe.setSelected(True)
+                else:
+                    self.graph.nodes[uid].view.setSelected(True)
+                    if exit is not None:
+                        self._set_row((uid, exit))
+        finally:
+            self._quiet -= 1
+        self._on_selection()
+
+    def select_all(self) -> None:
+        self._quiet += 1
+        try:
+            for node in self.graph.nodes.values():
+                node.view.setSelected(True)
+        finally:
+            self._quiet -= 1
+        self._on_selection()
+
+    def clear_selection(self) -> None:
+        self._set_row(None)
+        self.viewer.scene().clearSelection()
+
+    def _set_row(self, row: tuple[str, str] | None) -> None:
+        if self._row is not None and self._row[0] in self.graph.nodes:
+            view = self.graph.nodes[self._row[0]].view
+            view.row = None
+            view.update()
+        self._row = row
+        if row is not None:
+            view = self.graph.nodes[row[0]].view
+            view.row = row[1]
+            view.update()
+
+    def _on_selection(self) -> None:
+        if self._quiet:
+            return
+        if self._row is not None and self.selected_uids() != [self._row[0]]:
+            self._set_row(None)
+        now = self.selection()
+        if now != self._told:
+            self._told = now
+            self.selection_changed.emit(now)
+
+    # -- mouse and keys ---------------------------------------------------------------------
+
+    def _on_clicked(self, item: Any, spot: QPointF) -> None:
+        if isinstance(item, Spot) and item.node is not None:
+            self._choose_exit(item.node, item.name)
+
+    def _choose_exit(self, card: NodeFace, exit: str) -> None:
+        """A click on an exit selects its transition."""
+        self.select([self._place(card.uid, exit)])
+
+    def _on_double_click(self, card: NodeFace, spot: QPointF) -> None:
+        if spot.y() < 28:
+            self.edit_name(card.uid)
+        else:
+            self.activated.emit(self._place(card.uid))
+
+    def _on_menu(self, item: Any, at: QPoint) -> None:
+        place: Place = ()
+        if isinstance(item, Spot):
+            place = self._place(item.node.uid, item.name)
+        elif isinstance(item, NodeFace):
+            place = self._place(item.uid)
+        elif isinstance(item, RoutedPipe) and item.link is not None:
+            place = self.link_place(item.link.id)
+        self.menu_requested.emit(place, at)
+
+    def _key(self, event: QKeyEvent) -> bool:
+        key, held = event.key(), event.modifiers()
+        control = bool(held & Qt.KeyboardModifier.ControlModifier)
+        arrows = {
+            Qt.Key.Key_Left: (-1, 0),
+            Qt.Key.Key_Right: (1, 0),
+            Qt.Key.Key_Up: (0, -1),
+            Qt.Key.Key_Down: (0, 1),
+        }
+        if key in arrows:
+            across, down = arrows[Qt.Key(key)]
+            if control:
+                self.nudge(across, down)
+            else:
+                self.step(across, down)
+            return True
+        if key in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
+            self.step_in_order(-1 if key == Qt.Key.Key_Backtab else 1)
+            return True
+        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
+            self.rename()
+            return True
+        if key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self.delete_selection()
+            return True
+        if key == Qt.Key.Key_Escape:
+            self.clear_selection()
+            return True
+        if control and key == Qt.Key.Key_A:
+            self.select_all()
+            return True
+        if event.text().isalnum() and not control:
+            return self.step_to_letter(event.text())
+        return False
+
+    def nudge(self, across: int, down: int) -> None:
+        """Moves the selected cards by keys; not every canvas has cards that move."""
+
+    def step(self, across: int, down: int) -> None:
+        """Selects the card next to the selected one in that direction."""
+        uids = self.selected_uids()
+        if not uids:
+            self._go(next(iter(self.graph.cards), None))
+            return
+        here = self.card_area(uids[-1]).center()
+        best: tuple[float, str] | None = None
+        for uid in self.graph.cards:
+            if uid in uids:
+                continue
+            way = self.card_area(uid).center() - here
+            ahead = way.x() * across + way.y() * down
+            aside = abs(way.x() * down) + abs(way.y() * across)
+            if ahead <= 4 or aside > ahead * 2:
+                continue
+            score = ahead + 2 * aside
+            if best is None or score < best[0]:
+                best = score, uid
+        if best is not None:
+            self._go(best[1])
+
+    def step_in_order(self, by: int) -> None:
+        """Selects the next card in document order."""
+        order = list(self.graph.cards)
+        if not order:
+            return
+        uids = self.selected_uids()
+        index = order.index(uids[-1]) + by if uids else 0 if by > 0 else len(order) - 1
+        self._go(order[index % len(order)])
+
+    def step_to_letter(self, letter: str) -> bool:
+        """Selects the next card whose name or number begins so."""
+        order = list(self.graph.cards)
+        uids = self.selected_uids()
+        begin = order.index(uids[-1]) + 1 if uids else 0
+        for uid in order[begin:] + order[:begin]:
+            card = self.graph.cards[uid]
+            if card.name.casefold().startswith(letter.casefold()) or uid.startswith(letter):
+                self._go(uid)
+                return True
+        return False
+
+    def _go(self, uid: str | None) -> None:
+        if uid is None:
+            return
+        self.select([self._place(uid)])
+        if not self.graph.nodes[uid].view.isSelected():
+            self.graph.nodes[uid].view.setSelected(True)
+        self.viewer.reveal(self.card_area(uid))
+
+    # -- names --------------------------------------------------------------------------------
+
+    def rename(self) -> None:
+        """Edits the selected card's name in place."""
+        uids = self.selected_uids()
+        if len(uids) == 1:
+            self.edit_name(uids[0])
+
+    def name_area(self, uid: str) -> QRectF:
+        """Where the card's name stands, in the scene."""
+        area = self.card_area(uid)
+        return QRectF(area.left() + 30, area.top() + 2, area.width() - 34, 24)
+
+    def edit_name(self, uid: str) -> None:
+        if self._editor is not None:
+            self._editor.close_editor()
+        self.viewer.reveal(self.card_area(uid))
+        corner = self.viewer.mapFromScene(self.name_area(uid).topLeft())
+        zoom = self.look.zoom
+        size = self.name_area(uid).size() * zoom
+        editor = NameEditor(uid, self.graph.cards[uid].name, self.look, self.viewer.viewport())
+        editor.setGeometry(
+            corner.x(), corner.y(), max(120, round(size.width())), max(24, round(size.height()))
+        )
+        editor.finished.connect(self._on_named)
+        self._editor = editor
+        editor.show()
+        editor.setFocus()
+
+    def _on_named(self, uid: str, name: str, onwards: int) -> None:
+        self._editor = None
+        self.viewer.setFocus()
+        if name and uid in self.graph.cards and name != self.graph.cards[uid].name:
+            self._rename_card(uid, name)
+        if onwards:
+            self.step_in_order(onwards)
+            self.rename()
+
+    def cards_in_view(self) -> Sequence[str]:
+        """Uids of the cards that are at least partly seen."""
+        seen = self.viewer._scene_range
+        return [uid for uid in self.graph.cards if seen.intersects(self.card_area(uid))]

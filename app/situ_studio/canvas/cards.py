@@ -1,0 +1,471 @@
+"""State cards, painted as mockups/tokens.md and card-anatomy measure them, at four levels of detail."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
+from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
+from PySide6.QtWidgets import QWidget as Widget
+
+from situ_studio.canvas import thumbnails, words
+from situ_studio.canvas.nodes import NodeFace
+from situ_studio.canvas.projection import FIRST, HEADER, NEW, PITCH, TIMEOUT, WIDTH, Card, Exit
+from situ_studio.canvas.style import Label, Look
+
+RADIUS = 8.0
+STUB = 15.0
+"""The line and arrow before a chip."""
+PICTURE = QRectF(8, 54, 48, 31)
+LARGE_PICTURE = QRectF(12, 46, 92, 58)
+
+
+def chip_width(text: str, icon: bool = False) -> float:
+    return 18.0 if icon else max(18.0, 6.6 + 6.5 * len(text))
+
+
+def paint_chip(
+    painter: QPainter, look: Look, x: float, y: float, text: str, color: str, icon: str = ""
+) -> None:
+    """The short arrow that leaves an exit at x, y, and the chip that it ends in."""
+    red = color == "error"
+    painter.setPen(QPen(look[color if red or color == "accent" else "pipe"], 1.6))
+    painter.drawLine(QPointF(x + 4, y), QPointF(x + 10, y))
+    arrow(painter, look[color if red or color == "accent" else "pipe"], x + STUB, y)
+    width = chip_width(text, bool(icon))
+    painter.setPen(QPen(look["error"] if red else look["line_strong"], 1))
+    painter.setBrush(look["error_soft"] if red else look["panel"])
+    painter.drawRoundedRect(QRectF(x + STUB, y - 8, width, 16), 4, 4)
+    if icon:
+        look.icon(painter, icon, x + STUB + 3, y - 6, 12, look["text2"])
+        return
+    ink = look["error"] if red else look["accent"] if color == "accent" else look["text2"]
+    Label(text, 11, 600).draw_middle(painter, x + STUB + width / 2, y + 4, ink)
+
+
+def arrow(painter: QPainter, color: QColor, x: float, y: float, upwards: bool = False) -> None:
+    """An arrow head 7 × 8 with its point at x, y, to the right or upwards."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(color)
+    path = QPainterPath(QPointF(x, y))
+    if upwards:
+        path.lineTo(x - 4, y + 7)
+        path.lineTo(x + 4, y + 7)
+    else:
+        path.lineTo(x - 7, y - 4)
+        path.lineTo(x - 7, y + 4)
+    path.closeSubpath()
+    painter.drawPath(path)
+
+
+class CardItem(NodeFace):
+    """The card of a state or of ``always``."""
+
+    face: Card
+
+    def __init__(self, name: str = "state", parent: QGraphicsItem | None = None) -> None:
+        super().__init__(name, parent)
+        self._laid: tuple[object, ...] | None = None
+        self._texts: dict[str, Label] = {}
+        self._large: tuple[int, Label, Label] | None = None
+        self._icons: tuple[str, ...] = ()
+
+    def room(self, face: Card) -> QRectF:
+        return QRectF(-18, -18, face.width + 88, face.height + 36)
+
+    def prepare(self) -> None:
+        self._laid = None
+        self._large = None
+
+    def _lay_out(self) -> None:
+        card, look = self.face, self.look
+        assert look is not None
+        key = (id(card), look.version)
+        if self._laid == key:
+            return
+        self._laid = key
+        number = Label(card.no, 12, 600)
+        left = 36.0 + max(0.0, number.width - 12) if card.no else 30.0
+        right = WIDTH - 10 - (18 if card.kind in ("start", "end", "part") else 0)
+        right -= 20 if card.mark else 0
+        texts = {
+            "no": number,
+            "name": Label(card.name, 14, 600, right - left),
+            "line": Label(card.line, 12, 400, WIDTH - 26 - 8),
+        }
+        room_icons = WIDTH - 16.0
+        for index, leaving in enumerate(card.exits):
+            room = WIDTH - 12 - 8 - self._lead(leaving)
+            y = FIRST + PITCH * index
+            if y < PICTURE.bottom() + 6 and card.screen is not None:
+                room -= PICTURE.width() + 2
+            label = Label(leaving.label, 12, 400 if leaving.timeout else 500, room)
+            texts[f"exit {leaving.id}"] = label
+            if 84 < y < 114:
+                room_icons = min(room_icons, WIDTH - 12 - label.width - self._lead(leaving) - 14)
+            spare = room - label.width
+            if leaving.phrase and not label.cut:
+                phrase = Label(f"“{leaving.phrase}”", 11, 400, max(0.0, spare - 8))
+                if not phrase.cut:
+                    texts[f"phrase {leaving.id}"] = phrase
+        count = max(0, int((room_icons + 5) / 19))
+        self._icons = card.icons[:count]
+        at = 0.0
+        for index, chip in enumerate(card.chips):
+            label = Label(chip, 10, 500, 64)
+            if at + label.width + 10 > 96:
+                label = Label(f"+{len(card.chips) - index}", 10, 500)
+                texts[f"chip {index}"] = label
+                break
+            texts[f"chip {index}"] = label
+            at += label.width + 14
+        self._texts = texts
+
+    @staticmethod
+    def _lead(leaving: Exit) -> float:
+        """Room for what stands before an exit's name: a clock or a shield."""
+        return 16.0 if leaving.timeout or leaving.guard else 0.0
+
+    # -- painting -------------------------------------------------------------------
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
+    ) -> None:
+        look = self.look
+        assert look is not None
+        level = look.level
+        if level == "tiny":
+            self._paint_tiny(painter, look)
+        elif level == "quarter":
+            self._paint_quarter(painter, look)
+        elif level == "half":
+            self._paint_half(painter, look)
+        else:
+            self._paint_full(painter, look)
+
+    def _live(self, look: Look) -> bool:
+        return look.live is not None and self.face.no in look.live.active
+
+    def _border(self, look: Look) -> QColor:
+        if self._live(look):
+            return look["live"]
+        if self.isSelected():
+            return look["accent"]
+        kind = self.face.kind
+        if kind in ("start", "part"):
+            return look[kind]
+        return look["state"] if kind == "end" else look["card_border"]
+
+    def _paint_tiny(self, painter: QPainter, look: Look) -> None:
+        card = self.face
+        area = QRectF(0, 0, card.width, card.height)
+        if self._live(look):
+            ring = 6 / look.zoom
+            painter.fillRect(area.adjusted(-ring, -ring, ring, ring), look.faint("live", 0.45))
+            painter.fillRect(area, look["live"])
+        elif self.isSelected():
+            painter.fillRect(area, look["accent"])
+        else:
+            kind = card.kind
+            painter.fillRect(area, look[kind] if kind in ("start", "part") else look["far"])
+
+    def _paint_quarter(self, painter: QPainter, look: Look) -> None:
+        card = self.face
+        area = QRectF(0, 0, card.width, card.height)
+        self._paint_rings(painter, look, area, 1 / look.zoom)
+        painter.setBrush(look["card"])
+        painter.setPen(QPen(self._border(look), (2.0 if self.isSelected() else 1.0) / look.zoom))
+        painter.drawRoundedRect(area, 10, 10)
+        pixels = int(13 / look.zoom)
+        if self._large is None or self._large[0] != pixels:
+            text = Label(card.no or "∗", pixels, 600, card.width - 12)
+            self._large = pixels, text, text
+        self._large[1].draw_middle(
+            painter, card.width / 2, card.height / 2 + pixels * 0.36, look["state"]
+        )
+        if card.mark:
+            size = 16 / look.zoom
+            look.icon(
+                painter, card.mark, card.width - size * 0.8, -size * 0.2, size, look[card.mark]
+            )
+
+    def _paint_half(self, painter: QPainter, look: Look) -> None:
+        card = self.face
+        area = QRectF(0, 0, card.width, card.height)
+        self._paint_rings(painter, look, area, 1.0)
+        if card.kind == "part":
+            self._paint_back(painter, look, area)
+        painter.setBrush(look["card"])
+        painter.setPen(QPen(self._border(look), 2.5 if self.isSelected() else 2))
+        painter.drawRoundedRect(area, RADIUS, RADIUS)
+        pixels = max(15, min(28, int(11.5 / look.zoom)))
+        if self._large is None or self._large[0] != pixels:
+            number = Label(card.no, pixels - 3, 600)
+            chip = max(30.0, number.width + 12) if card.no else 0.0
+            room = card.width - chip - 24 - (26 if card.mark else 0)
+            self._large = pixels, number, Label(card.name, pixels, 600, room)
+        _, number, name = self._large
+        left = 10.0
+        if card.no:
+            chip = max(30.0, number.width + 12)
+            self._paint_number(painter, look, QRectF(10, 9, chip, 26), 5)
+            number.draw_middle(painter, 10 + chip / 2, 22 + pixels * 0.32, self._number_ink(look))
+            left += chip + 10
+        name.draw(painter, left, 22 + pixels * 0.36, look["text"])
+        if card.mark:
+            look.icon(painter, card.mark, card.width - 32, 11, 22, look[card.mark])
+        self._paint_picture(painter, look, LARGE_PICTURE)
+        self._paint_counts(painter, look)
+        painter.setPen(Qt.PenStyle.NoPen)
+        for leaving in card.exits:
+            x, y = card.port(leaving.id)
+            painter.setBrush(self._port_color(look, leaving))
+            if leaving.timeout:
+                painter.drawRoundedRect(QRectF(x - 5, y - 5, 10, 10), 2, 2)
+            else:
+                painter.drawEllipse(QPointF(x, y), 5, 5)
+        self._paint_bar(painter, look)
+
+    def _paint_counts(self, painter: QPainter, look: Look) -> None:
+        """Live: how often the state was entered, and the time in it."""
+        live, card = look.live, self.face
+        if live is None or not card.no:
+            return
+        if card.no in live.active:
+            said = words.seconds(round(live.entered.get(card.no, 0.0), 1))
+            Label(said, 16, 600).draw_right(painter, WIDTH - 14, 62, look["live"])
+        elif card.no in live.counts:
+            Label(f"{live.counts[card.no]}×", 15, 500).draw_right(
+                painter, WIDTH - 14, 62, look["text"]
+            )
+            if card.no in live.times:
+                said = words.seconds(round(live.times[card.no]))
+                Label(said, 13, 400).draw_right(painter, WIDTH - 14, 82, look["text3"])
+
+    def _paint_full(self, painter: QPainter, look: Look) -> None:
+        self._lay_out()
+        card, texts = self.face, self._texts
+        area = QRectF(0, 0, card.width, card.height)
+        selected = self.isSelected()
+        active = self._live(look)
+        self._paint_rings(painter, look, area, 1.0)
+        if card.kind == "part":
+            self._paint_back(painter, look, area)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(look["shadow"])
+        painter.drawRoundedRect(area.translated(0, 2), RADIUS, RADIUS)
+        painter.setBrush(look["card"])
+        painter.drawRoundedRect(area, RADIUS, RADIUS)
+        soft = "live_soft" if active else f"{card.kind}_soft"
+        if active or card.kind in ("start", "part", "always", "end"):
+            if card.kind in ("always", "end") and not active:
+                soft = "state_soft"
+            header = QPainterPath()
+            header.addRoundedRect(QRectF(0, 0, card.width, HEADER + RADIUS), RADIUS, RADIUS)
+            painter.save()
+            painter.setClipRect(QRectF(0, 0, card.width, HEADER), Qt.ClipOperation.IntersectClip)
+            painter.fillPath(header, look[soft])
+            painter.restore()
+        painter.setPen(QPen(look["line"], 1))
+        painter.drawLine(QPointF(1, HEADER), QPointF(card.width - 1, HEADER))
+        painter.setPen(QPen(self._border(look), 2.5 if active else 2 if selected else 1))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRoundedRect(area, RADIUS, RADIUS)
+        if card.kind == "end":
+            painter.setPen(QPen(self._border(look), 1))
+            painter.drawRoundedRect(area.adjusted(3, 3, -3, -3), RADIUS - 3, RADIUS - 3)
+        left = 30.0
+        if card.no:
+            number = texts["no"]
+            chip = max(20.0, number.width + 8)
+            self._paint_number(painter, look, QRectF(8, 6, chip, 16), 4)
+            number.draw_middle(painter, 8 + chip / 2, 18, self._number_ink(look))
+            left = 8 + chip + 8
+        else:
+            look.icon(painter, "always", 9, 6, 16, look["state"])
+        texts["name"].draw(painter, left, 19, look["text"])
+        right = card.width - 8
+        if card.kind in ("start", "end", "part"):
+            right -= 16
+            color = look[card.kind] if card.kind != "end" else look["state"]
+            look.icon(painter, card.kind, right, 6, 16, color)
+            right -= 4
+        if card.mark:
+            look.icon(painter, card.mark, right - 16, 6, 16, look[card.mark])
+        if card.line:
+            look.icon(painter, card.line_icon, 8, 33, 13, look["text3"])
+            texts["line"].draw(painter, 26, 44, look["text2"])
+        self._paint_picture(painter, look, PICTURE)
+        for index, icon in enumerate(self._icons):
+            look.icon(painter, icon, 8 + 19 * index, 92, 14, look["text2"])
+        for leaving in card.exits:
+            self._paint_exit(painter, look, leaving)
+        self._paint_new(painter, look)
+        self._paint_chips(painter, look)
+        self._paint_bar(painter, look)
+
+    def _paint_number(self, painter: QPainter, look: Look, area: QRectF, radius: float) -> None:
+        kind = self.face.kind
+        painter.setPen(Qt.PenStyle.NoPen)
+        if self._live(look):
+            painter.setBrush(look["live"])
+        elif kind in ("start", "part"):
+            painter.setBrush(look[kind])
+        else:
+            painter.setBrush(look["state_soft"] if kind != "end" else look["card"])
+        painter.drawRoundedRect(area, radius, radius)
+
+    def _number_ink(self, look: Look) -> QColor:
+        if self._live(look) or self.face.kind in ("start", "part"):
+            return look["card"]
+        return look["state"]
+
+    def _paint_rings(self, painter: QPainter, look: Look, area: QRectF, unit: float) -> None:
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self._live(look):
+            for out, width, opacity in ((14, 8, 0.07), (8.5, 6, 0.16), (4, 4, 0.34)):
+                out, width = out * unit, width * unit
+                painter.setPen(QPen(look.faint("live", opacity), width))
+                painter.drawRoundedRect(
+                    area.adjusted(-out, -out, out, out), RADIUS + out, RADIUS + out
+                )
+        if self.isSelected():
+            out = 3 * unit
+            painter.setPen(QPen(look.faint("accent", 0.22), 4 * unit))
+            painter.drawRoundedRect(area.adjusted(-out, -out, out, out), RADIUS + out, RADIUS + out)
+
+    def _paint_back(self, painter: QPainter, look: Look, area: QRectF) -> None:
+        """A part's second outline."""
+        painter.setPen(QPen(look["part"], 1))
+        painter.setBrush(look["card"])
+        painter.drawRoundedRect(area.translated(5, -5), RADIUS, RADIUS)
+
+    def _paint_picture(self, painter: QPainter, look: Look, area: QRectF) -> None:
+        card = self.face
+        if card.screen is not None:
+            thumbnails.paint(painter, card.screen, area, look)
+        elif card.kind == "part":
+            painter.setPen(QPen(look["line_strong"], 1))
+            painter.setBrush(look["field"])
+            painter.drawRoundedRect(area, 3, 3)
+            painter.setPen(QPen(look["part"], 1))
+            painter.setBrush(look["card"])
+            unit = area.width() / 48
+            boxes = [(6, 12), (19, 17), (32, 10)]
+            for (ax, ay), (bx, by) in zip(boxes, boxes[1:], strict=False):
+                painter.drawLine(
+                    QPointF(area.left() + (ax + 10) * unit, area.top() + (ay + 3) * unit),
+                    QPointF(area.left() + bx * unit, area.top() + (by + 3) * unit),
+                )
+            for x, y in boxes:
+                painter.drawRoundedRect(
+                    QRectF(area.left() + x * unit, area.top() + y * unit, 10 * unit, 7 * unit), 2, 2
+                )
+
+    def _port_color(self, look: Look, leaving: Exit) -> QColor:
+        if leaving.missing:
+            return look["error"]
+        if leaving.guard:
+            return look["condition"]
+        return look["pipe"]
+
+    def _paint_exit(self, painter: QPainter, look: Look, leaving: Exit) -> None:
+        card = self.face
+        x, y = card.port(leaving.id)
+        label = self._texts[f"exit {leaving.id}"]
+        left = x - 12 - label.width
+        if self.row == leaving.id:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(look["accent_soft"])
+            painter.drawRoundedRect(
+                QRectF(
+                    left - 4 - self._lead(leaving), y - 9, x - left - 2 + self._lead(leaving), 18
+                ),
+                4,
+                4,
+            )
+        ink = look["text"]
+        if leaving.missing:
+            ink = look["error"]
+        elif leaving.timeout or leaving.next is None:
+            ink = look["text2"]
+        label.draw(painter, left, y + 4, ink)
+        if leaving.timeout:
+            look.icon(painter, TIMEOUT, left - 15, y - 6, 12, look["text3"])
+        elif leaving.guard:
+            look.icon(painter, "guard", left - 15, y - 6.5, 13, look["condition"])
+        phrase = self._texts.get(f"phrase {leaving.id}")
+        if phrase is not None:
+            phrase.draw_right(painter, left - 6 - self._lead(leaving), y + 4, look["text3"])
+        color = self._port_color(look, leaving)
+        hovered = self.hovered == leaving.id
+        if self.isSelected() and not leaving.missing and not leaving.guard:
+            color = look["accent"]
+        painter.setPen(QPen(look["accent"] if hovered else color, 2 if hovered else 1.5))
+        painter.setBrush(look["accent_soft"] if hovered else look["card"])
+        if leaving.timeout:
+            painter.drawRoundedRect(QRectF(x - 4, y - 4, 8, 8), 2, 2)
+        elif leaving.next is None:
+            # Internal: nothing leaves, so the port is only an outline that is open.
+            painter.drawEllipse(QPointF(x, y), 3, 3)
+        else:
+            painter.drawEllipse(QPointF(x, y), 4.25, 4.25)
+        if leaving.short:
+            icon = {"#back": "undo", "#again": "repeat"}.get(leaving.short, "")
+            paint_chip(
+                painter, look, x, y, leaving.short, "error" if leaving.missing else "pipe", icon
+            )
+
+    def _paint_new(self, painter: QPainter, look: Look) -> None:
+        """The exit of the next new event, where somebody could want it."""
+        if not (self.isSelected() or self.isUnderMouse()) or look.live is not None:
+            return
+        x, y = self.face.port(NEW)
+        hovered = self.hovered == NEW
+        painter.setPen(QPen(look["accent"], 1.5))
+        painter.setBrush(look["accent"] if hovered else look["card"])
+        painter.drawEllipse(QPointF(x, y), 6, 6)
+        painter.setPen(QPen(look["on_accent"] if hovered else look["accent"], 1.5))
+        painter.drawLine(QPointF(x - 3, y), QPointF(x + 3, y))
+        painter.drawLine(QPointF(x, y - 3), QPointF(x, y + 3))
+
+    def _paint_chips(self, painter: QPainter, look: Look) -> None:
+        """What ``always`` adds, hanging on the lower edge."""
+        at = 9.0
+        for index in range(len(self.face.chips)):
+            label = self._texts.get(f"chip {index}")
+            if label is None:
+                break
+            area = QRectF(at, self.face.height - 6, label.width + 10, 13)
+            painter.setPen(QPen(look["line_strong"], 1))
+            painter.setBrush(look["panel"])
+            painter.drawRoundedRect(area, 4, 4)
+            label.draw(painter, at + 5, self.face.height + 4, look["text3"])
+            at += area.width() + 4
+
+    def _paint_bar(self, painter: QPainter, look: Look) -> None:
+        """Live: how much of the timeout has passed."""
+        live, card = look.live, self.face
+        if live is None or card.no not in live.active:
+            return
+        leaving = card.exit(TIMEOUT)
+        if leaving is None or not leaving.seconds:
+            return
+        part = min(1.0, live.entered.get(card.no, 0.0) / leaving.seconds)
+        area = QRectF(8, card.height - 8, card.width - 16, 4)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(look["line"])
+        painter.drawRoundedRect(area, 2, 2)
+        painter.setBrush(look["live"])
+        painter.drawRoundedRect(QRectF(8, card.height - 8, area.width() * part, 4), 2, 2)
+
+    # -- what is hit ------------------------------------------------------------------
+
+    def part_at(self, spot: QPointF) -> str:
+        """``name``, ``exit <id>``, ``picture`` or ``body``."""
+        if spot.y() < HEADER:
+            return "name"
+        for leaving in self.face.exits:
+            _, y = self.face.port(leaving.id)
+            if abs(spot.y() - y) < PITCH / 2 and spot.x() > PICTURE.right() + 2:
+                return f"exit {leaving.id}"
+        return "picture" if PICTURE.contains(spot) else "body"

@@ -1,0 +1,409 @@
+"""What gestures make of an application: pure functions, document in, document and words out.
+
+Every function returns the new document and the edit's name as a designer reads
+it in the Edit menu; the same document where the gesture changes nothing. States
+go by number, exits by place (``("state", "5", "event", "0")``). No Qt.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from situ.document import rbd
+from situ.document.aside import NOTHING
+from situ.document.rbd import Always, Application, Event, State, Timeout
+from situ_studio import changes, places
+from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, Place, exit_of
+
+GRID = 8.0
+"""Cards snap to this."""
+
+Done = tuple[Application, str]
+
+
+class Follow(Struct, frozen=True):
+    """One answer to *what can follow*. key: what ``follow`` is called with."""
+
+    key: str
+    label: str
+    icon: str
+    words: str = ""
+
+
+FOLLOWS: tuple[Follow, ...] = (
+    Follow("state", "New state", "state", "empty card"),
+    Follow("speech", "New state that says something", "speech", "speech talk voice"),
+    Follow("question", "New question with Yes and No", "button", "ask buttons screen"),
+    Follow("service", "New state that calls a service", "service", "web request"),
+    Follow("robot", "New state that moves the robot", "robot", "drive head go"),
+    Follow("end", "New end state", "end", "finish stop final"),
+    Follow(rbd.BACK, "Back to the state before", "undo", "#back return"),
+    Follow(rbd.AGAIN, "This state again", "repeat", "#again once more"),
+    Follow("", "Stay here", "close", "nothing internal disconnect"),
+)
+
+
+def snap(value: float) -> float:
+    return round(value / GRID) * GRID
+
+
+def called(application: Application, place: Place) -> str:
+    """What a place is called: ``state 5``, ``clickYes of state 5``, ``the timeout of state 5``."""
+    owner = "every state" if place[:1] == (ALWAYS,) else f"state {place[1]}"
+    exit = exit_of(place)
+    if exit is None:
+        return owner
+    if exit == TIMEOUT:
+        return f"the timeout of {owner}"
+    event = places.get(application, place)
+    name = event.name if isinstance(event, Event) and event.name else "the unnamed event"
+    return f"{name} of {owner}"
+
+
+def title(application: Application, no: str) -> str:
+    """A state as it is named in an edit: ``5 names``."""
+    state = application.state(no)
+    return f"{no} {state.name}".strip() if state is not None else no
+
+
+def move(application: Application, to: Mapping[Place, tuple[float, float]]) -> Done:
+    """Cards put at new places; places that no card has are left out."""
+    moved = 0
+    states = list(application.states)
+    for index, state in enumerate(states):
+        target = to.get(("state", state.no))
+        if target is not None and state.aside.position != target:
+            states[index] = replace(state, aside=state.aside.at(*target))
+            moved += 1
+    always = application.always
+    target = to.get((ALWAYS,))
+    if always is not None and target is not None and always.aside.position != target:
+        always = replace(always, aside=always.aside.at(*target))
+        moved += 1
+    if not moved:
+        return application, ""
+    one = next(iter(to))
+    text = f"Move {called(application, one)}" if len(to) == 1 else f"Move {len(to)} cards"
+    return replace(application, states=tuple(states), always=always), text
+
+
+def connect(application: Application, place: Place, target: str) -> Done:
+    """The exit at ``place`` leads to ``target`` (a number, ``#back`` or ``#again``)."""
+    leaving = places.get(application, place)
+    if leaving is None or leaving.next == target:
+        return application, ""
+    after = places.change(application, place, next=target)
+    assert isinstance(after, Application)
+    goal = {rbd.BACK: "the state before", rbd.AGAIN: "itself"}.get(target)
+    return after, f"Lead {called(application, place)} to {goal or title(application, target)}"
+
+
+def disconnect(application: Application, place: Place) -> Done:
+    """The exit leads nowhere: its event becomes internal; an unnamed one, which needs a target, goes."""
+    leaving = places.get(application, place)
+    if leaving is None or leaving.next is None:
+        return application, ""
+    text = f"Disconnect {called(application, place)}"
+    if isinstance(leaving, Event) and leaving.name is None:
+        after = places.put(application, place, None)
+    else:
+        after = places.change(application, place, next=None)
+    assert isinstance(after, Application)
+    return after, text
+
+
+def event_name(owner: State | Always) -> str:
+    """A name for a new event: what the screen or an action raises and nobody expects yet, else a free one."""
+    expected = {e.name for e in owner.events}
+    raised: list[str | None] = []
+    screen = owner.screen
+    if screen is not None:
+        for component in screen.components:
+            raised.append(getattr(component, "event", None) or getattr(component, "done", None))
+        raised.append(screen.touched)
+    if isinstance(owner, State):
+        for action in owner.actions:
+            raised += [action.done, action.failed]
+    for name in raised:
+        if name and name not in expected:
+            return name
+    number = len(owner.events) + 1
+    while f"event{number}" in expected:
+        number += 1
+    return f"event{number}"
+
+
+def add_event(
+    application: Application, owner: Place, target: str | None, name: str | None = None
+) -> Done:
+    """A further expected event of a card, leading to ``target``."""
+    value = places.get(application, owner)
+    if value is None:
+        return application, ""
+    event = Event(name=name or event_name(value), next=target)
+    after = places.change(application, owner, events=(*value.events, event))
+    assert isinstance(after, Application)
+    goal = f" to {title(application, target)}" if target else ""
+    return after, f"Add {event.name} of {called(application, owner)}{goal}"
+
+
+def lead(application: Application, owner: Place, exit: str, target: str) -> Done:
+    """What dropping a pipe on a card does: connects the exit, or adds an event where it is the new one."""
+    if exit == NEW:
+        return add_event(application, owner, target)
+    return connect(application, exit_place(owner, exit), target)
+
+
+def exit_place(owner: Place, exit: str) -> Place:
+    return (*owner, TIMEOUT) if exit == TIMEOUT else (*owner, "event", exit)
+
+
+def _new(kind: str, no: str) -> State:
+    name = f"state {no}"
+    match kind:
+        case "speech":
+            return State(no=no, name=name, actions=(rbd.Speech(text="Hello"),))
+        case "service":
+            service = rbd.Service(name="service", url="http://", done="returned", failed="offline")
+            events = (Event(name="returned"), Event(name="offline"))
+            return State(no=no, name=name, actions=(service,), events=events)
+        case "robot":
+            action = rbd.Robot(resource="base", command="goto", done="arrived", failed="blocked")
+            return State(
+                no=no,
+                name=name,
+                actions=(action,),
+                events=(Event(name="arrived"), Event(name="blocked")),
+            )
+        case "question":
+            screen = rbd.Screen(
+                components=(
+                    rbd.Text(id="question", x=10, y=12, width=80, height=30, text="Shall I?"),
+                    rbd.Button(
+                        id="yes", x=10, y=60, width=35, height=24, event="clickYes", text="Yes"
+                    ),
+                    rbd.Button(
+                        id="no", x=55, y=60, width=35, height=24, event="clickNo", text="No"
+                    ),
+                )
+            )
+            return State(
+                no=no,
+                name=name,
+                screen=screen,
+                actions=(rbd.Speech(text="Shall I?"),),
+                events=(Event(name="clickYes"), Event(name="clickNo")),
+            )
+        case "end":
+            return State(no=no, name="end", final=True)
+        case _:
+            return State(no=no, name=name)
+
+
+def add_state(
+    application: Application, x: float, y: float, kind: str = "state"
+) -> tuple[Application, str, str]:
+    """A new state at that place. Returns the document, the edit's name and the state's number."""
+    no = changes.free_number(application)
+    state = _new(kind, no)
+    state = replace(state, aside=NOTHING.at(snap(x), snap(y)))
+    after = replace(application, states=(*application.states, state))
+    return after, f"Add state {no}", no
+
+
+def follow(
+    application: Application, owner: Place, exit: str, key: str, x: float, y: float
+) -> tuple[Application, str, str | None]:
+    """The answer ``key`` to *what can follow* the exit: a kind of new state, placed at x, y,
+    the number of one that there is, ``#back``, ``#again``, or "" for staying.
+
+    Returns the document, the edit's name and the number of the state that was added, if one was.
+    """
+    if key == "":
+        if exit == NEW:
+            after, text = add_event(application, owner, None)
+        else:
+            after, text = disconnect(application, exit_place(owner, exit))
+        return after, text, None
+    kinds = {f.key for f in FOLLOWS if f.key and not f.key.startswith("#")}
+    if key not in kinds or application.state(key) is not None:
+        after, text = lead(application, owner, exit, key)
+        return after, text, None
+    after, _, no = add_state(application, x, y, key)
+    after, _ = lead(after, owner, exit, no)
+    return after, f"Add state {no} after {called(application, owner)}", no
+
+
+def insert(application: Application, link: Place, x: float, y: float) -> Done:
+    """A new state in the middle of a pipe: the exit leads to it, and it leads on."""
+    leaving = places.get(application, link)
+    if leaving is None or leaving.next is None:
+        return application, ""
+    after, _, no = add_state(application, x, y)
+    after = places.change(after, link, next=no)  # type: ignore[assignment]
+    after, _ = add_event(after, ("state", no), leaving.next)
+    return after, f"Insert state {no}"
+
+
+def rename(application: Application, no: str, name: str) -> Done:
+    state = application.state(no)
+    name = " ".join(name.split())
+    if state is None or not name or state.name == name:
+        return application, ""
+    after = places.change(application, ("state", no), name=name)
+    assert isinstance(after, Application)
+    return after, f"Rename state {no} to {name}"
+
+
+def delete(application: Application, gone: Iterable[Place]) -> Done:
+    """States with the pipes to them, events and timeouts; ``always`` too."""
+    wanted = list(dict.fromkeys(gone))
+    if not wanted:
+        return application, ""
+    after = application
+    what: list[str] = []
+    # From the last event to the first, so that positions still fit.
+    exits = [p for p in wanted if exit_of(p) is not None]
+    exits.sort(key=lambda p: (p[:-1], int(p[-1]) if p[-1].isdigit() else -1), reverse=True)
+    for place in exits:
+        if places.get(after, place) is not None:
+            what.append(called(application, place))
+            after = places.put(after, place, None)  # type: ignore[assignment]
+    for place in wanted:
+        if place == (ALWAYS,) and after.always is not None:
+            what.append(called(application, place))
+            after = replace(after, always=None)
+        elif place[:1] == ("state",) and len(place) == 2 and after.state(place[1]) is not None:
+            what.append(called(application, place))
+            after = changes.remove_state(after, place[1])
+    if not what:
+        return application, ""
+    return after, f"Delete {what[0]}" if len(what) == 1 else f"Delete {len(what)} things"
+
+
+# -- copies --------------------------------------------------------------------
+
+
+def fragment(application: Application, numbers: Iterable[str]) -> Application:
+    """Some states as an application of their own, for the clipboard; what leads out is kept."""
+    wanted = set(numbers)
+    states = tuple(s for s in application.states if s.no in wanted)
+    return Application(name=application.name, states=states)
+
+
+def paste(
+    application: Application,
+    copied: Application,
+    x: float,
+    y: float,
+    verb: str = "Paste",
+    same: bool = False,
+) -> tuple[Application, str, tuple[str, ...]]:
+    """The copied states under new numbers, their upper left corner at x, y.
+
+    What led from one copied state to another leads between the copies; what led
+    elsewhere is kept where ``same`` (the document it was copied from), else cut,
+    unless a state of that number is here.
+    Returns the document, the edit's name and the new numbers in document order.
+    """
+    if not copied.states:
+        return application, "", ()
+    spots = [s.aside.position or (i * 230.0, 0.0) for i, s in enumerate(copied.states)]
+    left, top = min(p[0] for p in spots), min(p[1] for p in spots)
+    first = int(changes.free_number(application))
+    numbers = {s.no: str(first + i) for i, s in enumerate(copied.states)}
+    here = {s.no for s in application.states}
+
+    def goal(target: str | None) -> str | None:
+        if target is None or target.startswith("#"):
+            return target
+        return numbers.get(target) or (target if same or target in here else None)
+
+    states: list[State] = []
+    for state, (at_x, at_y) in zip(copied.states, spots, strict=True):
+        kept = [replace(e, next=goal(e.next)) for e in state.events]
+        events = tuple(e for e in kept if e.name is not None or e.next is not None)
+        timeout: Timeout | None = state.timeout
+        if timeout is not None:
+            timeout = replace(timeout, next=goal(timeout.next))
+        states.append(
+            replace(
+                state,
+                no=numbers[state.no],
+                events=events,
+                timeout=timeout,
+                aside=state.aside.at(snap(x + at_x - left), snap(y + at_y - top)),
+            )
+        )
+    after = replace(application, states=(*application.states, *states))
+    text = f"{verb} state {copied.states[0].no}"
+    if len(states) > 1:
+        text = f"{verb} {len(states)} states"
+    return after, text, tuple(numbers[s.no] for s in copied.states)
+
+
+def duplicate(
+    application: Application, numbers: Sequence[str], offset: float = 32.0
+) -> tuple[Application, str, tuple[str, ...]]:
+    """Copies of states beside themselves. Returns as ``paste`` does."""
+    copied = fragment(application, numbers)
+    spots = [s.aside.position for s in copied.states]
+    known = [p for p in spots if p is not None] or [(0.0, 0.0)]
+    left, top = min(p[0] for p in known), min(p[1] for p in known)
+    return paste(application, copied, left + offset, top + offset, "Duplicate", same=True)
+
+
+# -- order on the canvas ---------------------------------------------------------
+
+
+class Area(Struct, frozen=True):
+    """A card's rectangle, for aligning."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+
+
+def align(application: Application, areas: Mapping[Place, Area], edge: str) -> Done:
+    """edge: left, center, right, top, middle, bottom; or across, down: spaced evenly."""
+    if len(areas) < 2 or (edge in ("across", "down") and len(areas) < 3):
+        return application, ""
+    every = list(areas.items())
+    values = [a for _, a in every]
+    left, right = min(a.x for a in values), max(a.x + a.width for a in values)
+    top, bottom = min(a.y for a in values), max(a.y + a.height for a in values)
+    to: dict[Place, tuple[float, float]] = {}
+    if edge == "across":
+        every.sort(key=lambda i: i[1].x)
+        step = (every[-1][1].x - every[0][1].x) / (len(every) - 1)
+        for index, (place, area) in enumerate(every):
+            to[place] = (every[0][1].x + index * step, area.y)
+    elif edge == "down":
+        every.sort(key=lambda i: i[1].y)
+        step = (every[-1][1].y - every[0][1].y) / (len(every) - 1)
+        for index, (place, area) in enumerate(every):
+            to[place] = (area.x, every[0][1].y + index * step)
+    else:
+        for place, area in every:
+            x, y = area.x, area.y
+            match edge:
+                case "left":
+                    x = left
+                case "right":
+                    x = right - area.width
+                case "center":
+                    x = (left + right - area.width) / 2
+                case "top":
+                    y = top
+                case "bottom":
+                    y = bottom - area.height
+                case "middle":
+                    y = (top + bottom - area.height) / 2
+            to[place] = (x, y)
+    after, text = move(application, to)
+    verb = "Distribute" if edge in ("across", "down") else "Align"
+    return after, f"{verb} {len(areas)} cards" if text else ""

@@ -1,0 +1,240 @@
+"""The seam's upper half: NodeGraphQt's graph, written only by ``show_picture``.
+
+It compares what is shown with what shall be, node by node, and
+touches only what differs; shown again for touched nodes, it heals what a
+gesture left behind. NodeGraphQt's undo is not used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from PySide6.QtCore import QLineF, QPointF
+from PySide6.QtGui import QUndoStack
+
+from situ_studio.canvas.library import NodeGraph, PortConnectedCmd, PortDisconnectedCmd
+from situ_studio.canvas.nodes import IN, OUT, Node, NodeFace
+from situ_studio.canvas.style import Look
+from situ_studio.canvas.viewer import Viewer
+
+LinkId = tuple[str, ...]
+
+
+class Graph(NodeGraph):
+    """nodes: our id to node. links: what is connected, by id (source, exit, target, …)."""
+
+    def __init__(self, viewer: Viewer, look: Look, kind: Callable[[Any], type[NodeFace]]) -> None:
+        self.look = look
+        self.kind = kind
+        self.nodes: dict[str, Node] = {}
+        self.cards: dict[str, Any] = {}
+        self.links: dict[LinkId, Any] = {}
+        self.connections: list[tuple[list[Any], list[Any]]] = []
+        self.slices: list[list[Any]] = []
+        # A throw-away stack: the library wants one, nothing is ever pushed.
+        super().__init__(viewer=viewer, undo_stack=QUndoStack())
+        self.set_acyclic(False)
+
+    # -- what NodeGraphQt would do ------------------------------------------------------
+
+    def _register_builtin_nodes(self) -> None:
+        return
+
+    def _register_context_menu(self) -> None:
+        return
+
+    def get_unique_name(self, name: str) -> str:
+        return name
+
+    def _wire_signals(self) -> None:
+        """The viewer's own signals are intents; they are kept until the gesture has settled."""
+        self._viewer.connection_changed.connect(self._on_changed)
+        self._viewer.connection_sliced.connect(self._on_sliced)
+
+    def _on_changed(self, disconnected: list[Any], connected: list[Any]) -> None:
+        self.connections.append((disconnected, connected))
+
+    def _on_sliced(self, ports: list[Any]) -> None:
+        self.slices.append(ports)
+
+    def take_intents(self) -> tuple[list[tuple[list[Any], list[Any]]], list[list[Any]]]:
+        """What was asked for since the last call."""
+        connections, slices = self.connections, self.slices
+        self.connections, self.slices = [], []
+        return connections, slices
+
+    # -- the document heals the view -----------------------------------------------------
+
+    def show_picture(self, cards: Mapping[str, Any], links: Mapping[LinkId, Any]) -> set[str]:
+        """Makes model and view equal to the picture. Returns the uids that were changed."""
+        viewer = self._viewer
+        touched = viewer.touched
+        gone = [uid for uid in self.cards if uid not in cards]
+        fresh = {uid for uid, card in cards.items() if self.cards.get(uid) is not card}
+        stale = {
+            id
+            for id, link in self.links.items()
+            if links.get(id) != link or link.source in gone or link.target in gone
+        }
+        # A port that goes takes its pipes with it; they come back with the links that are left.
+        for uid in fresh:
+            node = self.nodes.get(uid)
+            if node is not None:
+                card = cards[uid]
+                lost = {p.name() for p in node._outputs} - set(card.outputs)
+                entries = {p.name() for p in node._inputs} - set(card.inputs)
+                if lost or entries:
+                    stale |= {
+                        id
+                        for id, link in self.links.items()
+                        if (link.source == uid and link.exit in lost)
+                        or (link.target == uid and link.entry in entries)
+                    }
+        for id in stale:
+            self._disconnect(self.links.pop(id))
+        for uid in gone:
+            self._remove(uid)
+        for uid in fresh:
+            self._put(cards[uid])
+        for uid in touched - fresh:
+            if uid in self.nodes:
+                self._replace(uid, cards[uid])
+        for id, link in links.items():
+            if id not in self.links:
+                self._connect(link)
+                self.links[id] = link
+        if touched or stale:
+            self._mend(touched)
+        self.cards = dict(cards)
+        viewer.touched = set()
+        self.set_acyclic(False)
+        viewer.forget()
+        return fresh | set(gone)
+
+    def _put(self, card: Any) -> None:
+        node = self.nodes.get(card.uid)
+        if node is None:
+            node = Node(self.kind(card), self.look)
+            node._graph = self
+            node.model._graph_model = self.model
+            self.nodes[card.uid] = node
+            self.model.nodes[node.id] = node
+            node.show_face(card)
+            self._viewer.add_node(node.view, (card.x, card.y))
+        else:
+            node.show_face(card)
+
+    def _replace(self, uid: str, card: Any) -> None:
+        """A touched card goes back to where the document has it."""
+        view = self.nodes[uid].view
+        if (view.x(), view.y()) != (card.x, card.y):
+            view.setPos(card.x, card.y)
+
+    def _remove(self, uid: str) -> None:
+        node = self.nodes.pop(uid)
+        self.model.nodes.pop(node.id)
+        view = node.view
+        view.setSelected(False)
+        self._viewer.bury((view, node))
+        view.delete()
+
+    def _ends(self, link: Any) -> tuple[Any, Any] | None:
+        source, target = self.nodes.get(link.source), self.nodes.get(link.target)
+        if source is None or target is None:
+            return None
+        leaving, entry = source.port(OUT, link.exit), target.port(IN, link.entry)
+        return (leaving, entry) if leaving is not None and entry is not None else None
+
+    def _connect(self, link: Any) -> None:
+        ends = self._ends(link)
+        if ends is None:
+            return
+        PortConnectedCmd(*ends, emit_signal=False).redo()
+        self.pipe_between(*ends).link = link
+
+    def _disconnect(self, link: Any) -> None:
+        ends = self._ends(link)
+        if ends is not None:
+            PortDisconnectedCmd(*ends, emit_signal=False).redo()
+            for near, far in (ends, ends[::-1]):
+                # The library leaves empty lists behind.
+                there = near.model.connected_ports
+                if not there.get(far.node().id, True):
+                    del there[far.node().id]
+
+    def pipe_between(self, leaving: Any, entry: Any) -> Any:
+        """The pipe's item, or None."""
+        return next((p for p in leaving.view.connected_pipes if p.input_port is entry.view), None)
+
+    def pipe(self, id: LinkId) -> Any:
+        """The item of a link, or None."""
+        ends = self._ends(self.links[id]) if id in self.links else None
+        return self.pipe_between(*ends) if ends is not None else None
+
+    def _mend(self, touched: Iterable[str]) -> None:
+        """The pipes of touched nodes as the model has them: gestures delete and make them in the view."""
+        near = set(touched)
+        wanted: set[tuple[int, int]] = set()
+        for link in self.links.values():
+            if link.source not in near and link.target not in near:
+                continue
+            ends = self._ends(link)
+            if ends is None:
+                continue
+            leaving, entry = ends
+            wanted.add((id(leaving.view), id(entry.view)))
+            pipe = self.pipe_between(leaving, entry)
+            if pipe is None:
+                self._viewer.establish_connection(leaving.view, entry.view)
+                pipe = self.pipe_between(leaving, entry)
+            pipe.link = link
+        for uid in near:
+            node = self.nodes.get(uid)
+            if node is None:
+                continue
+            for port in (*node._inputs, *node._outputs):
+                self._weed(port.view, wanted)
+
+    @staticmethod
+    def _weed(port: Any, wanted: set[tuple[int, int]]) -> None:
+        """Without pipes that nobody wants, or that are there twice."""
+        seen: set[tuple[int, int]] = set()
+        for pipe in list(port.connected_pipes):
+            ends = (id(pipe.output_port), id(pipe.input_port))
+            if ends in wanted and ends not in seen:
+                seen.add(ends)
+            else:
+                pipe.delete()
+
+    # -- asking ---------------------------------------------------------------------------
+
+    def moved(self, touched: Iterable[str]) -> dict[str, tuple[float, float]]:
+        """Touched cards that are not where the picture has them."""
+        found = {}
+        for uid in touched:
+            node, card = self.nodes.get(uid), self.cards.get(uid)
+            if node is not None and card is not None:
+                at = (node.view.x(), node.view.y())
+                if at != (card.x, card.y):
+                    found[uid] = at
+        return found
+
+    def lines(self) -> tuple[list[QLineF], list[QLineF]]:
+        """Every link as a straight line between its cards, and those that the robot just took."""
+        live = getattr(self.look.live, "taken", ())
+        hot = {(t.state, t.exit) for t in live}
+        plain, taken = [], []
+        for link in self.links.values():
+            source, target = self.cards.get(link.source), self.cards.get(link.target)
+            if source is None or target is None or source is target:
+                continue
+            ax, ay = source.port(link.exit)
+            bx, by = target.port(link.entry)
+            line = QLineF(
+                QPointF(source.x + ax, source.y + ay), QPointF(target.x + bx, target.y + by)
+            )
+            plain.append(line)
+            if (link.source, link.exit) in hot:
+                taken.append(line)
+        return plain, taken

@@ -1,0 +1,60 @@
+"""What the running robot does to a drawing: highlights that live in the view only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from msgspec import Struct, field
+
+
+class Taken(Struct, frozen=True):
+    """A transition taken lately. exit: an event's position or ``timeout``; age: seconds since."""
+
+    state: str
+    exit: str
+    age: float = 0.0
+
+
+class LiveView(Struct, frozen=True):
+    """An application at one moment of the trace; states go by number.
+
+    active: where the application is. suspended: active ones without their resources.
+    entered: seconds since each active state was entered. counts, times: how often
+    each was entered, and seconds spent there. taken: the latest first.
+    transitions: (state, exit) to how often.
+    """
+
+    active: frozenset[str] = frozenset()
+    suspended: frozenset[str] = frozenset()
+    entered: Mapping[str, float] = field(default_factory=dict)
+    counts: Mapping[str, int] = field(default_factory=dict)
+    times: Mapping[str, float] = field(default_factory=dict)
+    taken: tuple[Taken, ...] = ()
+    transitions: Mapping[tuple[str, str], int] = field(default_factory=dict)
+    breakpoints: frozenset[str] = frozenset()
+
+
+class LiveScript(Struct, frozen=True):
+    """A script at one moment: the current situation, what holds, who asks and who holds what.
+
+    holds: situations whose condition holds. authority: resource to module.
+    asking: module to the resources it asks for. values: tag to value.
+    """
+
+    situation: str | None = None
+    holds: frozenset[str] = frozenset()
+    authority: Mapping[str, str | None] = field(default_factory=dict)
+    asking: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+
+FADE = 12.0
+"""Seconds after which a taken transition is no longer shown."""
+
+
+def strength(rank: int, age: float) -> float:
+    """Opacity of a taken transition, the latest being rank 0; 0 where it is not shown."""
+    if rank > 2 or age >= FADE:
+        return 0.0
+    return (1.0, 0.6, 0.32)[rank]

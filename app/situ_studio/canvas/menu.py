@@ -1,0 +1,106 @@
+"""*What can follow*: the menu where a pipe was dropped on empty canvas, typed to filter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QFrame, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+
+from situ_studio import icons
+from situ_studio.canvas.gestures import Follow
+from situ_studio.theme import FORM, Theme, font
+
+
+class FollowMenu(QFrame):
+    """chosen: the key of what was taken. closed: always, afterwards."""
+
+    chosen = Signal(str)
+    closed = Signal()
+
+    def __init__(self, choices: Sequence[Follow], theme: Theme, parent: QWidget) -> None:
+        super().__init__(parent, Qt.WindowType.Popup)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("followMenu")
+        self.choices = tuple(choices)
+        self._theme = theme
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(5, 5, 5, 5)
+        layout.setSpacing(4)
+        self.field = QLineEdit()
+        self.field.setPlaceholderText("What follows? Type to filter")
+        self.field.setFont(font(FORM))
+        self.field.setFixedHeight(28)
+        self.field.setAccessibleName("What follows")
+        self.field.installEventFilter(self)
+        self.list = QListWidget()
+        self.list.setFont(font(FORM))
+        self.list.setIconSize(QSize(16, 16))
+        self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.list.setUniformItemSizes(True)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        layout.addWidget(self.field)
+        layout.addWidget(self.list)
+        self.field.textChanged.connect(self._filter)
+        self.list.itemClicked.connect(self._take)
+        self.setStyleSheet(
+            f"#followMenu {{ background: {theme.panel}; border: 1px solid {theme.line_strong};"
+            " border-radius: 8px; }"
+            f"QLineEdit {{ background: {theme.field}; color: {theme.text}; padding: 0 8px;"
+            f" border: 1px solid {theme.line}; border-radius: 6px; }}"
+            f"QLineEdit:focus {{ border-color: {theme.accent}; }}"
+            f"QListWidget {{ background: {theme.panel}; color: {theme.text}; border: none;"
+            " outline: none; }"
+            "QListWidget::item { height: 26px; padding-left: 4px; border-radius: 4px; }"
+            f"QListWidget::item:selected {{ background: {theme.accent_soft}; color: {theme.text}; }}"
+        )
+        self._filter("")
+        self.setFixedSize(280, 46 + 26 * min(11, len(self.choices)))
+
+    def _filter(self, text: str) -> None:
+        wanted = text.casefold().split()
+        self.list.clear()
+        for choice in self.choices:
+            hay = f"{choice.label} {choice.words} {choice.key}".casefold()
+            if all(word in hay for word in wanted):
+                color = self._theme.accent if choice.icon == "plus" else self._theme.text2
+                item = QListWidgetItem(icons.icon(choice.icon, color), choice.label)
+                item.setData(Qt.ItemDataRole.UserRole, choice.key)
+                self.list.addItem(item)
+        self.list.setCurrentRow(0)
+
+    def _take(self, item: QListWidgetItem | None) -> None:
+        if item is None:
+            return
+        key = item.data(Qt.ItemDataRole.UserRole)
+        self.close()
+        self.chosen.emit(key)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            row, last = self.list.currentRow(), self.list.count() - 1
+            match event.key():
+                case Qt.Key.Key_Down:
+                    self.list.setCurrentRow(min(last, row + 1))
+                    return True
+                case Qt.Key.Key_Up:
+                    self.list.setCurrentRow(max(0, row - 1))
+                    return True
+                case Qt.Key.Key_Return | Qt.Key.Key_Enter:
+                    self._take(self.list.currentItem())
+                    return True
+                case Qt.Key.Key_Escape:
+                    self.close()
+                    return True
+        return super().eventFilter(watched, event)
+
+    def popup(self, at: QPoint) -> None:
+        self.move(at)
+        self.show()
+        self.field.setFocus()
+
+    def closeEvent(self, event: Any) -> None:
+        super().closeEvent(event)
+        self.closed.emit()

@@ -1,0 +1,374 @@
+"""Pipes: routed, labelled and folded as mockups/tokens.md says; and the one that follows the cursor."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPainterPathStroker, QPen, Qt
+from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QStyleOptionGraphicsItem
+from PySide6.QtWidgets import QWidget as Widget
+
+from situ_studio.canvas.cards import STUB, arrow, chip_width, paint_chip
+from situ_studio.canvas.library import PipeItem
+from situ_studio.canvas.live import strength
+from situ_studio.canvas.routes import Point, Route
+from situ_studio.canvas.style import Label, Look
+
+CORNER = 8.0
+GUARD_HEIGHT = 22.0
+LABEL_HEIGHT = 18.0
+HIT = 9.0
+"""How wide a pipe is for the mouse."""
+
+
+def rounded(points: tuple[Point, ...], shorten: float = 0.0) -> QPainterPath:
+    """The line through ``points`` with rounded corners, its end ``shorten`` early."""
+    path = QPainterPath(QPointF(*points[0]))
+    for index in range(1, len(points) - 1):
+        (ax, ay), (bx, by), (cx, cy) = points[index - 1], points[index], points[index + 1]
+        before = abs(bx - ax) + abs(by - ay)
+        after = abs(cx - bx) + abs(cy - by)
+        if index == len(points) - 2:
+            after = max(0.0, after - shorten) * 2
+        if index == 1:
+            before *= 2
+        radius = min(CORNER, before / 2, after / 2)
+        path.lineTo(bx - _sign(bx - ax) * radius, by - _sign(by - ay) * radius)
+        path.quadTo(bx, by, bx + _sign(cx - bx) * radius, by + _sign(cy - by) * radius)
+    (ax, ay), (bx, by) = points[-2], points[-1]
+    path.lineTo(bx - _sign(bx - ax) * shorten, by - _sign(by - ay) * shorten)
+    return path
+
+
+def _sign(value: float) -> int:
+    return (value > 0) - (value < 0)
+
+
+class RoutedPipe(PipeItem):
+    """One transition. ``link`` is what it stands for; ``set_route`` gives it its way."""
+
+    def __init__(self, look: Look, parent: QGraphicsItem) -> None:
+        # Not PipeItem's: it would make a child item for the arrow.
+        QGraphicsPathItem.__init__(self, parent)
+        self._input_port = None
+        self._output_port = None
+        self._color = (0, 0, 0, 255)
+        self._style = 0
+        self._active = self._highlight = False
+        self.look = look
+        self.link: Any = None
+        self.route = Route()
+        self.hovered = False
+        self._points: tuple[Point, ...] = ()
+        self._label: Label | None = None
+        self._pill = False
+        self._said = ""
+        self._rect = QRectF()
+        self._shape = QPainterPath()
+        self._hit = QPainterPath()
+        self._chip = ""
+        self.setAcceptHoverEvents(True)
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIsSelectable, True)
+        self.setCacheMode(QGraphicsItem.CacheMode.NoCache)
+
+    # -- what the graph calls ------------------------------------------------------
+
+    def set_route(self, route: Route, said: str, pill: bool, chip: str) -> None:
+        """said: the label's words. chip: the target's number, for a folded pipe."""
+        if (route, said, pill, chip) == (self.route, self._said, self._pill, self._chip):
+            return
+        self.prepareGeometryChange()
+        if said != self._said or route.room != self.route.room:
+            self._label = None
+        self.route, self._said, self._pill, self._chip = route, said, pill, chip
+        self._points = route.points
+        path = QPainterPath()
+        hit = QPainterPath()
+        if route.folded:
+            x, y = self.output_port.centre().toTuple()
+            if route.trunk is None:
+                hit.addRect(QRectF(x + 5, y - 8, STUB - 4 + chip_width(chip), 16))
+            area = QRectF(x, y - 10, STUB + chip_width(chip) + 2, 20)
+        elif len(route.points) < 2:
+            area = QRectF()
+        else:
+            joined = route.trunk is not None
+            path = rounded(route.points, 0.0 if joined else 5.0)
+            stroker = QPainterPathStroker()
+            stroker.setWidth(HIT)
+            stroker.setCapStyle(Qt.PenCapStyle.FlatCap)
+            hit = stroker.createStroke(path)
+            area = path.boundingRect().adjusted(-8, -8, 8, 8)
+            if route.label is not None:
+                box = self._label_box()
+                hit.addRect(box)
+                area = area.united(box.adjusted(-2, -2, 2, 2))
+        self._rect, self._hit = area, hit
+        self.setPath(path)
+        self.update()
+
+    def refresh(self) -> None:
+        """Painted anew, above the others where it belongs to the selection."""
+        self.setZValue(1 if self.selected() else 0)
+        self.update()
+
+    def selected(self) -> bool:
+        if self.isSelected():
+            return True
+        if self._input_port is None or self._output_port is None:
+            return False
+        return bool(self._input_port.node.isSelected() or self._output_port.node.isSelected())
+
+    def label_width(self) -> float:
+        return self._text().width
+
+    # -- painting -------------------------------------------------------------------
+
+    def _text(self) -> Label:
+        if self._label is None:
+            room = self.route.room - (36 if self._pill else 10)
+            self._label = Label(self._said, 12, 500, min(220.0, max(20.0, room)))
+        return self._label
+
+    def _label_box(self) -> QRectF:
+        assert self.route.label is not None
+        x, y = self.route.label
+        wide = self._text().width + (36 if self._pill else 10)
+        tall = GUARD_HEIGHT if self._pill else LABEL_HEIGHT
+        return QRectF(x - wide / 2, y - tall / 2, wide, tall)
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def shape(self) -> QPainterPath:
+        return self._hit
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
+    ) -> None:
+        look, route = self.look, self.route
+        strong = self.selected() or self.hovered
+        color = look["accent"] if strong else look["pipe"]
+        if route.folded:
+            if route.trunk is None and look.level == "full":
+                x, y = self.output_port.centre().toTuple()
+                paint_chip(painter, look, x, y, self._chip, "accent" if strong else "pipe")
+            elif route.trunk is not None and look.level == "full":
+                self._paint_folded_join(painter, color)
+            return
+        if len(route.points) < 2:
+            return
+        width = 2.0 if self.selected() else 1.6
+        taken = self._taken()
+        path = self.path()
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if taken:
+            painter.setOpacity(taken)
+            painter.setPen(QPen(look.faint("live", 0.22), 7))
+            painter.drawPath(path)
+            color, width = look["live"], 2.75
+        pen = QPen(color, width)
+        if self.link is not None and self.link.exit == "timeout":
+            pen.setDashPattern([4 / width, 3 / width])
+        painter.setPen(pen)
+        painter.drawPath(path)
+        if route.trunk is None:
+            (ax, ay), (bx, by) = route.points[-2], route.points[-1]
+            arrow(painter, color, bx, by, upwards=ax == bx and by < ay)
+        if route.joint is not None:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(color)
+            painter.drawEllipse(QPointF(*route.joint), 3.25, 3.25)
+        painter.setOpacity(1.0)
+        if route.label is not None:
+            self._paint_label(
+                painter, look, color if strong or taken else look["text2"], bool(taken)
+            )
+
+    def _paint_label(self, painter: QPainter, look: Look, ink: QColor, taken: bool) -> None:
+        assert self.route.label is not None
+        x, y = self.route.label
+        count = self._count()
+        if count and (look.live is not None):
+            text = Label(f"{count}×", 14, 600)
+            box = QRectF(x - text.width / 2 - 8, y - 11, text.width + 16, 22)
+            painter.setPen(
+                QPen(look["live"] if taken else look["line_strong"], 1.25 if taken else 1)
+            )
+            painter.setBrush(look["live_soft"] if taken else look["panel"])
+            painter.drawRoundedRect(box, 11, 11)
+            text.draw_middle(painter, x, y + 5, look["live"] if taken else look["text2"])
+            return
+        if look.level == "half" and not (self._pill or self.hovered):
+            return
+        box = self._label_box()
+        text = self._text()
+        if self._pill:
+            painter.setPen(QPen(look["condition"], 1.5 if self.selected() else 1))
+            painter.setBrush(look["condition_soft"])
+            painter.drawRoundedRect(box, 11, 11)
+            look.icon(painter, "guard", box.left() + 6, y - 7, 14, look["condition"])
+            text.draw(painter, box.left() + 23, y + 4, look["condition"])
+            return
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(look["canvas"])
+        painter.drawRoundedRect(box, 4, 4)
+        text.draw_middle(painter, x, y + 4, ink)
+
+    def _paint_folded_join(self, painter: QPainter, color: QColor) -> None:
+        """To the chip of the exit above that leads to the same card."""
+        x, y = self.output_port.centre().toTuple()
+        other = next((p for p in self._siblings() if p.route.trunk is None), None)
+        painter.setPen(QPen(color, 1.6))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if other is None:
+            return
+        height = other.output_port.centre().y()
+        side = 8 if height < y else -8
+        middle = x + STUB + chip_width(self._chip) / 2
+        points = ((x + 4, y), (middle, y), (middle, height + side))
+        painter.drawPath(rounded(points))
+
+    def _siblings(self) -> list[RoutedPipe]:
+        return [
+            p
+            for spot in self.output_port.node.outputs
+            for p in spot.connected_pipes
+            if p is not self and p.input_port is self.input_port
+        ]
+
+    def _taken(self) -> float:
+        live, link = self.look.live, self.link
+        if live is None or link is None:
+            return 0.0
+        for rank, taken in enumerate(live.taken):
+            if taken.state == link.source and taken.exit == link.exit:
+                return strength(rank, taken.age)
+        return 0.0
+
+    def _count(self) -> int:
+        live, link = self.look.live, self.link
+        if live is None or link is None:
+            return 0
+        every = [link, *(p.link for p in self._siblings() if p.link is not None)]
+        return sum(live.transitions.get((one.source, one.exit), 0) for one in every)
+
+    # -- what NodeGraphQt calls ------------------------------------------------------
+
+    def itemChange(self, change: QGraphicsItem.GraphicsItemChange, value: Any) -> Any:
+        if change == QGraphicsItem.GraphicsItemChange.ItemSelectedHasChanged:
+            self.refresh()
+        return QGraphicsItem.itemChange(self, change, value)
+
+    def hoverEnterEvent(self, event: Any) -> None:
+        self.hovered = True
+        self.update()
+
+    def hoverLeaveEvent(self, event: Any) -> None:
+        self.hovered = False
+        self.update()
+
+    def draw_path(self, start_port: Any, end_port: Any = None, cursor_pos: Any = None) -> None:
+        """Routes come from the router, all together."""
+
+    def port_from_pos(self, pos: Any, reverse: bool = False) -> Any:
+        """A pipe that is dragged away hangs on its exit: the end with the arrow moves."""
+        return self._output_port if reverse else self._input_port
+
+    def activate(self) -> None:
+        return
+
+    def highlight(self) -> None:
+        return
+
+    def reset(self) -> None:
+        return
+
+    def delete(self) -> None:
+        viewer = self.viewer()
+        for port in (self._input_port, self._output_port):
+            if port is not None:
+                if self in port.connected_pipes:
+                    port.remove_pipe(self)
+                if viewer is not None and port.node is not None:
+                    viewer.touched.add(port.node.uid)
+        if viewer is not None:
+            viewer.bury(self)
+        scene = self.scene()
+        self.setParentItem(None)
+        if scene is not None:
+            scene.removeItem(self)
+
+
+class LivePipe(PipeItem):
+    """The pipe between an exit and the cursor, while somebody draws one."""
+
+    def __init__(self, look: Look) -> None:
+        QGraphicsPathItem.__init__(self)
+        self._input_port = self._output_port = None
+        self._color, self._style = (0, 0, 0, 255), 0
+        self._active = self._highlight = False
+        self.look = look
+        self.shift_selected = False
+        self._end: QPointF | None = None
+        self._good = False
+        self.setZValue(5)
+        self.setCacheMode(QGraphicsItem.CacheMode.NoCache)
+        self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
+
+    def shape(self) -> QPainterPath:
+        return QPainterPath()
+
+    def boundingRect(self) -> QRectF:
+        return self.path().boundingRect().adjusted(-16, -16, 16, 16)
+
+    def draw_path(
+        self, start_port: Any, end_port: Any = None, cursor_pos: Any = None, color: Any = None
+    ) -> None:
+        if start_port is None or cursor_pos is None:
+            return
+        self.draw_index_pointer(start_port, cursor_pos, color)
+
+    def draw_index_pointer(self, start_port: Any, cursor_pos: Any, color: Any = None) -> None:
+        self.prepareGeometryChange()
+        start = start_port.centre()
+        end = QPointF(cursor_pos)
+        self._end = end
+        path = QPainterPath(start)
+        reach = max(24.0, min(120.0, abs(end.x() - start.x()) / 2))
+        path.cubicTo(start + QPointF(reach, 0), end - QPointF(reach, 0), end)
+        self.setPath(path)
+
+    def aim(self, good: bool) -> None:
+        """Whether what is under the cursor would take the pipe."""
+        if good != self._good:
+            self._good = good
+            self.update()
+
+    def reset_path(self) -> None:
+        self.prepareGeometryChange()
+        self._end, self._good = None, False
+        self.setPath(QPainterPath())
+
+    def reset(self) -> None:
+        return
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
+    ) -> None:
+        if self._end is None:
+            return
+        look = self.look
+        pen = QPen(look["accent"], 2)
+        if not self._good:
+            pen.setDashPattern([3, 2])
+        painter.setPen(pen)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPath(self.path())
+        painter.setBrush(look["accent"])
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.drawEllipse(self._end, 4.5, 4.5)
+
+    def delete(self) -> None:
+        return

@@ -1,0 +1,348 @@
+"""An application as a picture: cards with exits, and links between them. Pure; no Qt.
+
+What a card shows is a value that compares equal while nothing on it changed,
+so the graph rebuilds only what is different (canvas.md, the seam, 6).
+Lengths are scene units (px at 100 %), measures are those of mockups/tokens.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Literal
+
+from msgspec import Struct
+
+from situ.document import rbd
+from situ.document.problem import Problem
+from situ.document.rbd import Application, Event, State, Timeout
+from situ_studio.canvas import words
+
+WIDTH = 176.0
+HEADER = 28.0
+LINE = 22.0
+FIRST = 63.0
+"""Where the first port and the input lie, below the card's top."""
+PITCH = 18.0
+COLUMN, ROW = 230.0, 228.0
+ALWAYS = "always"
+"""The place and, with a blank that no number has, the uid of what is part of every state."""
+NEW = "new"
+"""The exit from which a new event is drawn."""
+TIMEOUT = "timeout"
+ENTRY = "in"
+
+Kind = Literal["state", "start", "end", "part", "always"]
+Place = tuple[str, ...]
+
+
+class Exit(Struct, frozen=True):
+    """One output port: an expected event or the timeout.
+
+    id: the event's position in the state, or ``timeout``.
+    short: where it leads without a pipe: ``#back``, ``#again`` or a number that no state has.
+    seconds: of a timeout.
+    """
+
+    id: str
+    label: str
+    phrase: str = ""
+    guard: str = ""
+    next: str | None = None
+    short: str = ""
+    missing: bool = False
+    seconds: float = 0.0
+
+    @property
+    def timeout(self) -> bool:
+        return self.id == TIMEOUT
+
+
+class Card(Struct, frozen=True):
+    """All that one card shows. ``uid`` is ours and lasts as long as the state has its number."""
+
+    uid: str
+    place: Place
+    kind: Kind
+    no: str
+    name: str
+    x: float
+    y: float
+    line: str = ""
+    line_icon: str = ""
+    icons: tuple[str, ...] = ()
+    screen: rbd.Screen | None = None
+    exits: tuple[Exit, ...] = ()
+    chips: tuple[str, ...] = ()
+    mark: Literal["", "warning", "error"] = ""
+
+    @property
+    def height(self) -> float:
+        return 62 + PITCH * max(3, len(self.exits))
+
+    @property
+    def width(self) -> float:
+        return WIDTH
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        return () if self.kind == "always" else (ENTRY,)
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        return (*(e.id for e in self.exits), NEW)
+
+    def port(self, name: str) -> tuple[float, float]:
+        """A port's centre, from the card's corner."""
+        if name == ENTRY:
+            return 0.0, FIRST
+        if name == NEW:
+            return WIDTH, min(FIRST + PITCH * len(self.exits), self.height)
+        index = next(i for i, e in enumerate(self.exits) if e.id == name)
+        return WIDTH, FIRST + PITCH * index
+
+    def exit(self, name: str) -> Exit | None:
+        return next((e for e in self.exits if e.id == name), None)
+
+
+class Link(Struct, frozen=True):
+    """A pipe from an exit to a card's input."""
+
+    source: str
+    exit: str
+    target: str
+    label: str = ""
+    guard: str = ""
+
+    @property
+    def id(self) -> tuple[str, str, str]:
+        return self.source, self.exit, self.target
+
+    @property
+    def entry(self) -> str:
+        return ENTRY
+
+
+class Picture(Struct):
+    """cards: uid to card, in document order. links: by id."""
+
+    cards: dict[str, Card]
+    links: dict[tuple[str, ...], Link]
+    uids: dict[Place, str]
+    """A card's place to its uid (the first one's, where a faulty file has two)."""
+
+
+def place_of(uid: str, exit: str | None, card: Card) -> Place:
+    """The place of an exit, or of its card."""
+    if exit is None or exit == NEW:
+        return card.place
+    return (*card.place, TIMEOUT) if exit == TIMEOUT else (*card.place, "event", exit)
+
+
+def exit_of(place: Place) -> str | None:
+    """The exit that a place names, the reverse of ``place_of``."""
+    tail = place[1:] if place[:1] == (ALWAYS,) else place[2:]
+    if tail[:1] == (TIMEOUT,):
+        return TIMEOUT
+    return tail[1] if len(tail) > 1 and tail[0] == "event" else None
+
+
+def ends(state: State) -> bool:
+    """Whether nothing of its own leaves the state (formats.md, *States*)."""
+    return not any(e.next for e in state.events) and not (state.timeout and state.timeout.next)
+
+
+def _label(event: Event) -> str:
+    return event.name or (f"if {words.condition(event.when)}" if event.when else "at once")
+
+
+def _exits(
+    events: Sequence[Event], timeout: Timeout | None, known: frozenset[str] | set[str]
+) -> tuple[Exit, ...]:
+    made = []
+    for index, event in enumerate(events):
+        made.append(
+            Exit(
+                id=str(index),
+                label=_label(event),
+                phrase=event.says[0].text if event.says else "",
+                guard=words.condition(event.when) if event.name else "",
+                next=event.next,
+                **_short(event.next, known),
+            )
+        )
+    if timeout is not None:
+        made.append(
+            Exit(
+                id=TIMEOUT,
+                label=words.seconds(timeout.seconds),
+                seconds=timeout.seconds,
+                next=timeout.next,
+                **_short(timeout.next, known),
+            )
+        )
+    return tuple(made)
+
+
+def _short(target: str | None, known: frozenset[str] | set[str]) -> dict[str, object]:
+    if target is None or target in known:
+        return {}
+    return {"short": target, "missing": target not in (rbd.BACK, rbd.AGAIN)}
+
+
+def _line(state: State) -> tuple[str, str]:
+    if state.flow is not None:
+        return state.flow, "part"
+    for action in state.actions:
+        if isinstance(action, rbd.Speech):
+            return action.text, "speech"
+    for action in state.actions:
+        return words.action(action), words.ICONS.get(action.element, "set")
+    for component in state.screen.components if state.screen else ():
+        if isinstance(component, rbd.Text):
+            return component.text, "text"
+    return "", ""
+
+
+def _chips(application: Application) -> tuple[str, ...]:
+    """What each event of ``always`` is called: its button's text, else its phrase, else its name."""
+    always = application.always
+    if always is None:
+        return ()
+    buttons = {
+        c.event: c.text
+        for c in (always.screen.components if always.screen else ())
+        if isinstance(c, rbd.Button) and c.event and c.text and "{" not in c.text
+    }
+    made = []
+    for event in always.events:
+        phrase = event.says[0].text if event.says else ""
+        made.append(buttons.get(event.name or "") or phrase or _label(event))
+    return tuple(made)
+
+
+def _marks(problems: Iterable[Problem]) -> dict[Place, Literal["warning", "error"]]:
+    marks: dict[Place, Literal["warning", "error"]] = {}
+    for problem in problems:
+        root = problem.place[:1] if problem.place[:1] == (ALWAYS,) else problem.place[:2]
+        if problem.severity == "error" or root not in marks:
+            marks[root] = problem.severity
+    return marks
+
+
+class Projector:
+    """Makes pictures of successive documents; cards whose state did not change are the same value."""
+
+    def __init__(self) -> None:
+        self._made: dict[str, tuple[State | rbd.Always, tuple[object, ...], Card]] = {}
+
+    def picture(
+        self,
+        application: Application,
+        problems: Sequence[Problem] = (),
+        places: Mapping[str, tuple[float, float]] | None = None,
+    ) -> Picture:
+        """places: uid to position, for cards whose state has none."""
+        known = {s.no for s in application.states}
+        places = places or {}
+        marks = _marks(problems)
+        chips = _chips(application)
+        start = application.start_no
+        cards: dict[str, Card] = {}
+        by_place: dict[Place, str] = {}
+        made: dict[str, tuple[State | rbd.Always, tuple[object, ...], Card]] = {}
+        for uid, value in identified(application):
+            position = value.aside.position or places.get(uid, (0.0, 0.0))
+            lost = tuple(
+                n for n in targets(value) if n not in known and n not in (rbd.BACK, rbd.AGAIN)
+            )
+            kept = self._made.get(uid)
+            if isinstance(value, State):
+                place: Place = ("state", value.no)
+                own = chips if value.always else ()
+                key = (position, lost, marks.get(place), value.no == start, own)
+            else:
+                place = (ALWAYS,)
+                key = (position, lost, marks.get(place))
+            if kept is not None and kept[0] is value and kept[1] == key:
+                card = kept[2]
+            elif isinstance(value, State):
+                line, icon = _line(value)
+                icons = dict.fromkeys(words.ICONS.get(a.element, "set") for a in value.actions)
+                kind: Kind = "state"
+                if value.no == start:
+                    kind = "start"
+                elif value.flow is not None:
+                    kind = "part"
+                elif ends(value):
+                    kind = "end"
+                card = Card(
+                    uid=uid,
+                    place=place,
+                    kind=kind,
+                    no=value.no,
+                    name=value.name or f"state {value.no}",
+                    x=position[0],
+                    y=position[1],
+                    line=line,
+                    line_icon=icon,
+                    icons=tuple(icons),
+                    screen=value.screen,
+                    exits=_exits(value.events, value.timeout, known),
+                    chips=own,
+                    mark=marks.get(place, ""),
+                )
+            else:
+                card = Card(
+                    uid=uid,
+                    place=place,
+                    kind="always",
+                    no="",
+                    name="In every state",
+                    x=position[0],
+                    y=position[1],
+                    line="is part of every state",
+                    line_icon="always",
+                    screen=value.screen,
+                    exits=_exits(value.events, value.timeout, known),
+                    mark=marks.get(place, ""),
+                )
+            made[uid] = (value, key, card)
+            cards[uid] = card
+            by_place.setdefault(place, uid)
+        self._made = made
+        return Picture(cards=cards, links=_links(cards, by_place), uids=by_place)
+
+
+def identified(application: Application) -> Iterable[tuple[str, State | rbd.Always]]:
+    """Every card's uid with its value: ``always`` first, then the states; doubled numbers apart."""
+    if application.always is not None:
+        yield f"{ALWAYS} ", application.always
+    seen: dict[str, int] = {}
+    for state in application.states:
+        count = seen[state.no] = seen.get(state.no, 0) + 1
+        yield (state.no if count == 1 else f"{state.no}  {count}"), state
+
+
+def targets(value: State | rbd.Always) -> list[str]:
+    """Every ``next`` of the value, its timeout's last."""
+    found = [e.next for e in value.events if e.next is not None]
+    if value.timeout is not None and value.timeout.next is not None:
+        found.append(value.timeout.next)
+    return found
+
+
+def _links(cards: Mapping[str, Card], by_place: Mapping[Place, str]) -> dict[tuple[str, ...], Link]:
+    links: dict[tuple[str, ...], Link] = {}
+    for card in cards.values():
+        for leaving in card.exits:
+            if leaving.next is None or leaving.short:
+                continue
+            link = Link(
+                source=card.uid,
+                exit=leaving.id,
+                target=by_place["state", leaving.next],
+                label=leaving.label,
+                guard=f"if {leaving.guard}" if leaving.guard else "",
+            )
+            links[link.id] = link
+    return links

@@ -1,0 +1,134 @@
+"""What all items of one canvas share: colours and fonts of the theme, zoom, level of detail, live view.
+
+One ``Look`` belongs to one canvas and is handed to its items; nothing here is global.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Literal
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QStaticText, Qt
+
+from situ_studio import icons
+from situ_studio.canvas.live import LiveView
+from situ_studio.theme import Theme, font
+
+Level = Literal["full", "half", "quarter", "tiny"]
+
+SELECTED_RING = 0.22
+
+
+def level(zoom: float) -> Level:
+    """The level of detail at a zoom (mockups/tokens.md, *Level of detail*)."""
+    if zoom >= 0.75:
+        return "full"
+    if zoom >= 0.4:
+        return "half"
+    return "quarter" if zoom >= 0.15 else "tiny"
+
+
+@lru_cache(maxsize=64)
+def sized(pixels: int, weight: int, squeezed: bool = False) -> QFont:
+    made = font(pixels, weight)
+    if squeezed:
+        made.setStretch(94)
+    return made
+
+
+@lru_cache(maxsize=64)
+def metrics(pixels: int, weight: int, squeezed: bool = False) -> QFontMetricsF:
+    return QFontMetricsF(sized(pixels, weight, squeezed))
+
+
+def text_width(text: str, pixels: int, weight: int) -> float:
+    return float(metrics(pixels, weight).horizontalAdvance(text))
+
+
+class Label:
+    """A text laid out once: fitted to a width, squeezed a little before it is cut with an ellipsis."""
+
+    __slots__ = ("_ascent", "_font", "_text", "cut", "width")
+
+    def __init__(self, text: str, pixels: int, weight: int, room: float = 1e6) -> None:
+        text = " ".join(text.split())
+        wide = metrics(pixels, weight)
+        squeezed = False
+        self.cut = False
+        self.width = wide.horizontalAdvance(text)
+        if self.width > room:
+            narrow = metrics(pixels, weight, True)
+            squeezed = True
+            self.width = narrow.horizontalAdvance(text)
+            if self.width > room:
+                self.cut = True
+                text = narrow.elidedText(text, Qt.TextElideMode.ElideRight, room)
+                self.width = narrow.horizontalAdvance(text)
+        self._font = sized(pixels, weight, squeezed)
+        self._ascent = metrics(pixels, weight, squeezed).ascent()
+        self._text = QStaticText(text)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setPerformanceHint(QStaticText.PerformanceHint.AggressiveCaching)
+
+    def draw(self, painter: QPainter, x: float, baseline: float, color: QColor) -> None:
+        """From x to the right."""
+        painter.setFont(self._font)
+        painter.setPen(color)
+        painter.drawStaticText(QPointF(x, baseline - self._ascent), self._text)
+
+    def draw_right(self, painter: QPainter, x: float, baseline: float, color: QColor) -> None:
+        """Ending at x."""
+        self.draw(painter, x - self.width, baseline, color)
+
+    def draw_middle(self, painter: QPainter, x: float, baseline: float, color: QColor) -> None:
+        """Centred at x."""
+        self.draw(painter, x - self.width / 2, baseline, color)
+
+
+class Look:
+    """The state of one canvas that its items paint by."""
+
+    def __init__(self, theme: Theme) -> None:
+        self.zoom = 1.0
+        self.level: Level = "full"
+        self.ratio = 1.0
+        self.live: LiveView | None = None
+        self.theme = theme
+        self.colors: dict[str, QColor] = {}
+        self.version = 0
+        self.set_theme(theme)
+
+    def set_theme(self, theme: Theme) -> None:
+        self.theme = theme
+        self.colors = {
+            name: QColor(getattr(theme, name)) for name in theme.__struct_fields__ if name != "name"
+        }
+        # Boxes of the smallest level of detail: between line and text.
+        self.colors["far"] = QColor("#AEB7C6" if theme.name == "light" else "#4A5465")
+        self.version += 1
+
+    def set_zoom(self, zoom: float, ratio: float) -> bool:
+        """Whether the level of detail is another one now."""
+        self.zoom, self.ratio = zoom, ratio
+        before, self.level = self.level, level(zoom)
+        return before != self.level
+
+    def __getitem__(self, token: str) -> QColor:
+        return self.colors[token]
+
+    def faint(self, token: str, opacity: float) -> QColor:
+        color = QColor(self.colors[token])
+        color.setAlphaF(opacity)
+        return color
+
+    def icon(
+        self, painter: QPainter, name: str, x: float, y: float, size: float, color: QColor
+    ) -> None:
+        """An icon with its upper left corner at x, y, sharp at this zoom."""
+        scale = max(0.5, round(self.zoom * self.ratio * 8) / 8)
+        if scale > 4:
+            icons.paint(painter, name, QRectF(x, y, size, size), color)
+            return
+        picture = icons.pixmap(name, color, max(1, round(size)), scale)
+        painter.drawPixmap(QRectF(x, y, size, size), picture, QRectF(picture.rect()))

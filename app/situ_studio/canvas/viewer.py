@@ -1,0 +1,529 @@
+"""The seam's lower half: NodeGraphQt's viewer, whose gestures become intents (canvas.md).
+
+The viewer never writes a model. It collects what a gesture touched and what it
+asked for, and says ``settled`` when no gesture is under way any more; the graph
+then turns it into one edit or none and puts the picture back to the document.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSizeF, Qt, Signal
+from PySide6.QtGui import (
+    QBrush,
+    QContextMenuEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QNativeGestureEvent,
+    QPainter,
+    QPen,
+    QPixmap,
+    QTransform,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QApplication, QGraphicsItem, QGraphicsView
+from PySide6.QtWidgets import QWidget as Widget
+
+from situ_studio.canvas.library import AbstractNodeItem, NodeViewer
+from situ_studio.canvas.nodes import OUT, NodeFace, Spot
+from situ_studio.canvas.pipes import LivePipe, RoutedPipe
+from situ_studio.canvas.style import Look
+
+ZOOM_LEAST, ZOOM_MOST = 0.04, 4.0
+SLOP = 3.0
+"""How far off a press may be, in px on screen."""
+
+
+class _Press:
+    """What NodeGraphQt's scene handlers read of a mouse event, at a place of our choice."""
+
+    def __init__(self, spot: QPointF) -> None:
+        self._spot = QPointF(spot)
+
+    def scenePos(self) -> QPointF:
+        return QPointF(self._spot)
+
+    def button(self) -> Qt.MouseButton:
+        return Qt.MouseButton.LeftButton
+
+
+class Viewer(NodeViewer):
+    """touched: uids whose picture may differ from the document since the last ``settled``.
+
+    held: modifiers of the latest mouse event. on_key: what to do with a key; True
+    where it was for us. straight_lines: every pipe as a QLineF, and those just taken.
+    """
+
+    settled = Signal()
+    dropped = Signal(object, QPointF)
+    """A pipe was dropped on empty canvas: its exit's item, where."""
+    double_click = Signal(object, QPointF)
+    clicked = Signal(object, QPointF)
+    """A press and release at one place: the node's item or None, where on it."""
+    moved = Signal()
+    """Cards are where they were not; the pipes have to follow."""
+    zoomed = Signal(float)
+    menu_wanted = Signal(object, QPoint)
+
+    def __init__(self, look: Look, parent: Widget | None = None) -> None:
+        self.look = look
+        self.touched: set[str] = set()
+        self._buried: list[Any] = []
+        self._old: list[Any] = []
+        self._waiting: tuple[Any, QPointF, QPoint] | None = None
+        self._forced: Any = None
+        self._pan: QPoint | None = None
+        self._space = False
+        self._pressed: tuple[QPoint, Any] | None = None
+        self._travelled = False
+        self._dots: tuple[int, QPixmap] | None = None
+        self.held = Qt.KeyboardModifier.NoModifier
+        self.on_key: Callable[[QKeyEvent], bool] = lambda event: False
+        self.straight_lines: Callable[[], tuple[list[Any], list[Any]]] = lambda: ([], [])
+        self.layer: _Layer | None = None
+        super().__init__(parent)
+        # A top-level widget of the library's that nobody asked for.
+        self._search_widget.setParent(self)
+        self._search_widget.hide()
+        self.layer = _Layer()
+        self.scene().addItem(self.layer)
+        stock = self._LIVE_PIPE
+        self.scene().removeItem(stock)
+        self._old = [stock]
+        self._LIVE_PIPE = LivePipe(look)
+        self._LIVE_PIPE.setVisible(False)
+        self.scene().addItem(self._LIVE_PIPE)
+        self._cursor_text.setVisible(False)
+        self.acyclic = False
+        self.setFrameShape(QGraphicsView.Shape.NoFrame)
+        self.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
+        self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.SmartViewportUpdate)
+        self.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
+        self.setTransformationAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
+        self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
+        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontSavePainterState, True)
+        self.setMinimumSize(120, 90)
+        self.viewport().setMouseTracking(True)
+
+    # -- keeping items alive ----------------------------------------------------------
+
+    def bury(self, item: Any) -> None:
+        """Keeps a removed item alive until the show after the next: Qt may still hold it in an event."""
+        self._buried.append(item)
+
+    def forget(self) -> None:
+        self._old = self._buried
+        self._buried = []
+
+    # -- gestures: what NodeGraphQt calls ----------------------------------------------
+
+    def establish_connection(self, start_port: Any, end_port: Any) -> None:
+        pipe = RoutedPipe(self.look, self.layer)
+        pipe.set_connections(start_port, end_port)
+        self.touched.add(start_port.node.uid)
+        self.touched.add(end_port.node.uid)
+
+    def _items_near(
+        self, pos: QPointF, item_type: Any = None, width: int = 20, height: int = 20
+    ) -> list[Any]:
+        """What lies under the cursor, not 20 px up and left of it."""
+        if self._forced is not None:
+            return [self._forced]
+        slop = SLOP / max(self.look.zoom, 0.01)
+        area = QRectF(pos.x() - slop, pos.y() - slop, 2 * slop, 2 * slop)
+        found = []
+        for item in self.scene().items(area):
+            if item in (self._LIVE_PIPE, self._SLICER_PIPE, self.layer):
+                continue
+            if item_type is None or isinstance(item, item_type):
+                found.append(item)
+        return found
+
+    def hit(self, pos: QPointF) -> Any:
+        """The port, pipe or node that a press at ``pos`` means, or None.
+
+        An exit counts within its own few px even where a card lies on it.
+        """
+        nodes = pipe = None
+        for item in self._items_near(pos):
+            if isinstance(item, Spot):
+                if item.port_type == OUT and item.node is not None:
+                    return item
+            elif isinstance(item, NodeFace):
+                if nodes is None and item.shape().contains(item.mapFromScene(pos)):
+                    nodes = item
+            elif isinstance(item, RoutedPipe) and pipe is None:
+                pipe = item
+        return nodes if nodes is not None else pipe
+
+    def sceneMousePressEvent(self, event: Any) -> None:
+        if self._LIVE_PIPE.isVisible():
+            self.apply_live_connection(event)
+            return
+        if event.button() != Qt.MouseButton.LeftButton or self.ALT_state or self.SHIFT_state:
+            return
+        item = self.hit(event.scenePos())
+        if isinstance(item, Spot | RoutedPipe):
+            # Taken off only when it is really dragged (canvas.md, 9).
+            self._waiting = item, QPointF(event.scenePos()), event.screenPos()
+
+    def _begin_live(self) -> None:
+        assert self._waiting is not None
+        item, spot, _ = self._waiting
+        self._waiting = None
+        if item.scene() is None:
+            return
+        self._forced = item
+        try:
+            super().sceneMousePressEvent(_Press(spot))
+        finally:
+            self._forced = None
+
+    def sceneMouseMoveEvent(self, event: Any) -> None:
+        if self._waiting is not None:
+            way = event.screenPos() - self._waiting[2]
+            if way.manhattanLength() < QApplication.startDragDistance():
+                return
+            self._begin_live()
+        if self._LIVE_PIPE.isVisible() and self._start_port is not None:
+            spot = self._target(event.scenePos())
+            if isinstance(spot, Spot):
+                self._LIVE_PIPE.aim(True)
+                self._LIVE_PIPE.draw_path(self._start_port, cursor_pos=spot.centre())
+            else:
+                self._LIVE_PIPE.aim(False)
+                self._LIVE_PIPE.draw_path(self._start_port, cursor_pos=event.scenePos())
+
+    def _target(self, pos: QPointF) -> Any:
+        """The input that a pipe dropped at ``pos`` goes to; False over a card that takes none."""
+        start = self._start_port
+        for item in self.scene().items(pos):
+            node = item if isinstance(item, NodeFace) else None
+            if isinstance(item, Spot):
+                node = item.node
+            if node is None:
+                continue
+            if node is start.node and (pos - start.centre()).manhattanLength() < 24:
+                return False
+            entry = next((s for s in node.inputs if self.accepts(start, s)), None)
+            return entry if entry is not None else False
+        return None
+
+    def accepts(self, start: Any, end: Any) -> bool:
+        """Whether a pipe from exit to input means something; the script canvas says more."""
+        return True
+
+    def apply_live_connection(self, event: Any) -> None:
+        if not self._LIVE_PIPE.isVisible() or self._start_port is None:
+            return
+        start, spot = self._start_port, event.scenePos()
+        start.hovered = False
+        target = self._target(spot)
+        if isinstance(target, Spot):
+            gone = [(start, self._detached_port)] if self._detached_port is not None else []
+            if self._detached_port is not target:
+                self.connection_changed.emit(gone, [(start, target)])
+        elif target is None:
+            self.dropped.emit(start, QPointF(spot))
+        self.cancel()
+
+    def cancel(self) -> None:
+        """Ends a pipe that is being drawn; what it was taken off is put back by ``settled``."""
+        self._waiting = None
+        self._detached_port = None
+        if self._LIVE_PIPE.isVisible():
+            self.end_live_connection()
+
+    def busy(self) -> bool:
+        """Whether a pipe is being drawn."""
+        return bool(self._LIVE_PIPE.isVisible())
+
+    def card_moved(self, card: NodeFace) -> None:
+        self.touched.add(card.uid)
+        self.moved.emit()
+
+    def double_clicked(self, card: NodeFace, spot: QPointF) -> None:
+        self.double_click.emit(card, spot)
+
+    # -- mouse ------------------------------------------------------------------------
+
+    def _modifiers(self, event: Any) -> None:
+        """Modifiers as the event has them: a key released over another window is not missed."""
+        held = self.held = event.modifiers()
+        shift = Qt.KeyboardModifier.ShiftModifier
+        control = Qt.KeyboardModifier.ControlModifier
+        alt = Qt.KeyboardModifier.AltModifier
+        self.ALT_state = bool(held & alt) and bool(held & shift)
+        self.SHIFT_state = bool(held & (shift | control)) or self.ALT_state
+        self.CTRL_state = False
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._modifiers(event)
+        middle = event.button() == Qt.MouseButton.MiddleButton
+        left = event.button() == Qt.MouseButton.LeftButton
+        if middle or (left and self._space):
+            self._pan = event.position().toPoint()
+            self.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
+            event.accept()
+            return
+        if not left:
+            if event.button() == Qt.MouseButton.RightButton:
+                self._select_under(event.position().toPoint())
+            event.accept()
+            return
+        self._travelled = False
+        self._pressed = (
+            event.position().toPoint(),
+            self.hit(self.mapToScene(event.position().toPoint())),
+        )
+        super().mousePressEvent(event)
+
+    def _select_under(self, at: QPoint) -> None:
+        item = self.hit(self.mapToScene(at))
+        if isinstance(item, Spot):
+            item = item.node
+        if item is not None and not item.isSelected():
+            self.scene().clearSelection()
+            item.setSelected(True)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._modifiers(event)
+        if self._pan is not None:
+            at = event.position().toPoint()
+            way = self.mapToScene(self._pan) - self.mapToScene(at)
+            self._pan = at
+            self._set_viewer_pan(way.x(), way.y())
+            event.accept()
+            return
+        if self._pressed is not None:
+            way = event.position().toPoint() - self._pressed[0]
+            if way.manhattanLength() >= QApplication.startDragDistance():
+                self._travelled = True
+            elif not self._travelled and isinstance(self._pressed[1], NodeFace):
+                # A hand that trembles does not move a card.
+                event.accept()
+                return
+        super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self._pan is not None:
+            self._pan = None
+            self._show_cursor()
+            event.accept()
+            return
+        if event.button() != Qt.MouseButton.LeftButton:
+            event.accept()
+            return
+        pressed, self._pressed = self._pressed, None
+        banded = self._rubber_band.isActive and self._rubber_band.isVisible()
+        try:
+            super().mouseReleaseEvent(event)
+        finally:
+            self._waiting = None
+            if banded:
+                self._drop_loose_pipes()
+            if not self.busy():
+                self.settled.emit()
+        if pressed is not None and not self._travelled and not banded:
+            item = pressed[1] if pressed[1] is not None and pressed[1].scene() is not None else None
+            self.clicked.emit(item, self.mapToScene(event.position().toPoint()))
+
+    def _drop_loose_pipes(self) -> None:
+        """A rubber band takes cards, and of the pipes only those between them."""
+        for pipe in self.selected_pipes():
+            if not (pipe.input_port.node.isSelected() and pipe.output_port.node.isSelected()):
+                pipe.setSelected(False)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        item = self.hit(self.mapToScene(event.pos()))
+        self.menu_wanted.emit(item, event.globalPos())
+        event.accept()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        zooms = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        pixels = event.pixelDelta()
+        if not zooms and not pixels.isNull() and event.phase() != Qt.ScrollPhase.NoScrollPhase:
+            # Two fingers on a trackpad move the canvas.
+            self._set_viewer_pan(-pixels.x() / self.look.zoom, -pixels.y() / self.look.zoom)
+        else:
+            turned = event.angleDelta().y() or event.angleDelta().x()
+            self.zoom_by(1.0015**turned, event.position())
+        event.accept()
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if (
+            isinstance(event, QNativeGestureEvent)
+            and event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture
+        ):
+            self.zoom_by(1 + event.value(), event.position())
+            return True
+        return bool(super().viewportEvent(event))
+
+    # -- keys -------------------------------------------------------------------------
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and (self.busy() or self._waiting is not None):
+            self.cancel()
+            self.settled.emit()
+            event.accept()
+            return
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._space = True
+            self._show_cursor()
+            event.accept()
+            return
+        event.setAccepted(self.on_key(event))
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._space = False
+            self._show_cursor()
+
+    def focusOutEvent(self, event: Any) -> None:
+        self._space = False
+        self._show_cursor()
+        super().focusOutEvent(event)
+
+    def _show_cursor(self) -> None:
+        if self._space:
+            self.viewport().setCursor(Qt.CursorShape.OpenHandCursor)
+        else:
+            self.viewport().unsetCursor()
+
+    # -- zoom and place -----------------------------------------------------------------
+
+    def _update_scene(self) -> None:
+        """Shows ``_scene_range`` from its upper left corner, exactly: at 100 % a unit is a px."""
+        area = self._scene_range
+        size = self.viewport().size()
+        if area.width() <= 0 or size.width() <= 0:
+            return
+        zoom = max(ZOOM_LEAST, min(ZOOM_MOST, size.width() / area.width()))
+        left, top = round(area.left() * zoom) / zoom, round(area.top() * zoom) / zoom
+        self._scene_range = QRectF(QPointF(left, top), QSizeF(size) / zoom)
+        self.setSceneRect(self._scene_range)
+        if self.transform().m11() != zoom:
+            self.setTransform(QTransform.fromScale(zoom, zoom))
+        changed = self.look.zoom != zoom
+        if self.look.set_zoom(zoom, self.devicePixelRatioF()) and self.layer is not None:
+            self.layer.setVisible(self.look.level in ("full", "half"))
+        if changed:
+            self.zoomed.emit(zoom)
+        self.viewport().update()
+
+    def resizeEvent(self, event: Any) -> None:
+        """The upper left corner and the zoom stay."""
+        QGraphicsView.resizeEvent(self, event)
+        zoom = self.look.zoom
+        self._scene_range = QRectF(
+            self._scene_range.topLeft(), QSizeF(self.viewport().size()) / zoom
+        )
+        self._last_size = self.size()
+        self._update_scene()
+
+    def zoom_by(self, factor: float, at: QPointF | None = None) -> None:
+        """Zooms so that the point under ``at`` (px of the viewport) stays where it is."""
+        self.zoom_to(self.look.zoom * factor, at)
+
+    def zoom_to(self, zoom: float, at: QPointF | None = None) -> None:
+        zoom = max(ZOOM_LEAST, min(ZOOM_MOST, zoom))
+        if at is None:
+            at = QPointF(self.viewport().rect().center())
+        area = self._scene_range
+        spot = QPointF(area.left() + at.x() / self.look.zoom, area.top() + at.y() / self.look.zoom)
+        corner = spot - at / zoom
+        self._scene_range = QRectF(corner, QSizeF(self.viewport().size()) / zoom)
+        self._update_scene()
+
+    def show_area(self, area: QRectF, most: float = 1.0) -> None:
+        """Zooms and moves so that ``area`` is seen whole, at most at ``most``."""
+        size = QSizeF(self.viewport().size())
+        if area.isEmpty() or size.isEmpty():
+            return
+        zoom = min(most, size.width() / area.width(), size.height() / area.height())
+        zoom = max(ZOOM_LEAST, zoom)
+        wide = size / zoom
+        corner = area.center() - QPointF(wide.width() / 2, wide.height() / 2)
+        self._scene_range = QRectF(corner, wide)
+        self._update_scene()
+
+    def reveal(self, area: QRectF, margin: float = 40.0) -> None:
+        """Moves as little as needed so that ``area`` is seen; the zoom stays."""
+        seen = self._scene_range
+        margin = margin / self.look.zoom
+        wanted = area.adjusted(-margin, -margin, margin, margin)
+        x = y = 0.0
+        if wanted.left() < seen.left():
+            x = wanted.left() - seen.left()
+        elif wanted.right() > seen.right():
+            x = wanted.right() - seen.right()
+        if wanted.top() < seen.top():
+            y = wanted.top() - seen.top()
+        elif wanted.bottom() > seen.bottom():
+            y = wanted.bottom() - seen.bottom()
+        if x or y:
+            self._set_viewer_pan(x, y)
+
+    # -- ground ------------------------------------------------------------------------
+
+    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
+        look = self.look
+        painter.fillRect(rect, look["canvas"])
+        if look.zoom >= 0.35:
+            painter.save()
+            painter.setPen(Qt.PenStyle.NoPen)
+            brush = QBrush(self._dotted())
+            brush.setTransform(QTransform.fromScale(1 / look.zoom, 1 / look.zoom))
+            painter.setBrushOrigin(0, 0)
+            painter.fillRect(rect, brush)
+            painter.restore()
+        if look.level in ("quarter", "tiny"):
+            self._draw_straight(painter)
+
+    def _dotted(self) -> QPixmap:
+        """One 16-unit tile with its dot, at the zoom of now."""
+        size = max(4, round(16 * self.look.zoom))
+        key = size * 1000 + self.look.version
+        if self._dots is None or self._dots[0] != key:
+            tile = QPixmap(size, size)
+            tile.fill(Qt.GlobalColor.transparent)
+            painter = QPainter(tile)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(self.look["dots"])
+            radius = max(0.7, 0.8 * self.look.zoom)
+            painter.drawEllipse(QPointF(size / 2, size / 2), radius, radius)
+            painter.end()
+            self._dots = key, tile
+        return self._dots[1]
+
+    def _draw_straight(self, painter: QPainter) -> None:
+        """Far out: every pipe a straight line, all of them at once."""
+        lines, taken = self.straight_lines()
+        pen = QPen(self.look["pipe"], 0)
+        painter.setPen(pen)
+        painter.drawLines(lines)
+        if taken:
+            painter.setPen(QPen(self.look["live"], 2.5 / self.look.zoom))
+            painter.drawLines(taken)
+
+    def all_nodes(self) -> list[Any]:
+        return [i for i in self.scene().items() if isinstance(i, AbstractNodeItem)]
+
+
+class _Layer(QGraphicsItem):
+    """Holds all pipes, under the cards, so that they can be hidden in one call."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, True)
+        self.setZValue(-1)
+
+    def boundingRect(self) -> QRectF:
+        return QRectF()
+
+    def paint(self, painter: QPainter, option: Any, widget: Widget | None = None) -> None:
+        return
