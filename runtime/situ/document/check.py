@@ -10,13 +10,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
-from situ.document import names
-from situ.document.aside import NOTHING
+from situ.document import names, projectfile
 from situ.document.check_application import check_application, texts, used_resources
 from situ.document.check_script import check_modules, check_script
 from situ.document.datatypes import shown
 from situ.document.finding import Disk, Files, Findings
-from situ.document.problem import Problem
+from situ.document.folder import called
+from situ.document.problem import Problem, Severity
 from situ.document.project import Project
 from situ.document.rbd import Application
 
@@ -45,9 +45,7 @@ def check(project: Project, files: Files | None = None) -> list[Problem]:
     if project.modules is not None and project.modules_file is not None:
         modules = project.modules
         of(project.modules_file, lambda found: check_modules(found, modules))
-    if project.toml is not None:
-        of(project.toml, lambda found: _project(found, project))
-    return problems
+    return [*problems, *_project(project, files)]
 
 
 def merge(read: Iterable[Problem], checked: Iterable[Problem]) -> list[Problem]:
@@ -140,19 +138,41 @@ def _is_spoken(text: str) -> bool:
     return any(_SPOKEN.search(literal) for literal, _ in names.split(text))
 
 
-def _project(found: Findings, project: Project) -> None:
+def _project(project: Project, files: Files) -> list[Problem]:
+    """What is wrong in ``situ.toml``, but for what reading it has told."""
+    if project.toml is None:
+        return []
+    told: list[tuple[Severity, str, str, str, str, str]] = []
     if len(project.applications) > 1 and project.spds_file is None:
         said = (
             "Several applications need a script that says which of them comes first: "
             'add spds = "….spds.xml" to [project]'
         )
-        found.error("spds-needed", said, NOTHING)
+        told.append(("error", "spds-needed", said, "project", "applications", ""))
     for language in project.languages[1:]:
         if language not in project.texts:
             said = f"There is no texts/{language}.po: texts stay as they are written"
-            found.warning("missing-texts", said, NOTHING)
+            told.append(("warning", "missing-texts", said, "project", "languages", language))
     durable = [pattern for pattern in project.durable if names.is_pattern(pattern)]
     for setting in project.settings:
         if not any(names.matches(pattern, setting.tag) for pattern in durable):
             said = f"The setting {shown(setting.tag)} is lost at a restart: add it to [durable]"
-            found.warning("setting-not-durable", said, NOTHING)
+            told.append(("warning", "setting-not-durable", said, "setting", "tag", setting.tag))
+    if not told:
+        return []
+    text = (files.read(project.toml) or b"").decode(errors="replace")
+    file = called(project.root, project.toml)
+    made = []
+    for severity, code, message, *where in told:
+        line, column = projectfile.place(text, *where)
+        made.append(
+            Problem(
+                file=file,
+                line=line,
+                column=column,
+                severity=severity,
+                code=code,
+                message=message,
+            )
+        )
+    return made

@@ -259,7 +259,7 @@ class _Check:
             self.found.error("reserved-tag", said, aside, place)
 
     def media(self, src: str, aside: Aside, place: Place) -> None:
-        if not src.strip() or _ELSEWHERE.match(src) or names.references(src):
+        if not _is_file(src):
             return
         file = f"{self.project.media}/{src}" if self.project.media is not None else src
         if not self.files.inside(src) or not self.files.inside(file):
@@ -271,6 +271,26 @@ class _Check:
             )
             said = f"There is no file {shown(src)} {where}: add it, or name another"
             self.found.error("missing-media", said, aside, place)
+
+
+def media_of(application: Application) -> Iterator[str]:
+    """The files that an application shows, plays and reads, but for those that a value names."""
+    screens = [one.screen for one in (application.always, *application.states) if one is not None]
+    events = [e for one in (application.always, *application.states) if one for e in one.events]
+    for screen in screens:
+        if screen is not None:
+            named = [one.src for one in screen.components if isinstance(one, (Image, Movie))]
+            yield from (one for one in (*named, screen.background) if one and _is_file(one))
+    held = [a for state in application.states for a in state.actions]
+    for action in (*held, *(a for event in events for a in event.actions)):
+        if isinstance(action, Sound) and _is_file(action.src):
+            yield action.src
+        elif isinstance(action, Service) and action.url.lower().startswith("media:"):
+            yield action.url[6:]
+
+
+def _is_file(src: str) -> bool:
+    return bool(src.strip()) and not _ELSEWHERE.match(src) and not names.references(src)
 
 
 def texts(application: Application) -> Iterator[tuple[str, Aside, Place]]:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from typing import Protocol
 
 from msgspec import Struct
 
 from situ.document.aside import NOTHING, Aside
-from situ.document.folder import resolve
+from situ.document.folder import called, resolve
 from situ.document.problem import Problem, Severity
 from situ.document.reader import locate_all
 
@@ -82,7 +81,7 @@ class Findings:
         wanted = {one.aside.index for one in self._found if one.aside.index >= 0}
         data = files.read(self.file) if wanted else None
         lines = locate_all(data, wanted) if data is not None else {}
-        name = os.path.join(self._root, self.file) if self._root != "." else self.file
+        name = called(self._root, self.file)
         made = []
         for one in self._found:
             line, column = lines.get(one.aside.index, (0, 0))

@@ -74,6 +74,11 @@ def resolve(root: str | Path, path: str) -> Path | None:
     return found if found.is_relative_to(home) else None
 
 
+def called(root: str, file: str) -> str:
+    """A file as the user would name it, who named the project's folder as ``root``."""
+    return os.path.join(root, file) if root != "." else file
+
+
 def write(path: str | Path, data: bytes) -> None:
     """Puts ``data`` into a file: the old content or the new one whole, whatever happens.
 
@@ -131,8 +136,7 @@ class _Loading:
         self.problems: list[Problem] = []
 
     def called(self, file: str) -> str:
-        """A file as the user would name it, who named the project as he did."""
-        return os.path.join(self.root, file) if str(self.root) != "." else file
+        return called(str(self.root), file)
 
     def single(self, name: str, data: bytes) -> tuple[Project | None, list[Problem]]:
         document, self.problems = codec.read(data, self.called(name))
@@ -253,9 +257,6 @@ class _Loading:
             said = f"{path} leads out of the project: its files lie inside its folder"
             toml.problem("path-outside", said, "project", key, path)
             return None
-        if not place.is_dir():
-            said = f"There is no folder {path}: make it, or take it out here"
-            toml.problem("missing-file", said, "project", key, path)
         return path
 
     def texts(self, toml: ProjectFile, languages: tuple[str, ...]) -> dict[str, dict[str, str]]:

@@ -70,7 +70,7 @@ class ProjectFile:
         self, code: str, message: str, table: str = "", key: str = "", value: str = ""
     ) -> None:
         """Notes a problem at the place where ``key`` (and in it ``value``) is written."""
-        line, column = self._place(table, key, value)
+        line, column = place(self._text, table, key, value)
         self.problems.append(
             Problem(file=self.file, line=line, column=column, code=code, message=message)
         )
@@ -238,29 +238,6 @@ class ProjectFile:
                 self.problem("bad-value", f"What {shown(topic)} means {said}", "mqtt", "in", topic)
                 del incoming[topic]
 
-    # -- places ------------------------------------------------------------------
-
-    def _place(self, table: str, key: str, value: str) -> tuple[int, int]:
-        """Line and column of a key, or of a value behind it; of its table where it is not found."""
-        lines = self._text.split("\n")
-        current, header, at = "", (0, 0), (0, 0)
-        wanted = re.compile(rf"""\s*(["']?){re.escape(key)}\1\s*[=.]""") if key else None
-        for number, line in enumerate(lines, 1):
-            opened = re.match(r"""\s*\[+\s*["']?([^\]"']+)""", line)
-            if opened is not None and (not at[0]) and "=" not in line.partition("]")[0]:
-                current = opened[1].strip()
-                if current == table and not header[0]:
-                    header = (number, line.index("[") + 1)
-            elif wanted is not None and not at[0] and current == table and wanted.match(line):
-                at = (number, len(line) - len(line.lstrip()) + 1)
-            if at[0] and value:
-                column = line.find(value)
-                if column >= 0:
-                    return number, column + 1
-            elif at[0]:
-                return at
-        return at if at[0] else header
-
 
 def _is_json(value: Any) -> bool:
     if isinstance(value, dict):
@@ -270,3 +247,27 @@ def _is_json(value: Any) -> bool:
     if isinstance(value, float):
         return math.isfinite(value)
     return isinstance(value, (str, bool, int))
+
+
+def place(text: str, table: str, key: str, value: str = "") -> tuple[int, int]:
+    """Line and column of a key in a TOML file, or of a value behind it.
+
+    Of its table where the key is not found; (0, 0) where that is not found either.
+    """
+    current, header, at = "", (0, 0), (0, 0)
+    wanted = re.compile(rf"""\s*(["']?){re.escape(key)}\1\s*[=.]""") if key else None
+    for number, line in enumerate(text.split("\n"), 1):
+        opened = re.match(r"""\s*\[+\s*["']?([^\]"']+)""", line)
+        if opened is not None and not at[0] and "=" not in line.partition("]")[0]:
+            current = opened[1].strip()
+            if current == table and not header[0]:
+                header = (number, line.index("[") + 1)
+        elif wanted is not None and not at[0] and current == table and wanted.match(line):
+            at = (number, len(line) - len(line.lstrip()) + 1)
+        if at[0] and value:
+            column = line.find(value)
+            if column >= 0:
+                return number, column + 1
+        elif at[0]:
+            return at
+    return at if at[0] else header
