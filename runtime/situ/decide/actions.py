@@ -57,11 +57,15 @@ class Running(Struct):
 
 
 class ActionsState(Struct):
-    """voice: places of speeches and sounds that wait for the one before them to end."""
+    """voice: places of speeches and sounds that wait for the one before them to end.
+
+    played: ids of the movies of the screen shown that have ended.
+    """
 
     runs: dict[int, Run] = {}
     running: dict[int, Running] = {}
     voice: list[tuple[int, int]] = []
+    played: list[str] = []
     made: int = 0
 
 
@@ -144,6 +148,10 @@ class Actions:
         if isinstance(action, (Speech, Sound)) and self._voice_taken():
             run.marks[place] = QUEUED
             self.state.voice.append((number, place))
+            return
+        if isinstance(action, Repeat):
+            self.repeat(cause)
+            self._ended(number, place, cause)
             return
         resource = resource_of(action)
         if resource is not None and not self._world.priorities.holds(self._program.name, resource):
@@ -238,6 +246,8 @@ class Actions:
             self._raise(event, seq)
         if running.action in ("speech", "sound"):
             self._next_voice(seq)
+        elif running.action == "movie" and running.name is not None:
+            self.state.played.append(running.name)
         self._ended(running.run, running.place, seq)
 
     def _ended(self, number: int, place: int, cause: int | None) -> None:
@@ -374,8 +384,12 @@ class Actions:
     def begin_movies(
         self, movies: list[tuple[int, Movie, str]], state: str, cause: int | None
     ) -> None:
-        """Movies of the screen just shown: (id, component, source filled in)."""
+        """Movies of the screen just shown: (id, component, source filled in). One that ended
+        before a suspension is not played again.
+        """
         for number, movie, src in movies:
+            if movie.id in self.state.played:
+                continue
             seq = self._world.step.trace(
                 trace.Action, cause, self._program.name, state, "movie", movie.id, src=src
             )
@@ -425,7 +439,3 @@ class Actions:
 
     def _trace_cancelled(self, action: str, name: str | None, cause: int | None) -> int:
         return self._world.step.trace(trace.Cancelled, cause, self._program.name, action, name)
-
-    def repeats(self, keys: list[int]) -> bool:
-        """Whether a list of actions asks for the speech once more."""
-        return any(isinstance(self._program.actions[key], Repeat) for key in keys)

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from msgspec import Struct
 
 from situ.decide.board import Board, prefixes
-from situ.decide.step import TEST, Step, microseconds
+from situ.decide.step import TEST, Step, duration
 from situ.decide.values import compile_test
 from situ.document.condition import Condition, Group, Test
 
@@ -42,8 +42,8 @@ class Leaf:
         self.number = number
         self.name = source.tag
         self.test, _ = compile_test(source.test, source.value)
-        self.within = None if source.within is None else microseconds(source.within)
-        self.hold = None if source.hold is None else microseconds(source.hold)
+        self.within = None if source.within is None else duration(source.within)
+        self.hold = None if source.hold is None else duration(source.hold)
 
 
 Compiled = Callable[[], bool]

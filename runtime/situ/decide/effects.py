@@ -33,7 +33,8 @@ class Map(Effect, frozen=True):
 
     resource is ``speech`` or ``screen`` too. actions: ids of the application's
     actions that this value carries out (a speech, a sound, a robot action, the
-    movies of a screen), each to be answered by ``Finish(id=…)``; empty for modules.
+    movies of a screen), each to be answered by ``Finish(id=…)``; empty for modules. Of a
+    screen one for each of its movies, in order; 0 for one that has ended.
     """
 
     resource: str

@@ -20,7 +20,8 @@ from situ.decide.values import template
 from situ.decide.world import World
 from situ.document.rbd import AGAIN, BACK, Application, Component, Screen
 
-Reassign = Callable[[int | None], None]
+Asked = Callable[[str, int], None]
+"""Told that a module asks for something else than before, and the seq of that event."""
 
 RESUMED = "resumed"
 TIMED_OUT = "timeout"
@@ -46,7 +47,8 @@ class Clock(Struct):
 
 class MachineState(Struct):
     """base: the state whose own screen is kept. shown: (base, with ``always``) that is
-    on the screen by this application's command, None where nothing is.
+    on the screen by this application's command, None where nothing is. stale: keys of
+    the unnamed events that may hold now, each with what caused that.
     """
 
     no: str = ""
@@ -61,21 +63,20 @@ class MachineState(Struct):
     granted: int | None = None
     clock: Clock | None = None
     token: int = 0
-    stale: bool = False
-    stale_cause: int | None = None
+    stale: dict[int, int | None] = {}
     screen_stale: bool = False
     screen_cause: int | None = None
     actions: ActionsState = field(default_factory=ActionsState)
 
 
 class Machine:
-    """One application of a robot; ``reassign(cause)`` grants authority anew for all of it."""
+    """One application of a robot; ``asked`` grants authority anew for all of the robot."""
 
-    def __init__(self, world: World, source: Application, number: int, reassign: Reassign) -> None:
+    def __init__(self, world: World, source: Application, number: int, asked: Asked) -> None:
         self.name = source.name
         self.state = MachineState()
         self._world = world
-        self._reassign = reassign
+        self._asked = asked
         self._owner = f"application:{number}"
         self.program = Program(source, world.conditions, self._watch)
         self.actions = Actions(world, self.program, f"action:{number}", self._raise_own)
@@ -174,40 +175,40 @@ class Machine:
 
     def unnamed(self) -> Candidate | None:
         """The first unnamed event that holds now."""
-        state = self.state
-        if not state.stale or state.suspended:
+        stale = self.state.stale
+        if not stale or self.state.suspended:
             return None
-        taken = self._first(self.here.unnamed)
-        state.stale = taken is not None
-        return taken
+        for one in self.here.unnamed:
+            if one.key in stale:
+                if self._passes(one):
+                    return one
+                del stale[one.key]
+        return None
 
     def take_unnamed(self, taken: Candidate) -> None:
         if taken.next is not None:
-            self._transition(taken.next, taken.actions, self.state.stale_cause, None)
+            self._transition(taken.next, taken.actions, self.state.stale[taken.key], None)
             self._settle_idle()
 
     def _first(self, candidates: tuple[Candidate, ...] | list[Candidate]) -> Candidate | None:
-        for one in candidates:
-            if (one.guard is None or one.guard()) and (one.next != BACK or self.state.stack):
-                return one
-        return None
+        return next((one for one in candidates if self._passes(one)), None)
+
+    def _passes(self, one: Candidate) -> bool:
+        return (one.guard is None or one.guard()) and (one.next != BACK or bool(self.state.stack))
 
     def _take(self, taken: Candidate, cause: int) -> None:
         if taken.next is not None:
             self._transition(taken.next, taken.actions, cause, taken.name)
             return
-        self._repeat_or_begin(taken.actions, cause)
+        self.actions.begin(taken.actions, self.state.no, cause)
 
-    def _repeat_or_begin(self, keys: list[int], cause: int) -> None:
-        if self.actions.repeats(keys):
-            self.actions.repeat(cause)
-        keys = [key for key in keys if not self.actions.repeats([key])]
-        self.actions.begin(keys, self.state.no, cause)
+    def _watch(self, key: int, cause: int | None) -> None:
+        """An unnamed event may have come to hold; those of other states do not matter."""
+        if self.state.no and key in self.here.waits:
+            self.state.stale[key] = cause
 
-    def _watch(self, cause: int | None) -> None:
-        """An unnamed event may have come to hold."""
-        self.state.stale = True
-        self.state.stale_cause = cause
+    def _watch_all(self, cause: int | None) -> None:
+        self.state.stale = dict.fromkeys(self.here.waits, cause)
 
     # -- states --------------------------------------------------------------
 
@@ -245,16 +246,14 @@ class Machine:
         here = self.here
         if no == self.program.start:
             state.stack.clear()
-        if here.screen is not None:
-            state.base = None if shows_nothing(here.screen) else no
         seq = self._world.step.trace(trace.Enter, cause, self.name, no)
-        self._watch(seq)
+        self._watch_all(seq)
         uses = set(here.uses)
         if self._display() is not None:
             uses.add("screen")
         asked = self._world.priorities.ask(self.name, tuple(uses), tuple(here.may_use - uses), seq)
         if asked is not None:
-            self._reassign(asked)
+            self._asked(self.name, asked)
         missing = self.missing()
         if missing and not state.suspended:
             self._suspend(missing, asked if asked is not None else seq)
@@ -267,6 +266,9 @@ class Machine:
         state, here = self.state, self.here
         state.begun = True
         self.actions.suspended = False
+        if here.screen is not None:
+            state.base = None if shows_nothing(here.screen) else state.no
+            self.actions.state.played.clear()
         if here.screen is not None or self._display() != state.shown:
             self._show(cause)
         self.actions.begin(here.actions, state.no, cause, entry=True)
@@ -300,6 +302,7 @@ class Machine:
         for resource, seq in changed.items():
             if not self._world.priorities.holds(self.name, resource):
                 self.actions.lose(resource, seq)
+        self._settle_idle()
 
     def _suspend(self, missing: list[str], cause: int | None) -> None:
         state = self.state
@@ -324,8 +327,8 @@ class Machine:
             self._settle_idle()
             return
         if taken is not None:
-            self._repeat_or_begin(taken.actions, event)
-        self._watch(seq)
+            self.actions.begin(taken.actions, self.state.no, event)
+        self._watch_all(seq)
         if not state.begun:
             self._begin(seq)
         else:
@@ -333,7 +336,7 @@ class Machine:
                 self._show(seq)
             self.actions.resume(seq)
             if state.clock is not None:
-                state.clock.cause = seq
+                state.clock.cause, state.clock.started = seq, step.now
                 self._run_clock()
         self._settle_idle()
 
@@ -412,11 +415,17 @@ class Machine:
     # -- screen and phrases --------------------------------------------------
 
     def _display(self) -> tuple[str | None, bool] | None:
-        """What this application has to show in its state: (state of the screen, always too)."""
-        shared = self._always is not None and self.here.source.always
-        if self.state.base is None and not shared:
-            return None
-        return self.state.base, shared
+        """What this application has to show in its state: (state of the screen, always too).
+
+        A state without a screen keeps what was shown: a screen that was never shown, its state
+        having been left suspended, is not kept.
+        """
+        here = self.here
+        base = self.state.base
+        if here.screen is not None:
+            base = None if shows_nothing(here.screen) else self.state.no
+        shared = self._always is not None and here.source.always
+        return None if base is None and not shared else (base, shared)
 
     def _parts(self) -> list[ScreenProgram]:
         if self.state.shown is None:
@@ -442,7 +451,8 @@ class Machine:
         for sentence in dict.fromkeys(missing):
             world.step.warn(cause, sentence, f"{self.name}, state {state.no}")
         movies = [movie for part in self._parts() for movie in part.movies()]
-        ids = [world.next_id() for _ in movies]
+        played = self.actions.state.played
+        ids = [0 if movie.id in played else world.next_id() for movie in movies]
         seq = self._trace_screen(cause, tuple(ids))
         sources = {c["id"]: c["src"] for c in state.components if c["type"] == "movie"}
         self.actions.begin_movies(

@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from situ.decide import trace
 from situ.decide.effects import Map
-from situ.decide.step import VALIDITY, Step, microseconds
+from situ.decide.step import VALIDITY, Step, duration
 from situ.decide.values import equal
 
 RUNTIME = "situ"
@@ -81,10 +81,16 @@ class Priorities:
     # -- requests ------------------------------------------------------------
 
     def ask(
-        self, module: str, resources: tuple[str, ...], optional: tuple[str, ...], cause: int | None
+        self,
+        module: str,
+        resources: tuple[str, ...],
+        optional: tuple[str, ...],
+        cause: int | None,
+        acquires: bool = False,
     ) -> int | None:
         """Replaces the module's request; traced only when it changes, as ``abandon`` where
-        it only gives back. Gives the seq of that event. ``assign`` must follow.
+        it only gives back, unless the module said that it ``acquires``. Gives the seq of
+        that event. ``assign`` must follow.
         """
         old = self.state.requests.get(module)
         wanted = tuple(sorted(set(resources)))
@@ -99,7 +105,7 @@ class Priorities:
             self.state.requests[module] = Request(wanted, able, order)
         else:
             del self.state.requests[module]
-        if set(wanted) <= set(before[0]) and set(able) <= set(before[1]):
+        if not acquires and set(wanted) <= set(before[0]) and set(able) <= set(before[1]):
             seq = self._step.trace(trace.Abandon, cause, module, given_back)
         elif able:
             seq = self._step.trace(trace.Acquire, cause, module, wanted, able)
@@ -110,14 +116,19 @@ class Priorities:
         return seq
 
     def abandon(self, module: str, resources: tuple[str, ...]) -> int | None:
-        """Gives back some (or, with none named, all) of what it asks for."""
+        """Gives back some (or, with none named, all) of what it asks for; its commands for
+        them end, also those for what it did not ask for.
+        """
+        seq: int | None = None
         old = self.state.requests.get(module)
-        if old is None:
-            return None
-        gone = set(resources) or {*old.resources, *old.optional}
-        kept = tuple(r for r in old.resources if r not in gone)
-        able = tuple(r for r in old.optional if r not in gone)
-        return self.ask(module, kept, able, None)
+        if old is not None:
+            gone = set(resources) or {*old.resources, *old.optional}
+            kept = tuple(r for r in old.resources if r not in gone)
+            able = tuple(r for r in old.optional if r not in gone)
+            seq = self.ask(module, kept, able, None)
+        for resource in resources or tuple(self.state.commands.get(module, ())):
+            self._drop(module, resource, seq, remap=False)
+        return seq
 
     def lost(self, module: str) -> int:
         """The module is gone: its request and its commands end."""
@@ -189,7 +200,7 @@ class Priorities:
         self.state.count += 1
         token = self.state.count
         holding = self.holds(module, resource)
-        until = None if valid is None else self._step.now + microseconds(valid)
+        until = None if valid is None else self._step.now + duration(valid)
         standing = Standing(value, until, holding or until is not None, token, cause, actions)
         self.state.commands.setdefault(module, {})[resource] = standing
         self._write(f"module/{module}/{resource}", value, module, cause)

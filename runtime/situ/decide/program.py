@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from situ.decide.conditions import Compiled, Conditions
-from situ.decide.step import microseconds
+from situ.decide.step import duration
 from situ.document.rbd import (
     Action,
     Always,
@@ -19,13 +19,20 @@ from situ.document.rbd import (
     Timeout,
 )
 
+Watcher = Callable[[int, int | None], None]
+"""Told that an unnamed candidate (its key) may have come to hold, and what caused that."""
+
 
 class Candidate:
-    """One expected event of a state or of ``always``, ready to be judged."""
+    """One expected event of a state or of ``always``, ready to be judged.
 
-    __slots__ = ("actions", "guard", "name", "next", "says")
+    key: tells it from all others of its application.
+    """
 
-    def __init__(self, source: Event, actions: list[int], guard: Compiled | None) -> None:
+    __slots__ = ("actions", "guard", "key", "name", "next", "says")
+
+    def __init__(self, key: int, source: Event, actions: list[int], guard: Compiled | None) -> None:
+        self.key = key
         self.name = source.name
         self.next = source.next
         self.says = [say.text for say in source.says]
@@ -37,13 +44,13 @@ class StateProgram:
     """One state with what ``always`` adds to it.
 
     actions: keys of its actions on entry. named (by name), unnamed: candidates in the
-    order in which they are tried; heard: those with phrases. uses, may_use: resources
-    but for the screen.
+    order in which they are tried; waits: keys of the unnamed; heard: those with phrases.
+    uses, may_use: resources but for the screen.
     """
 
     __slots__ = (
         "actions", "always", "heard", "idle", "may_use", "named", "next", "no", "screen",
-        "source", "timeout", "unnamed", "uses",
+        "source", "timeout", "unnamed", "uses", "waits",
     )  # fmt: skip
 
     def __init__(self, source: State, always: Always | None) -> None:
@@ -54,13 +61,14 @@ class StateProgram:
         timeout: Timeout | None = source.timeout
         if timeout is None and always is not None:
             timeout = always.timeout
-        self.timeout = None if timeout is None else microseconds(timeout.seconds)
+        self.timeout = None if timeout is None else duration(timeout.seconds)
         self.next = None if timeout is None else timeout.next
         self.idle = timeout is not None and timeout.idle
         self.actions: list[int] = []
         self.named: dict[str, list[Candidate]] = {}
         self.heard: list[Candidate] = []
         self.unnamed: list[Candidate] = []
+        self.waits: set[int] = set()
         self.uses: set[str] = set()
         self.may_use: set[str] = set()
         for action in source.actions:
@@ -71,6 +79,7 @@ class StateProgram:
     def add(self, candidate: Candidate) -> None:
         if candidate.name is None:
             self.unnamed.append(candidate)
+            self.waits.add(candidate.key)
             return
         self.named.setdefault(candidate.name, []).append(candidate)
         if candidate.says:
@@ -87,13 +96,14 @@ class Program:
         self,
         source: Application,
         conditions: Conditions,
-        watcher: Callable[[int | None], None],
+        watcher: Watcher,
     ) -> None:
         self.source = source
         self.name = source.name
         self.start = source.start_no or ""
         self.actions: list[Action] = []
         self.states: dict[str, StateProgram] = {}
+        self._candidates = 0
         always = source.always
         shared = [self._candidate(e, conditions, watcher) for e in always.events] if always else []
         for state in source.states:
@@ -104,13 +114,13 @@ class Program:
                 program.add(candidate)
             self.states[state.no] = program
 
-    def _candidate(
-        self, event: Event, conditions: Conditions, watcher: Callable[[int | None], None]
-    ) -> Candidate:
-        guard = None
+    def _candidate(self, event: Event, conditions: Conditions, watcher: Watcher) -> Candidate:
+        self._candidates += 1
+        key, guard = self._candidates, None
         if event.when is not None:
-            guard = conditions.compile(event.when, watcher if event.name is None else None)
-        return Candidate(event, [self._key(action) for action in event.actions], guard)
+            watch = None if event.name is not None else lambda cause: watcher(key, cause)
+            guard = conditions.compile(event.when, watch)
+        return Candidate(key, event, [self._key(action) for action in event.actions], guard)
 
     def _key(self, action: Action) -> int:
         self.actions.append(action)

@@ -5,6 +5,7 @@ formats.md, *Actions*: each is traced, writes its data, and ends.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -16,7 +17,7 @@ from situ.document import names
 from situ.document.rbd import Action, Add, Append, Clear, Message, Set, Take
 
 LARGEST = 2**63
-"""Numbers beyond this are no values: not every reader of JSON can hold them."""
+"""Whole numbers beyond this are no values: not every reader of JSON can hold them."""
 
 QUICK = (Set, Add, Append, Take, Clear, Message)
 
@@ -74,7 +75,7 @@ def _add(one: _Quick, action: Add) -> int:
     before = one.world.board.look(action.tag)
     if is_number(value) and (before is None or is_number(before)):
         total = (before or 0) + value
-        if abs(total) < LARGEST:
+        if abs(total) < LARGEST if isinstance(total, int) else math.isfinite(total):
             one.write({action.tag: total}, seq)
         else:
             one.warn(seq, f"add makes {action.tag} too large a number; it stays {before!r}")

@@ -28,9 +28,9 @@ from situ.decide.effects import AnyEffect, Refuse
 from situ.decide.machine import Machine, MachineState
 from situ.decide.priorities import RUNTIME, PrioritiesState
 from situ.decide.situations import Situations, SituationsState
-from situ.decide.step import TEST, StepState, Timer, microseconds
+from situ.decide.step import TEST, StepState, Timer, duration
 from situ.decide.trace import TraceEvent
-from situ.decide.values import is_number, read
+from situ.decide.values import in_text, is_number, read, template
 from situ.decide.world import World, WorldState, refusal
 from situ.document import names
 from situ.document.project import Project
@@ -61,7 +61,6 @@ class RobotState(Struct):
     auto_finish: int | None
     moment: int
     count: int
-    livelocked: bool
 
 
 class Robot:
@@ -80,7 +79,7 @@ class Robot:
             self._situations = Situations(project.spds, world.conditions, world.step)
         self._alone = dict.fromkeys((a.name for a in project.applications.values()), 1)
         self._machines = [
-            Machine(self._world, application, number, self._reassign)
+            Machine(self._world, application, number, self._asked)
             for number, application in enumerate(project.applications.values())
         ]
         self._by_name = {machine.name: machine for machine in self._machines}
@@ -125,8 +124,9 @@ class Robot:
         input is given. Gives the trace events and the effects, both in order.
         """
         self._world.step.begin(now)
+        self._livelocked = False
         if given is not None or now != self._moment:
-            self._moment, self._count, self._livelocked = now, 0, False
+            self._moment, self._count = now, 0
         if given is None:
             self._do_due(now)
         else:
@@ -209,7 +209,8 @@ class Robot:
         self._count += 1
         if self._count <= LIVELOCK:
             return True
-        self._livelocked = True
+        # Later steps of this moment begin anew: what falls due in them is finite.
+        self._livelocked, self._count = True, 0
         last = self._world.step.events[-1].seq if self._world.step.events else None
         names_ = ", ".join(m.name for m in self._machines if m.state.queue or m.state.stale)
         self._world.step.error(
@@ -245,6 +246,15 @@ class Robot:
             for machine in self._machines:
                 machine.on_authority(changed)
 
+    def _asked(self, module: str, seq: int) -> None:
+        """A module, an application too, asks for authority: who it needs should be there."""
+        known = self.project.module(module)
+        for required in known.requires if known is not None else ():
+            if required.module is not None and not self._is_present(required.module):
+                message = f"{module} needs {required.module}, which is absent"
+                self._world.step.warn(seq, message, module)
+        self._reassign(seq)
+
     def _listen(self) -> None:
         phrases = [phrase for machine in self._machines for phrase in machine.phrases()]
         self._world.keep_if_new("listen", list(dict.fromkeys(phrases)), None)
@@ -254,7 +264,7 @@ class Robot:
     def _start(self, given: inputs.Start) -> None:
         world = self._world
         world.random.seed(given.seed)
-        world.auto_finish = None if given.auto_finish is None else microseconds(given.auto_finish)
+        world.auto_finish = None if given.auto_finish is None else duration(given.auto_finish)
         self._everyone = given.everyone
         world.write(self.project.tags, "project", None)
         world.conditions.start()
@@ -303,23 +313,28 @@ class Robot:
                 None, f"no button, input or list {given.component} is shown", "screen"
             )
             return
-        value = None if given.value is UNSET else given.value
+        machine.attend()
+        value: Any = given.value
         if isinstance(component, Button):
-            value = component.value and read(component.value)
-        elif isinstance(component, Input) and component.kind == "number":
-            value = read(value) if isinstance(value, str) else value
-            if value is not None and not is_number(value):
+            value = self._pressed(component)
+        elif isinstance(component, Input) and value is not UNSET:
+            value = typed(component, value)
+            if value is None:
                 self._world.step.warn(
                     None, f"{given.component} takes a number, not {given.value!r}", "screen"
                 )
                 return
-        elif isinstance(component, Input) and value is not None and not isinstance(value, str):
-            value = str(value)
-        machine.attend()
-        if component.tag:
+        if component.tag and value is not UNSET:
             self._world.write({component.tag: value}, "screen", None)
         if component.event is not None:
             machine.raise_event(component.event, None, self._world.next_raise())
+
+    def _pressed(self, button: Button) -> Any:
+        """What a button sets: its ``value``, read like the text of a ``set``."""
+        filled, look = template(button.value or ""), self._world.board.look
+        for name in filled.missing(look):
+            self._world.step.warn(None, f"{name} has no value", button.id)
+        return filled.value(look)
 
     def _acquire(self, given: inputs.Acquire) -> None:
         asked = (*given.resources, *given.optional)
@@ -327,18 +342,9 @@ class Robot:
             return
         self._gone.discard(given.module)
         world = self._world
-        seq = world.priorities.ask(given.module, given.resources, given.optional, None)
-        if seq is None:
-            return
-        known = self.project.module(given.module)
-        for required in known.requires if known is not None else ():
-            if required.module is not None and not self._is_present(required.module):
-                world.step.warn(
-                    seq,
-                    f"{given.module} needs {required.module}, which is absent",
-                    given.module,
-                )
-        self._reassign(seq)
+        seq = world.priorities.ask(given.module, given.resources, given.optional, None, True)
+        if seq is not None:
+            self._asked(given.module, seq)
 
     def _abandon(self, given: inputs.Abandon) -> None:
         if self._may_ask(given.module, given.resources):
@@ -448,7 +454,7 @@ class Robot:
                 world.priorities.state, world.state, [m.state for m in self._machines],
                 self._situations.state if self._situations is not None else None,
                 self._connected, sorted(self._gone), self._everyone, world.auto_finish,
-                self._moment, self._count, self._livelocked,
+                self._moment, self._count,
             )
         )  # fmt: skip
 
@@ -471,7 +477,18 @@ class Robot:
             self._situations.state = state.situations
         self._connected, self._gone = state.connected, set(state.gone)
         self._everyone, self._moment = state.everyone, state.moment
-        self._count, self._livelocked = state.count, state.livelocked
+        self._count = state.count
+
+
+def typed(field: Input, value: Any) -> str | int | float | None:
+    """What an input writes for what was typed: no more than ``max`` characters, as text, or
+    for ``number`` as a number. None: it is no number.
+    """
+    text = in_text(value)[: field.max]
+    if field.kind != "number":
+        return text
+    number = read(text)
+    return number if is_number(number) else None
 
 
 _ACCEPT: dict[type[inputs.Input], Callable[[Robot, Any], None]] = {

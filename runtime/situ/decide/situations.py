@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from situ.decide import trace
 from situ.decide.conditions import Compiled, Conditions
-from situ.decide.step import HOLD, Step, microseconds
+from situ.decide.step import HOLD, Step, duration
 from situ.document.spds import Situation, Spds
 
 
@@ -19,7 +19,8 @@ class Observation(Struct):
     condition, until: their truth as last judged. kept: since it became current it
     holds by ``dwell``, ``until`` or ``limit``, whatever its condition; dwelt: that was
     counted once since it began to hold. spent: ended by ``until`` or ``limit``; it waits
-    for its condition to be false once. listed: stands among the candidates.
+    for its condition to be false once. listed: stands among the candidates. begin_cause,
+    end_cause: what lets it begin, what ended it.
     """
 
     condition: bool
@@ -30,7 +31,7 @@ class Observation(Struct):
     listed: bool = False
     token: int = 0
     current_seq: int | None = None
-    condition_cause: int | None = None
+    begin_cause: int | None = None
     end_cause: int | None = None
 
 
@@ -120,13 +121,15 @@ class Situations:
             holds = condition()
             if holds != seen.condition:
                 seen.condition = holds
-                seen.condition_cause = self._step.trace(trace.Condition, cause, source.name, holds)
+                seen.begin_cause = self._step.trace(trace.Condition, cause, source.name, holds)
                 if not holds:
                     seen.spent = False
                     if not seen.kept:
-                        seen.end_cause = seen.condition_cause
+                        seen.end_cause = seen.begin_cause
         if until is not None:
-            seen.until = until()
+            was, seen.until = seen.until, until()
+            if was and not seen.until:
+                seen.begin_cause = cause
             if seen.until and seen.kept:
                 seen.end_cause = cause
                 self._end(number)
@@ -179,16 +182,16 @@ class Situations:
         length = source.dwell if source.dwell is not None else source.limit
         if length is not None:
             seen.token += 1
-            due = self._step.now + microseconds(length)
+            due = self._step.now + duration(length)
             self._step.at(due, HOLD, f"situation:{number}", seen.token)
 
     def _cause(self, before: int | None, now: int | None) -> int | None:
         """What began the new one if it stands first, else what ended the old one."""
         seen = self.state.observations
         if before is None:
-            return seen[now].condition_cause if now is not None else None
+            return seen[now].begin_cause if now is not None else None
         if now is not None and now < before:
-            return seen[now].condition_cause
+            return seen[now].begin_cause
         return seen[before].end_cause
 
     def _name(self, number: int | None) -> str | None:

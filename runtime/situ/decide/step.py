@@ -21,6 +21,13 @@ def microseconds(seconds: float) -> int:
     return round(seconds * SECOND)
 
 
+def duration(seconds: float) -> int:
+    """A length of time in whole µs. It is never 0: what starts now falls due later, so time goes
+    on however short a timeout is.
+    """
+    return max(1, round(seconds * SECOND))
+
+
 class Timer(Struct, frozen=True, array_like=True, order=True):
     """Something that falls due: at ``due``, in ``rank``'s order, the earlier started first.
 

@@ -27,6 +27,8 @@ def untraced(tag: str) -> bool:
 
 def refusal(tag: str, writer: str) -> str | None:
     """Why this writer may not set the tag, and what to do; None where it may."""
+    if "/" not in tag and tag not in KEPT_TAGS:
+        return None
     if tag.startswith(f"module/{writer}/"):
         return None
     if tag.startswith("robot/"):
@@ -68,10 +70,17 @@ class World:
             self.board.tell({tag: cause})
 
     def write(self, tags: Mapping[str, Any], writer: str, cause: int | None) -> int | None:
-        """One write of several tags, each traced; gives the seq of the last (None: no change)."""
+        """One write of several tags, each traced; gives the seq of the last (None: no change).
+
+        What the writer may not set is refused with an ``error`` and left as it is.
+        """
         told: dict[str, int | None] = {}
         last: int | None = None
         for tag, value in tags.items():
+            refused = refusal(tag, writer)
+            if refused is not None:
+                self.step.error(cause, refused, writer)
+                continue
             entry = self.board.write(tag, value, writer, self.step.now)
             if entry is None:
                 continue
