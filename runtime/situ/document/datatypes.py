@@ -176,7 +176,10 @@ _ROOT = r"(robot|module|application|service)"
 _WORD = r"(\*\*?|[a-z][a-z0-9_\-]*)"
 
 TEXT = Type("<text/>")
-SOME = Type(_pattern(r"(.|\s)*\S(.|\s)*"), rule=_some_rule)
+SOME = Type(
+    '<data type="string"><param name="minLength">1</param></data>',
+    rule=_some_rule,
+)
 TAG = Type(_pattern(rf"{_TAG}|{_ROOT}(/{_PART})+"), rule=_tag_rule, code="bad-tag")
 NAME = Type(
     _pattern(rf"([a-z][a-z0-9_\-]*|{_ROOT}(/{_PART})+)(\.[\w_\-]+)*"),

@@ -54,6 +54,7 @@ class Attribute(Struct, frozen=True):
 
     required: a file without it is wrong. always: written even where it is the default.
     default: that of the field; None where the element has no value of its own.
+    alternative: a file has exactly one of an element's alternatives.
     """
 
     name: str
@@ -62,6 +63,7 @@ class Attribute(Struct, frozen=True):
     required: bool = False
     always: bool = False
     default: object = None
+    alternative: bool = False
 
 
 class Slot(Struct, frozen=True):
@@ -112,8 +114,9 @@ def _a(
     field: str | None = None,
     required: bool = False,
     always: bool = False,
+    alternative: bool = False,
 ) -> Attribute:
-    return Attribute(name, kind, field or name, required, always)
+    return Attribute(name, kind, field or name, required, always, alternative=alternative)
 
 
 def _value(
@@ -176,7 +179,7 @@ TEST = Element(
     key=Test,
     attributes=(
         _a("tag", NAME, required=True),
-        *(_a(test) for test in TESTS),
+        *(_a(test, alternative=True) for test in TESTS),
         _a("within", SECONDS),
         _a("for", SECONDS, field="hold"),
     ),
@@ -448,7 +451,14 @@ MODULES = _value(
                         _DESCRIPTION,
                         Slot(
                             "requires",
-                            (_value(Requires, "requires", _a("data", TAG), _a("module", TITLE)),),
+                            (
+                                _value(
+                                    Requires,
+                                    "requires",
+                                    _a("data", TAG, alternative=True),
+                                    _a("module", TITLE, alternative=True),
+                                ),
+                            ),
                             many=True,
                         ),
                         Slot(
