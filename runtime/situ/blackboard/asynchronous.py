@@ -8,10 +8,19 @@ from collections.abc import AsyncIterator, Callable, Iterable, Mapping
 from typing import Any, Generic, TypeVar
 
 from situ.blackboard.blocking import PATIENCE, Followed
-from situ.blackboard.dialog import Call, which
-from situ.blackboard.feeds import Change, TraceFeed, Watch
+from situ.blackboard.calls import Call, which
+from situ.blackboard.feeds import Change
 from situ.blackboard.link import Link
-from situ.blackboard.protocol import Addresses, Entry, Files, ModuleStates, Need, Offer
+from situ.blackboard.protocol import (
+    Addresses,
+    AnyReply,
+    Entry,
+    Files,
+    ModuleStates,
+    Need,
+    Offer,
+    Request,
+)
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
@@ -115,6 +124,10 @@ class AsyncBoard:
     ) -> None:
         await self._answer(self._dialog.disclose(description, requires, provides))
 
+    async def give(self, request: Callable[[int], Request]) -> AnyReply:
+        """Any request of the protocol, made with the id that it must carry."""
+        return await self._answer(self._dialog.give(request))
+
     @property
     def connected(self) -> bool:
         return self._dialog.connected
@@ -173,8 +186,7 @@ class AsyncBoard:
         self.link.turn()
         left = max(self.link.due() - self.link.clock(), 0)
         self._timer = self._loop.call_later(left, self._turn)
-        followed: list[Watch | TraceFeed] = [*self._dialog.watches, *self._dialog.feeds]
-        for feed in followed:
+        for feed in self._dialog.following():
             callback: Callable[[Any], None] | None = feed.callback
             while callback is not None and (item := feed.take()) is not None:
                 # Never from inside a turn: the callback may ask for something.

@@ -11,7 +11,8 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Generic, Protocol, TypeVar
 
-from situ.blackboard.dialog import Call, Dialog, which
+from situ.blackboard.calls import Call, which
+from situ.blackboard.dialog import Dialog
 from situ.blackboard.feeds import Change, TraceFeed, Watch
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import Addresses, Entry, Files, ModuleStates, Need, Offer
@@ -266,8 +267,7 @@ class Board:
 
     def _calling(self) -> list[Watch | TraceFeed]:
         """What has something for its callback."""
-        followed: list[Watch | TraceFeed] = [*self._dialog.watches, *self._dialog.feeds]
-        return [one for one in followed if one.callback is not None and len(one)]
+        return [one for one in self._dialog.following() if one.callback is not None and len(one)]
 
     def _keep(self) -> None:
         """The background: keeps the session, and tells callbacks."""

@@ -19,7 +19,8 @@ from collections.abc import Iterable
 
 from situ.blackboard.asynchronous import AsyncAuthority, AsyncBoard, AsyncFollowing
 from situ.blackboard.blocking import PATIENCE, Authority, Board, Following
-from situ.blackboard.dialog import Call, Dialog, Person
+from situ.blackboard.calls import Call, Person
+from situ.blackboard.dialog import Dialog
 from situ.blackboard.feeds import Change, TraceFeed, Watch
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import (

@@ -10,73 +10,16 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any, Generic, TypeVar
-
-from msgspec import Struct
+from typing import Any, TypeVar
 
 from situ.blackboard import protocol
+from situ.blackboard.calls import Call, Person
 from situ.blackboard.feeds import TraceFeed, Watch
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Malformed, Request
+from situ.blackboard.subscriptions import Subscriptions
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
-
-
-class Person(Struct, frozen=True, kw_only=True):
-    """Who a client is; as in ``protocol.Hello``."""
-
-    role: protocol.Role
-    module: str | None = None
-    user: str | None = None
-    resources: tuple[str, ...] = ()
-    description: str = ""
-    requires: tuple[protocol.Need, ...] = ()
-    provides: tuple[protocol.Offer, ...] = ()
-
-
-class Call(Generic[T]):
-    """One request and, later, what came of it: then ``done`` is called once.
-
-    again: whether it may be asked once more when the connection was lost before an
-    answer came, because twice is as good as once.
-    """
-
-    def __init__(self, request: Request, read: Callable[[Any], T], again: bool) -> None:
-        self.request = request
-        self.again = again
-        self.finished = False
-        self.error: BlackboardError | None = None
-        self.done: Callable[[], None] | None = None
-        self._read = read
-        self._value: T | None = None
-
-    def result(self) -> T:
-        """Raises what went wrong: ``Refused``, or ``Unreachable`` where nobody answered."""
-        if self.error is not None:
-            raise self.error
-        assert self.finished, "not answered yet"
-        return self._value  # type: ignore[return-value]
-
-    def answer(self, reply: protocol.AnyReply) -> None:
-        if isinstance(reply, protocol.Refused):
-            self.fail(Refused(reply.message))
-            return
-        try:
-            self._value = self._read(reply)
-        except (AttributeError, TypeError, KeyError):
-            self.fail(BlackboardError(f"the blackboard answered {type(reply).__name__}"))
-            return
-        self._end()
-
-    def fail(self, error: BlackboardError) -> None:
-        self.error = error
-        self._end()
-
-    def _end(self) -> None:
-        if not self.finished:
-            self.finished = True
-            if self.done is not None:
-                self.done()
 
 
 class Dialog:
@@ -99,13 +42,10 @@ class Dialog:
         self.problem: Refused | None = None
         self.notifications: str | None = None
         self.outgoing: deque[bytes] = deque()
-        self.subscribing: deque[tuple[bytes, bool]] = deque()
         self.changed: Callable[[], None] | None = None
         self.holds: frozenset[str] = frozenset()
-        self.watches: list[Watch] = []
-        self.feeds: list[TraceFeed] = []
         self._ids = 0
-        self._hello = 0
+        self._hellos: set[int] = set()
         self._calls: dict[int, Call[Any]] = {}
         self._waiting: list[Call[Any]] = []
         self._heard = float("-inf")
@@ -113,12 +53,15 @@ class Dialog:
         self._turned: float | None = None
         self._holds_seq = 0
         self._asked: dict[object, tuple[tuple[str, ...], tuple[str, ...]]] = {}
-        self._echo: dict[bytes, list[Watch]] = {}
-        self._up = False
-        self._by_tag: dict[str, tuple[Watch, ...]] = {}
+        self._subscriptions = Subscriptions(self)
+        self.subscribing = self._subscriptions.topics
         self.subscribing.append((protocol.END, True))
         for resource in person.resources:
             self.subscribing.append((protocol.authority_topic(resource), True))
+        self.watch = self._subscriptions.watch
+        self.unwatch = self._subscriptions.unwatch
+        self.trace = self._subscriptions.trace
+        self.untrace = self._subscriptions.untrace
 
     # -- for its driver ------------------------------------------------------
 
@@ -136,7 +79,7 @@ class Dialog:
         if self.ended:
             return
         if self.connected:
-            self._call(protocol.Heartbeat(id=self._id()), self._alive, again=False)
+            self.ask(protocol.Heartbeat(id=self.next_id()), self._alive, again=False)
         else:
             self._say_hello()
 
@@ -148,21 +91,22 @@ class Dialog:
             return
         self._heard = now
         if isinstance(reply, protocol.Welcome):
-            if reply.id == self._hello and not self.connected:
+            if not self.connected:
                 self._welcomed(reply, now)
             return
-        if reply.id == self._hello and isinstance(reply, protocol.Refused):
+        if isinstance(reply, protocol.Refused) and reply.id in self._hellos:
             self._turned_away(reply, now)
             return
         call = self._calls.pop(reply.id, None) if reply.id is not None else None
         if call is None:
             return
         if isinstance(reply, protocol.Refused) and reply.code == "session":
-            # It was not done, so it may be asked once more in the next session.
-            if not isinstance(call.request, (protocol.Heartbeat, protocol.Bye)):
-                self._waiting.append(call)
+            # Neither this one nor what was sent after it was done.
             if self.connected:
-                self._lose()
+                self._calls[call.request.id] = call
+                self._lose(since=call.request.id)
+            elif not isinstance(call.request, _FLEETING):
+                self._waiting.append(call)
             self._next = now
             return
         call.answer(reply)
@@ -173,23 +117,16 @@ class Dialog:
             notice = protocol.read_notice(frame)
         except (Malformed, ValueError):
             return
-        if isinstance(notice, protocol.Change):
-            for watch in self._watching(notice.tag):
-                if not watch.change(notice):
-                    self._sync([watch])
-        elif isinstance(notice, protocol.Events):
-            for feed in self.feeds:
-                if not feed.add(notice.events):
-                    self._fetch(feed)
-        elif isinstance(notice, protocol.Authority):
+        if isinstance(notice, protocol.Authority):
             if notice.seq > self._holds_seq:
                 passed = {notice.resource}
                 mine = notice.to is not None and notice.to == self.person.module
                 self._hold(self.holds | passed if mine else self.holds - passed, notice.seq)
-        elif isinstance(notice, protocol.Echo):
-            self._echoed(frame[: frame.index(b"\n")])
-        elif isinstance(notice, protocol.End) and self.connected:
-            self._lose()
+        elif isinstance(notice, protocol.End):
+            if self.connected:
+                self._lose()
+        else:
+            self._subscriptions.hear(notice, frame)
 
     def lost(self, call: Call[Any]) -> None:
         """Its user waits no longer: the call fails, a later answer is passed over."""
@@ -204,21 +141,18 @@ class Dialog:
             return Unreachable(str(self.problem))
         return Unreachable("nobody answers; is situ run going there?")
 
-    def settled(self) -> bool:
-        """Whether all that was watched and traced stands as the core has it."""
-        return self.connected and all(w.ready for w in self.watches) and not self._echo
-
     # -- the session ---------------------------------------------------------
 
-    def _id(self) -> int:
+    def next_id(self) -> int:
         self._ids += 1
         return self._ids
 
     def _say_hello(self) -> None:
-        self._hello = self._id()
+        number = self.next_id()
+        self._hellos.add(number)
         who = self.person
         hello = protocol.Hello(
-            id=self._hello,
+            id=number,
             version=protocol.VERSION,
             role=who.role,
             module=who.module,
@@ -237,19 +171,14 @@ class Dialog:
         restarted = self.welcome is not None and self.welcome.runtime != welcome.runtime
         self.welcome, self.problem, self._turned = welcome, None, None
         self.connected = True
+        self._hellos.clear()
         self.notifications = welcome.addresses.notifications
         self._next = now + HEARTBEAT
         if not welcome.resumed:
             self._hold(frozenset(), 0)
-        if restarted:
-            for feed in self.feeds:
-                feed.restart()
-        waiting, self._waiting = self._waiting, []
-        if not welcome.resumed:
             self._request_again()
-            self._sync(self.watches)
-            for feed in self.feeds:
-                self._fetch(feed)
+        waiting, self._waiting = self._waiting, []
+        self._subscriptions.renewed(restarted)
         for call in waiting:
             self._send(call)
         self._tell()
@@ -269,13 +198,16 @@ class Dialog:
             self._waiting.clear()
         self._tell()
 
-    def _lose(self) -> None:
+    def _lose(self, since: int | None = None) -> None:
+        """since: requests from this id on are known not to have been done."""
         self.connected = False
         calls, self._calls = self._calls, {}
+        unsent = {id(body) for body in self.outgoing}
         for call in calls.values():
-            if isinstance(call.request, protocol.Heartbeat):
-                continue
-            if call.again:
+            undone = id(call.body) in unsent or (since is not None and call.request.id >= since)
+            if isinstance(call.request, _FLEETING):
+                call.fail(self.unreachable())
+            elif call.again or undone:
                 self._waiting.append(call)
             else:
                 what = call.request.__struct_config__.tag
@@ -283,24 +215,14 @@ class Dialog:
                     Unreachable(f"the connection was lost; whether {what} was done is not known")
                 )
         self.outgoing.clear()
-        self.subscribing.extend((topic, False) for topic in self._echo)
-        self._echo.clear()
-        self._up = False
-        for watch in self.watches:
-            watch.ready = watch.asking = False
-        for feed in self.feeds:
-            feed.asking = False
+        self._subscriptions.lost()
         self._hold(frozenset(), 0)
         self._tell()
 
     def _alive(self, alive: protocol.Alive) -> None:
         if self.person.module is not None and alive.seq >= self._holds_seq:
             self._hold(frozenset(alive.holds), alive.seq)
-        stale = [w for w in self.watches if w.ready and w.behind(alive.changes.get(w.pattern, 0))]
-        self._sync([*stale, *(w for w in self.watches if not w.ready and not w.asking)])
-        for feed in self.feeds:
-            if feed.behind(alive.seq):
-                self._fetch(feed)
+        self._subscriptions.check(alive)
 
     def _tell(self) -> None:
         if self.changed is not None:
@@ -314,7 +236,7 @@ class Dialog:
 
     # -- requests ------------------------------------------------------------
 
-    def _call(self, request: Request, read: Callable[[Any], T], again: bool) -> Call[T]:
+    def ask(self, request: Request, read: Callable[[Any], T], again: bool) -> Call[T]:
         call = Call(request, read, again)
         if self.ended:
             call.fail(self.problem or Unreachable("the connection is closed"))
@@ -330,6 +252,7 @@ class Dialog:
         except (TypeError, ValueError, OverflowError, RecursionError) as error:
             call.fail(BlackboardError(f"no JSON value: {error}"))
             return
+        call.body = body
         self._calls[call.request.id] = call
         self.outgoing.append(body)
 
@@ -338,53 +261,53 @@ class Dialog:
     ) -> Call[dict[str, int]]:
         """One write; gives the new version of each tag that changed."""
         wanted = None if versions is None else dict(versions)
-        request = protocol.Set(id=self._id(), tags=dict(tags), versions=wanted)
-        return self._call(request, _versions, again=False)
+        request = protocol.Set(id=self.next_id(), tags=dict(tags), versions=wanted)
+        return self.ask(request, _versions, again=False)
 
     def get(self, name: str) -> Call[Any]:
         """The value of a tag or of a name that reaches into one; None where it is missing."""
-        request = protocol.Get(id=self._id(), names=(name,))
-        return self._call(request, lambda reply: reply.entries[name].value, again=True)
+        request = protocol.Get(id=self.next_id(), names=(name,))
+        return self.ask(request, lambda reply: reply.entries[name].value, again=True)
 
     def entries(self, names: Iterable[str]) -> Call[dict[str, protocol.Entry]]:
         """Entries of names and patterns, with version, writer and time."""
-        request = protocol.Get(id=self._id(), names=tuple(names))
-        return self._call(request, _entries, again=True)
+        request = protocol.Get(id=self.next_id(), names=tuple(names))
+        return self.ask(request, _entries, again=True)
 
     def known(self, name: str) -> protocol.Entry | None:
         """The entry at a watched tag as last heard, without asking; None: ask."""
         if not self.connected:
             return None
-        for watch in self._watching(name):
+        for watch in self._subscriptions.watching(name):
             if watch.ready and (entry := watch.known.get(name)) is not None:
                 return entry
         return None
 
     def publish(self, event: str, application: str | None = None) -> Call[None]:
-        request = protocol.Publish(id=self._id(), event=event, application=application)
-        return self._call(request, _nothing, again=False)
+        request = protocol.Publish(id=self.next_id(), event=event, application=application)
+        return self.ask(request, _nothing, again=False)
 
     def command(self, resource: str, value: Any, valid: float | None = None) -> Call[None]:
-        request = protocol.Command(id=self._id(), resource=resource, value=value, valid=valid)
-        return self._call(request, _nothing, again=False)
+        request = protocol.Command(id=self.next_id(), resource=resource, value=value, valid=valid)
+        return self.ask(request, _nothing, again=False)
 
     def use(self, component: str, *value: Any) -> Call[None]:
         """What a person does to a component; the value is left out for a button."""
         request = (
-            protocol.Use(id=self._id(), component=component, value=value[0])
+            protocol.Use(id=self.next_id(), component=component, value=value[0])
             if value
-            else protocol.Use(id=self._id(), component=component)
+            else protocol.Use(id=self.next_id(), component=component)
         )
-        return self._call(request, _nothing, again=False)
+        return self.ask(request, _nothing, again=False)
 
     def touch(self) -> Call[None]:
-        return self._call(protocol.Touch(id=self._id()), _nothing, again=False)
+        return self.ask(protocol.Touch(id=self.next_id()), _nothing, again=False)
 
     def documents(self) -> Call[protocol.Files]:
-        return self._call(protocol.Documents(id=self._id()), _same, again=True)
+        return self.ask(protocol.Documents(id=self.next_id()), _same, again=True)
 
     def modules(self) -> Call[protocol.ModuleStates]:
-        return self._call(protocol.Modules(id=self._id()), _same, again=True)
+        return self.ask(protocol.Modules(id=self.next_id()), _same, again=True)
 
     def disclose(
         self,
@@ -394,7 +317,7 @@ class Dialog:
     ) -> Call[None]:
         """Tells what the module requires and provides; told again after a reconnect."""
         request = protocol.Disclose(
-            id=self._id(),
+            id=self.next_id(),
             description=description,
             requires=tuple(requires),
             provides=tuple(provides),
@@ -409,17 +332,21 @@ class Dialog:
             requires=request.requires,
             provides=request.provides,
         )
-        return self._call(request, _nothing, again=True)
+        return self.ask(request, _nothing, again=True)
 
     def give(self, request: Callable[[int], Request]) -> Call[protocol.AnyReply]:
         """Any other request, made with the id that it must carry."""
-        return self._call(request(self._id()), _same, again=False)
+        return self.ask(request(self.next_id()), _same, again=False)
 
     def bye(self) -> Call[None]:
         """Ends the session at once; nothing can be asked any longer."""
-        call = self._call(protocol.Bye(id=self._id()), _nothing, again=False)
+        call = self.ask(protocol.Bye(id=self.next_id()), _nothing, again=False)
         self.ended = True
         return call
+
+    def following(self) -> list[Watch | TraceFeed]:
+        """All that is watched and traced."""
+        return [*self._subscriptions.watches, *self._subscriptions.feeds]
 
     # -- authority -----------------------------------------------------------
 
@@ -437,20 +364,20 @@ class Dialog:
         """Gives back what only ``key`` asked for."""
         gone = self._asked.pop(key, ((), ()))
         if not self._asked:
-            request = protocol.Abandon(id=self._id())
-            return self._call(request, self._granted, again=True)
+            request = protocol.Abandon(id=self.next_id())
+            return self.ask(request, self._granted, again=True)
         kept = {r for one in self._asked.values() for r in (*one[0], *one[1])}
         given_back = tuple(r for r in (*gone[0], *gone[1]) if r not in kept)
         if not given_back:
             return self._acquire(again=True)
-        request = protocol.Abandon(id=self._id(), resources=given_back)
-        return self._call(request, self._granted, again=True)
+        request = protocol.Abandon(id=self.next_id(), resources=given_back)
+        return self.ask(request, self._granted, again=True)
 
     def _acquire(self, again: bool) -> Call[None]:
         wanted = dict.fromkeys(r for one in self._asked.values() for r in one[0])
         able = dict.fromkeys(r for one in self._asked.values() for r in one[1] if r not in wanted)
-        request = protocol.Acquire(id=self._id(), resources=tuple(wanted), optional=tuple(able))
-        return self._call(request, self._granted, again)
+        request = protocol.Acquire(id=self.next_id(), resources=tuple(wanted), optional=tuple(able))
+        return self.ask(request, self._granted, again)
 
     def _request_again(self) -> None:
         if self._asked:
@@ -459,130 +386,6 @@ class Dialog:
     def _granted(self, granted: protocol.Granted) -> None:
         if granted.seq >= self._holds_seq:
             self._hold(frozenset(granted.holds), granted.seq)
-
-    # -- watches -------------------------------------------------------------
-
-    def watch(self, pattern: str, callback: Callable[[Any], None] | None = None) -> Watch:
-        """What stands there, then every change; kept up over losses of the connection."""
-        watch = Watch(pattern, callback)
-        if all(one.pattern != pattern for one in self.watches):
-            self.subscribing.append((protocol.pattern_topic(pattern), True))
-        self.watches.append(watch)
-        self._by_tag.clear()
-        if self.connected:
-            self._sync([watch])
-        return watch
-
-    def unwatch(self, watch: Watch) -> None:
-        """No more of it is heard; asking twice is no fault."""
-        watch.ended = True
-        if watch not in self.watches:
-            return
-        self.watches.remove(watch)
-        self._by_tag.clear()
-        if any(one.pattern == watch.pattern for one in self.watches):
-            return
-        self.subscribing.append((protocol.pattern_topic(watch.pattern), False))
-        if self.connected:
-            request = protocol.Unwatch(id=self._id(), patterns=(watch.pattern,))
-            self._call(request, _nothing, again=False)
-
-    def _watching(self, tag: str) -> tuple[Watch, ...]:
-        found = self._by_tag.get(tag)
-        if found is None:
-            found = self._by_tag[tag] = tuple(w for w in self.watches if w.fits(tag))
-        return found
-
-    def _sync(self, watches: Iterable[Watch]) -> None:
-        """Asks for snapshots, when it is sure that changes are heard by then."""
-        asked = [watch for watch in watches if not watch.asking]
-        if not asked:
-            return
-        for watch in asked:
-            watch.ready, watch.asking = False, True
-        self._ask_echo(asked)
-
-    def _ask_echo(self, asked: list[Watch]) -> None:
-        topic = protocol.ECHO + f"{self._id()}:{id(self):x}".encode()
-        self._echo[topic] = asked
-        self.subscribing.append((topic, True))
-
-    def _echoed(self, topic: bytes) -> None:
-        watches = self._echo.pop(topic, None)
-        self.subscribing.append((topic, False))
-        if watches is None or not self.connected:
-            return
-        if not self._up:
-            # Topics subscribed to before the connection stood arrive in any order, those
-            # after in theirs: only an echo of the second kind tells of those before it.
-            self._up = True
-            self._ask_echo(watches)
-            return
-        patterns = tuple(dict.fromkeys(w.pattern for w in watches if not w.ended))
-        if not patterns:
-            return
-
-        def read(reply: protocol.Snapshot) -> None:
-            for watch in watches:
-                watch.snapshot(reply)
-
-        call = self._call(protocol.Watch(id=self._id(), patterns=patterns), read, again=False)
-        call.done = lambda: _refused(watches, call)
-
-    # -- trace ---------------------------------------------------------------
-
-    def trace(
-        self, since: int | None = None, callback: Callable[[Any], None] | None = None
-    ) -> TraceFeed:
-        """Trace events from seq ``since`` on (None: from now), without a gap."""
-        feed = TraceFeed(since, callback)
-        if not self.feeds:
-            self.subscribing.append((protocol.TRACE, True))
-        self.feeds.append(feed)
-        if self.connected:
-            self._fetch(feed)
-        return feed
-
-    def untrace(self, feed: TraceFeed) -> None:
-        feed.ended = True
-        if feed in self.feeds:
-            self.feeds.remove(feed)
-            if not self.feeds:
-                self.subscribing.append((protocol.TRACE, False))
-
-    def _fetch(self, feed: TraceFeed) -> None:
-        if feed.asking or feed.ended or not self.connected:
-            return
-        feed.asking = True
-
-        def read(reply: protocol.Traced) -> None:
-            feed.asking = False
-            if feed.page(reply):
-                self._fetch(feed)
-
-        call = self._call(protocol.Trace(id=self._id(), since=feed.next), read, again=False)
-        call.done = lambda: _not_traced(feed, call)
-
-
-def which(resources: tuple[str, ...], named: str | None) -> str:
-    """The resource that a command is for, where only one can be meant."""
-    if named is not None:
-        return named
-    if len(resources) != 1:
-        raise BlackboardError(f"say which resource the command is for: {', '.join(resources)}")
-    return resources[0]
-
-
-def _refused(watches: list[Watch], call: Call[None]) -> None:
-    for watch in watches:
-        watch.asking = False
-        if isinstance(call.error, Refused):
-            watch.error = call.error
-
-
-def _not_traced(feed: TraceFeed, call: Call[None]) -> None:
-    if call.error is not None:
-        feed.asking = False
 
 
 def _nothing(reply: protocol.Done) -> None:
@@ -599,3 +402,7 @@ def _versions(reply: protocol.Written) -> dict[str, int]:
 
 def _entries(reply: protocol.Values) -> dict[str, protocol.Entry]:
     return reply.entries
+
+
+_FLEETING = (protocol.Heartbeat, protocol.Bye, protocol.Watch, protocol.Trace)
+"""What another session asks for by itself, or no more."""

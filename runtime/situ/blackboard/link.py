@@ -12,7 +12,8 @@ from typing import Any
 
 import zmq
 
-from situ.blackboard.dialog import Dialog, Person
+from situ.blackboard.calls import Person
+from situ.blackboard.dialog import Dialog
 from situ.errors import UsageError
 
 HELD = 10_000

@@ -16,6 +16,7 @@ from typing import Any, Protocol
 import zmq
 from msgspec.structs import replace
 
+from situ.blackboard.core import Core
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.server import Server
 from situ.blackboard.session import Sessions
@@ -54,7 +55,7 @@ class Live:
 
     endpoint, notify: where to bind, port 0 for a free one. performer(submit, tag) makes
     who carries out effects; tag reads the blackboard. heard: is told each step's trace
-    events with the UNIX time. documents: as in ``Sessions``.
+    events with the UNIX time. files: as in ``Core``.
 
     scripted: a scenario client gives the time (``Sessions``); what actions and adapters
     answer is then left out, for the scenario says what ends and what is measured.
@@ -67,7 +68,7 @@ class Live:
         notify: str,
         performer: Callable[[Submit, Callable[[str], Any]], Performing] | None = None,
         *,
-        documents: dict[str, str] | None = None,
+        files: dict[str, str] | None = None,
         scripted: bool = False,
         seed: int = 0,
         auto_finish: float | None = None,
@@ -76,7 +77,7 @@ class Live:
         self._project = project
         self._bind = endpoint, notify
         self._make = performer
-        self._documents = documents
+        self._files = files
         self._scripted = scripted
         self._seed = seed
         self._auto_finish = auto_finish
@@ -116,15 +117,10 @@ class Live:
             http=self._performer.screen_url if self._performer is not None else None,
         )
         self._started = self._loop.time()
-        self._sessions = Sessions(
-            self._robot,
-            project,
-            addresses=addresses,
-            documents=self._documents,
-            scripted=self._scripted,
-            epoch=time.time(),
-            heard=self._heard,
+        self._core = Core(
+            self._robot, project, epoch=time.time(), files=self._files, heard=self._heard
         )
+        self._sessions = Sessions(self._core, addresses, scripted=self._scripted)
         self._sessions.start(self._seed, self._auto_finish)
         self._flush()
         for descriptor in self._server.descriptors():
@@ -140,7 +136,7 @@ class Live:
             self._loop.remove_reader(descriptor)
         for timer in self._timers.values():
             timer.cancel()
-        self._sessions.end()
+        self._core.end()
         out = self._sessions.take()
         self._server.send(out.replies, out.notices)
         if self._performer is not None:
@@ -153,16 +149,16 @@ class Live:
     @property
     def moment(self) -> int:
         """The robot's time in µs."""
-        return self._sessions.moment
+        return self._core.moment
 
     def due(self) -> int | None:
         """When the robot next does something by itself, in µs of its time."""
-        return self._robot.due()
+        return self._core.due()
 
     def move(self, moment: int) -> None:
         """Moves a scripted robot's time, doing what falls due by then."""
-        self._sessions.advance(self._now())
-        self._sessions.move(moment)
+        self._core.now = self._now()
+        self._core.move(moment)
         self._flush()
 
     # -- the loop ------------------------------------------------------------
@@ -190,7 +186,11 @@ class Live:
             self._drain()
 
     def _ring(self) -> None:
-        self._sessions.advance(self._now())
+        """Something has fallen due. Who has sent something by now is not taken for dead."""
+        if self._server.drain(self._received):
+            self._at("drain", self._loop.time(), self._ring)
+        else:
+            self._sessions.advance(self._now())
         if self._flush():
             self._drain()
 
@@ -231,7 +231,7 @@ class Live:
             if (entry := self._robot.board.get(tag)) is None or entry.value != value
         }
         # The clock on the wall may have been set; the trace follows it.
-        self._sessions.epoch = time.time() - self._now() / SECOND
+        self._core.epoch = time.time() - self._now() / SECOND
         if changed:
             self._submit(inputs.Set(changed, RUNTIME))
         left = 60 - time.time() % 60

@@ -1,0 +1,173 @@
+"""A ``Robot`` with those who look at it: each step's effects become notices.
+
+No I/O. One of these is the core of a running robot; sessions stand round it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Mapping
+from typing import Protocol
+
+from msgspec import Raw, Struct
+
+from situ.blackboard import protocol
+from situ.blackboard.backlog import Backlog, stamped
+from situ.blackboard.presence import Disclosed
+from situ.blackboard.watching import Watching
+from situ.decide import inputs, trace
+from situ.decide.board import Board
+from situ.decide.effects import AnyEffect, Begin, Cancel, Changed, Map, Refuse
+from situ.document.project import Project
+
+SECOND = 1_000_000
+
+Carried = Map | Begin | Cancel
+Heard = Callable[[list[trace.TraceEvent], float], None]
+"""Is told each step's trace events, with the UNIX time."""
+
+
+class Decider(Protocol):
+    """The part of ``situ.decide.robot.Robot`` that sessions need."""
+
+    @property
+    def board(self) -> Board: ...
+
+    def step(
+        self, given: inputs.AnyInput | None, now: int, /
+    ) -> tuple[list[trace.TraceEvent], list[AnyEffect]]: ...
+
+    def due(self) -> int | None: ...
+
+
+class Outgoing(Struct):
+    """In the order in which they must leave, each list by itself."""
+
+    replies: list[tuple[Hashable, bytes]] = []
+    notices: list[bytes] = []
+    effects: list[Carried] = []
+
+
+class Core:
+    """The robot's time, and what leaves it.
+
+    moment: its time in µs. epoch: UNIX time of 0 µs by the clock that ``now`` (µs) is read
+    from; both differ from ``moment`` only where a scenario gives the time. files: path to
+    text of the project's files. modules: those connected; holders: resource to module.
+    tracing: how many follow the trace.
+    """
+
+    def __init__(
+        self,
+        robot: Decider,
+        project: Project,
+        *,
+        epoch: float = 0.0,
+        files: Mapping[str, str] | None = None,
+        heard: Heard | None = None,
+        backlog: Backlog | None = None,
+    ) -> None:
+        self.project = project
+        self.files = files or {}
+        self.backlog = backlog if backlog is not None else Backlog()
+        self.watching = Watching()
+        self.modules: dict[str, Disclosed] = {}
+        self.holders: dict[str, str | None] = {}
+        self.tracing = 0
+        self.moment = 0
+        self.now = 0
+        self.epoch = epoch
+        self._robot = robot
+        self._heard = heard
+        self._out = Outgoing()
+
+    @property
+    def board(self) -> Board:
+        return self._robot.board
+
+    def due(self) -> int | None:
+        """When the robot does something by itself, in µs of its time."""
+        return self._robot.due()
+
+    def move(self, moment: int) -> None:
+        """Moves the robot's time there, doing what falls due up to and at it, in order."""
+        while (due := self._robot.due()) is not None and due <= moment:
+            self.moment = max(self.moment, due)
+            self.step(None)
+        self.moment = max(self.moment, moment)
+
+    def step(self, given: inputs.AnyInput | None) -> str | None:
+        """One step of the robot; why the input was refused, or None."""
+        events, effects = self._robot.step(given, self.moment)
+        if events:
+            self._traced(events)
+        refused = None
+        out = self._out
+        for effect in effects:
+            if isinstance(effect, Changed):
+                if self.watching.changed(effect.tag):
+                    out.notices.append(_change(effect, self.watching.n))
+            elif isinstance(effect, Refuse):
+                refused = effect.message
+            else:
+                out.effects.append(effect)
+                if isinstance(effect, Begin) and effect.action == "message":
+                    out.notices.append(_message(effect))
+        return refused
+
+    def holds(self, module: str | None) -> tuple[str, ...]:
+        """The resources that the module holds, sorted."""
+        if module is None:
+            return ()
+        return tuple(sorted(r for r, holder in self.holders.items() if holder == module))
+
+    def reply(self, peer: Hashable, reply: protocol.Reply) -> None:
+        """A reply leaves after the notices of what it answers."""
+        self._out.replies.append((peer, protocol.encode(reply)))
+
+    def end(self) -> None:
+        """Tells all that the runtime stops."""
+        self._out.notices.append(protocol.notice(protocol.END, protocol.End()))
+
+    def take(self) -> Outgoing:
+        """What is to be sent and carried out since the last call."""
+        out = self._out
+        self._out = Outgoing()
+        return out
+
+    def _traced(self, events: list[trace.TraceEvent]) -> None:
+        at = self.epoch + self.now / SECOND
+        self.backlog.add(events, at)
+        if self._heard is not None:
+            self._heard(events, at)
+        for event in events:
+            if type(event) is trace.Authority:
+                self.holders[event.resource] = event.to
+                passed = protocol.Authority(
+                    resource=event.resource, source=event.source, to=event.to, seq=event.seq
+                )
+                topic = protocol.authority_topic(event.resource)
+                self._out.notices.append(protocol.notice(topic, passed))
+        if self.tracing:
+            lines = tuple(Raw(stamped(event, at)) for event in events)
+            body = protocol.Events(events=lines)
+            self._out.notices.append(protocol.notice(protocol.TRACE, body))
+
+
+def _change(effect: Changed, n: int) -> bytes:
+    body = protocol.Change(
+        tag=effect.tag,
+        value=effect.value,
+        version=effect.version,
+        writer=effect.writer,
+        time=effect.time,
+        n=n,
+    )
+    return protocol.notice(protocol.change_topic(effect.tag), body)
+
+
+def _message(effect: Begin) -> bytes:
+    topic = str(effect.fields.get("topic", ""))
+    body = protocol.Message(
+        topic=topic, value=effect.fields.get("value"), application=effect.application
+    )
+    return protocol.notice(protocol.message_topic(topic), body)

@@ -1,0 +1,286 @@
+"""What each request does: with the core, for one session (docs/protocol.md)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from typing import Any
+
+from msgspec import UNSET, Raw, Struct
+
+from situ.blackboard import presence, protocol
+from situ.blackboard.core import Core
+from situ.decide import inputs
+from situ.decide.board import Board
+from situ.document import names
+
+PAGE = 500
+"""Trace events in one reply."""
+
+
+class Session(Struct):
+    """One client. heard: µs, when it was last heard of."""
+
+    id: str
+    peer: Hashable
+    role: protocol.Role
+    module: str | None
+    writer: str
+    heard: int
+    patterns: set[str] = set()
+    tracing: bool = False
+
+
+class No(Exception):
+    """A request is refused."""
+
+    def __init__(self, code: protocol.Code, message: str) -> None:
+        super().__init__(message)
+        self.code = code
+
+
+def answer(core: Core, session: Session, request: protocol.Request) -> protocol.Reply:
+    """The reply; all but hello and the end of a session. Raises ``No``."""
+    return _ANSWERS[type(request)](core, session, request)
+
+
+def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> protocol.Reply:
+    return protocol.Alive(
+        id=request.id,
+        time=core.moment,
+        seq=core.backlog.last,
+        changes=core.watching.last(session.patterns),
+        holds=core.holds(session.module),
+    )
+
+
+def _set(core: Core, session: Session, request: protocol.Set) -> protocol.Reply:
+    _may_write(session)
+    board = core.board
+    for tag, wanted in (request.versions or {}).items():
+        entry = board.get(tag)
+        found = 0 if entry is None else entry.version
+        if found != wanted:
+            raise No(
+                "conflict",
+                f"{tag} is at version {found}, not {wanted}: get it and try again",
+            )
+    before = {tag: _version(board, tag) for tag in request.tags}
+    _do(core, inputs.Set(request.tags, session.writer))
+    after = {tag: _version(board, tag) for tag in request.tags}
+    versions = {tag: version for tag, version in after.items() if version != before[tag]}
+    return protocol.Written(id=request.id, versions=versions)
+
+
+def _get(core: Core, session: Session, request: protocol.Get) -> protocol.Reply:
+    board = core.board
+    found: dict[str, protocol.Entry] = {}
+    for name in request.names:
+        if "*" in name:
+            _check_pattern(name)
+            found.update((tag, _entry(entry)) for tag, entry in board.entries(name))
+        elif not names.is_name(name):
+            raise No("invalid", f"{name!r} is no tag and no pattern")
+        else:
+            entry = board.last_set(name)
+            found[name] = protocol.Entry(
+                value=board.look(name),
+                version=0 if entry is None else entry.version,
+                writer=None if entry is None else entry.writer,
+                time=0 if entry is None else entry.time,
+            )
+    return protocol.Values(id=request.id, entries=found)
+
+
+def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Reply:
+    for pattern in request.patterns:
+        _check_pattern(pattern)
+    found: dict[str, protocol.Entry] = {}
+    state = core.board.state
+    for pattern in request.patterns:
+        if pattern not in session.patterns:
+            session.patterns.add(pattern)
+            core.watching.add(pattern)
+        if "*" not in pattern:
+            if (entry := state.get(pattern)) is not None:
+                found[pattern] = _entry(entry)
+            continue
+        # Deleted ones too: their versions count on.
+        for tag in sorted(state):
+            if names.matches(pattern, tag):
+                found[tag] = _entry(state[tag])
+    changes = dict.fromkeys(request.patterns, core.watching.n)
+    return protocol.Snapshot(id=request.id, entries=found, changes=changes)
+
+
+def _unwatch(core: Core, session: Session, request: protocol.Unwatch) -> protocol.Reply:
+    for pattern in session.patterns.intersection(request.patterns):
+        session.patterns.remove(pattern)
+        core.watching.remove(pattern)
+    return protocol.Done(id=request.id)
+
+
+def _publish(core: Core, session: Session, request: protocol.Publish) -> protocol.Reply:
+    _may_write(session)
+    if not request.event.strip():
+        raise No("invalid", "an event has a name")
+    _do(core, inputs.Raise(request.event, request.application))
+    return protocol.Done(id=request.id)
+
+
+def _acquire(core: Core, session: Session, request: protocol.Acquire) -> protocol.Reply:
+    module = _acting(session, request.module)
+    _do(core, inputs.Acquire(module, request.resources, request.optional))
+    return _granted(core, request.id, module)
+
+
+def _abandon(core: Core, session: Session, request: protocol.Abandon) -> protocol.Reply:
+    module = _acting(session, request.module)
+    _do(core, inputs.Abandon(module, request.resources))
+    return _granted(core, request.id, module)
+
+
+def _granted(core: Core, number: int, module: str) -> protocol.Reply:
+    holds = core.holds(module)
+    return protocol.Granted(id=number, holds=holds, seq=core.backlog.last)
+
+
+def _command(core: Core, session: Session, request: protocol.Command) -> protocol.Reply:
+    module = _acting(session, request.module)
+    if request.valid is not None and request.valid <= 0:
+        raise No("invalid", "for is a number of seconds above 0")
+    _do(core, inputs.Command(module, request.resource, request.value, request.valid))
+    return protocol.Done(id=request.id)
+
+
+def _use(core: Core, session: Session, request: protocol.Use) -> protocol.Reply:
+    _may_write(session)
+    _do(core, inputs.Use(request.component, request.value))
+    return protocol.Done(id=request.id)
+
+
+def _touch(core: Core, session: Session, request: protocol.Touch) -> protocol.Reply:
+    _may_write(session)
+    _do(core, inputs.Touch())
+    return protocol.Done(id=request.id)
+
+
+def _finish(core: Core, session: Session, request: protocol.Finish) -> protocol.Reply:
+    _may_write(session)
+    _do(
+        core,
+        inputs.Finish(
+            action=request.action,
+            name=request.name,
+            application=request.application,
+            ok=request.ok,
+            result=request.result,
+            error=request.error,
+            status=UNSET if request.status is None else request.status,
+            id=request.action_id,
+        ),
+    )
+    return protocol.Done(id=request.id)
+
+
+def _trace(core: Core, session: Session, request: protocol.Trace) -> protocol.Reply:
+    core.tracing += not session.tracing
+    session.tracing = True
+    last = core.backlog.last
+    since = last + 1 if request.since is None else max(request.since, core.backlog.first)
+    lines = tuple(Raw(line) for line in core.backlog.since(since, PAGE))
+    return protocol.Traced(
+        id=request.id,
+        events=lines,
+        first=core.backlog.first,
+        next=since + len(lines),
+        last=last,
+    )
+
+
+def _documents(core: Core, session: Session, request: protocol.Documents) -> protocol.Reply:
+    return protocol.Files(id=request.id, project=core.project.name, files=dict(core.files))
+
+
+def _modules(core: Core, session: Session, request: protocol.Modules) -> protocol.Reply:
+    states = presence.modules(core.project, core.modules, core.holders)
+    wanted = presence.wanted(states, lambda tag: core.board.get(tag) is not None)
+    return protocol.ModuleStates(id=request.id, modules=states, wanted=wanted)
+
+
+def _disclose(core: Core, session: Session, request: protocol.Disclose) -> protocol.Reply:
+    if session.module is None:
+        raise No("role", "only a module discloses")
+    resources, description, _, _ = core.modules[session.module]
+    core.modules[session.module] = (
+        resources,
+        request.description or description,
+        request.requires,
+        request.provides,
+    )
+    return protocol.Done(id=request.id)
+
+
+def _lost(core: Core, session: Session, request: protocol.Bye) -> protocol.Reply:
+    if session.role != "scenario" or request.module is None:
+        raise No("role", "only a scenario speaks for other modules: leave out module")
+    _do(core, inputs.Lost(request.module))
+    return protocol.Done(id=request.id)
+
+
+def _do(core: Core, given: inputs.AnyInput) -> None:
+    refused = core.step(given)
+    if refused is not None:
+        raise No("refused", refused)
+
+
+def _may_write(session: Session) -> None:
+    if session.role == "viewer":
+        raise No("role", "a viewer changes nothing: connect as a module or an operator")
+
+
+def _acting(session: Session, named: str | None) -> str:
+    """The module that a request is for."""
+    if session.role == "scenario":
+        if named is None:
+            raise No("role", "a scenario names the module that it plays")
+        return named
+    if named is not None:
+        raise No("role", "only a scenario speaks for other modules: leave out module")
+    if session.module is None:
+        raise No("role", "only a module asks for authority: connect with its name")
+    return session.module
+
+
+def _check_pattern(pattern: str) -> None:
+    if not names.is_pattern(pattern):
+        raise No("invalid", f"{pattern!r} is no tag and no pattern")
+
+
+def _version(board: Board, tag: str) -> int:
+    entry = board.state.get(tag)
+    return 0 if entry is None else entry.version
+
+
+def _entry(entry: Any) -> protocol.Entry:
+    return protocol.Entry(entry.value, entry.version, entry.writer, entry.time)
+
+
+_ANSWERS: dict[type[protocol.Request], Callable[[Core, Session, Any], protocol.Reply]] = {
+    protocol.Heartbeat: _heartbeat,
+    protocol.Set: _set,
+    protocol.Get: _get,
+    protocol.Watch: _watch,
+    protocol.Unwatch: _unwatch,
+    protocol.Publish: _publish,
+    protocol.Acquire: _acquire,
+    protocol.Abandon: _abandon,
+    protocol.Command: _command,
+    protocol.Use: _use,
+    protocol.Touch: _touch,
+    protocol.Finish: _finish,
+    protocol.Trace: _trace,
+    protocol.Documents: _documents,
+    protocol.Modules: _modules,
+    protocol.Disclose: _disclose,
+    protocol.Bye: _lost,
+}

@@ -1,0 +1,209 @@
+"""What one client follows, and how it stays without a gap over losses of every kind.
+
+Changes and snapshots come on two connections that know nothing of each other's order.
+So a snapshot is asked for only when an echo has come back over the one for notices: all
+that was subscribed to before it is heard from then on. Whatever is lost later shows in a
+version or seq that jumps, or at the next but one heartbeat.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from typing import Any, Protocol, TypeVar
+
+from situ.blackboard import protocol
+from situ.blackboard.calls import Call
+from situ.blackboard.feeds import Change, TraceFeed, Watch
+from situ.errors import Refused
+
+T = TypeVar("T")
+
+
+class Talk(Protocol):
+    """The part of a ``Dialog`` that asks."""
+
+    connected: bool
+
+    def next_id(self) -> int: ...
+
+    def ask(self, request: protocol.Request, read: Callable[[Any], T], again: bool) -> Call[T]: ...
+
+
+class Subscriptions:
+    """Watches and trace feeds of one client; ``topics``: (topic, on or off), to be subscribed
+    to in this order.
+    """
+
+    def __init__(self, talk: Talk) -> None:
+        self.topics: deque[tuple[bytes, bool]] = deque()
+        self.watches: list[Watch] = []
+        self.feeds: list[TraceFeed] = []
+        self._talk = talk
+        self._echo: dict[bytes, list[Watch]] = {}
+        self._up = False
+        self._by_tag: dict[str, tuple[Watch, ...]] = {}
+
+    # -- for the dialog ------------------------------------------------------
+
+    def hear(self, notice: protocol.AnyNotice, frame: bytes) -> None:
+        """A notice has come, in this frame."""
+        if isinstance(notice, protocol.Change):
+            for watch in self.watching(notice.tag):
+                if not watch.change(notice):
+                    self._sync([watch])
+        elif isinstance(notice, protocol.Events):
+            for feed in self.feeds:
+                if not feed.add(notice.events):
+                    self._fetch(feed)
+        elif isinstance(notice, protocol.Echo):
+            self._echoed(frame[: frame.index(b"\n")])
+
+    def lost(self) -> None:
+        """The session is lost: nothing is asked for any longer."""
+        self.topics.extend((topic, False) for topic in self._echo)
+        self._echo.clear()
+        self._up = False
+        for watch in self.watches:
+            watch.ready = watch.asking = False
+        for feed in self.feeds:
+            feed.asking = False
+
+    def renewed(self, restarted: bool) -> None:
+        """There is a new session, perhaps with a core that was started anew."""
+        if restarted:
+            for feed in self.feeds:
+                feed.restart()
+        self._sync(self.watches)
+        for feed in self.feeds:
+            self._fetch(feed)
+
+    def check(self, alive: protocol.Alive) -> None:
+        """What a heartbeat told: asks for what must have been lost."""
+        lost = [w for w in self.watches if w.ready and w.behind(alive.changes.get(w.pattern, 0))]
+        self._sync([*lost, *(w for w in self.watches if not w.ready)])
+        for feed in self.feeds:
+            if feed.behind(alive.seq):
+                self._fetch(feed)
+
+    def watching(self, tag: str) -> tuple[Watch, ...]:
+        """The watches that the tag fits."""
+        found = self._by_tag.get(tag)
+        if found is None:
+            found = self._by_tag[tag] = tuple(w for w in self.watches if w.fits(tag))
+        return found
+
+    # -- watches -------------------------------------------------------------
+
+    def watch(self, pattern: str, callback: Callable[[Change], None] | None) -> Watch:
+        """What stands there, then every change; kept up over losses of the connection."""
+        watch = Watch(pattern, callback)
+        if all(one.pattern != pattern for one in self.watches):
+            self.topics.append((protocol.pattern_topic(pattern), True))
+        self.watches.append(watch)
+        self._by_tag.clear()
+        if self._talk.connected:
+            self._sync([watch])
+        return watch
+
+    def unwatch(self, watch: Watch) -> None:
+        """No more of it is heard; asking twice is no fault."""
+        watch.ended = True
+        if watch not in self.watches:
+            return
+        self.watches.remove(watch)
+        self._by_tag.clear()
+        if any(one.pattern == watch.pattern for one in self.watches):
+            return
+        self.topics.append((protocol.pattern_topic(watch.pattern), False))
+        if self._talk.connected:
+            request = protocol.Unwatch(id=self._talk.next_id(), patterns=(watch.pattern,))
+            self._talk.ask(request, _nothing, again=False)
+
+    def _sync(self, watches: Iterable[Watch]) -> None:
+        """Asks for snapshots, when it is sure that changes are heard by then."""
+        asked = [watch for watch in watches if not watch.asking]
+        if not asked:
+            return
+        for watch in asked:
+            watch.ready, watch.asking = False, True
+        self._ask_echo(asked)
+
+    def _ask_echo(self, asked: list[Watch]) -> None:
+        topic = protocol.ECHO + f"{self._talk.next_id()}:{id(self):x}".encode()
+        self._echo[topic] = asked
+        self.topics.append((topic, True))
+
+    def _echoed(self, topic: bytes) -> None:
+        watches = self._echo.pop(topic, None)
+        self.topics.append((topic, False))
+        if watches is None or not self._talk.connected:
+            return
+        if not self._up:
+            # Topics subscribed to before the connection stood arrive in any order, those
+            # after in theirs: only an echo of the second kind tells of those before it.
+            self._up = True
+            self._ask_echo(watches)
+            return
+        patterns = tuple(dict.fromkeys(w.pattern for w in watches if not w.ended))
+        if not patterns:
+            return
+
+        def read(reply: protocol.Snapshot) -> None:
+            for watch in watches:
+                watch.snapshot(reply)
+
+        request = protocol.Watch(id=self._talk.next_id(), patterns=patterns)
+        call = self._talk.ask(request, read, again=False)
+        call.done = lambda: _refused(watches, call)
+
+    # -- trace ---------------------------------------------------------------
+
+    def trace(
+        self, since: int | None, callback: Callable[[dict[str, Any]], None] | None
+    ) -> TraceFeed:
+        """Trace events from seq ``since`` on (None: from now), without a gap."""
+        feed = TraceFeed(since, callback)
+        if not self.feeds:
+            self.topics.append((protocol.TRACE, True))
+        self.feeds.append(feed)
+        if self._talk.connected:
+            self._fetch(feed)
+        return feed
+
+    def untrace(self, feed: TraceFeed) -> None:
+        feed.ended = True
+        if feed in self.feeds:
+            self.feeds.remove(feed)
+            if not self.feeds:
+                self.topics.append((protocol.TRACE, False))
+
+    def _fetch(self, feed: TraceFeed) -> None:
+        if feed.asking or feed.ended or not self._talk.connected:
+            return
+        feed.asking = True
+
+        def read(reply: protocol.Traced) -> None:
+            feed.asking = False
+            if feed.page(reply):
+                self._fetch(feed)
+
+        request = protocol.Trace(id=self._talk.next_id(), since=feed.next)
+        call = self._talk.ask(request, read, again=False)
+        call.done = lambda: _not_traced(feed, call)
+
+
+def _refused(watches: list[Watch], call: Call[None]) -> None:
+    for watch in watches:
+        watch.asking = False
+        if isinstance(call.error, Refused):
+            watch.error = call.error
+
+
+def _not_traced(feed: TraceFeed, call: Call[None]) -> None:
+    if call.error is not None:
+        feed.asking = False
+
+
+def _nothing(reply: protocol.Done) -> None:
+    return None

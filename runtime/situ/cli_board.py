@@ -1,0 +1,141 @@
+"""Looking at and touching a running robot: ``situ get``, ``set``, ``watch``, ``event``,
+``modules`` and ``trace``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from situ.blackboard.client import Board
+    from situ.blackboard.protocol import Role
+
+PATIENCE = 1.0
+"""Seconds that the robot has to answer."""
+
+
+def add(commands: Any) -> None:
+    get = _command(commands, "get", _get, "print what stands at a tag", as_json=True)
+    get.add_argument("tag", metavar="TAG", help="a tag, a name into one, or a pattern: face.*")
+
+    put = _command(commands, "set", _set, "set a tag")
+    put.add_argument("tag", metavar="TAG")
+    put.add_argument("value", metavar="VALUE", help="JSON, else a text; null deletes")
+
+    watch = _command(commands, "watch", _watch, "print each change of a tag", as_json=True)
+    watch.add_argument("tag", metavar="TAG", help="a tag or a pattern: face.*")
+
+    event = _command(commands, "event", _event, "raise an event")
+    event.add_argument("name", metavar="NAME")
+    event.add_argument("--application", metavar="NAME", help="for this one only; else for all")
+
+    modules = _command(commands, "modules", _modules, "list the modules", as_json=True)
+    modules.add_argument(
+        "--wanted", action="store_true", help="what is required and nobody provides"
+    )
+
+    trace = _command(commands, "trace", _trace, "print the trace as it comes, one JSON a line")
+    trace.add_argument(
+        "--since", type=int, metavar="SEQ", help="from this event on; 1: all there is"
+    )
+
+
+def _command(
+    commands: Any, name: str, run: Any, about: str, as_json: bool = False
+) -> argparse.ArgumentParser:
+    parser: argparse.ArgumentParser = commands.add_parser(
+        name, help=f"{about} of a running robot", description=f"{about.capitalize()}."
+    )
+    parser.add_argument(
+        "--at",
+        default="tcp://127.0.0.1:5570",
+        metavar="ENDPOINT",
+        help="the robot's address; tcp://127.0.0.1:5570 unless given",
+    )
+    if as_json:
+        parser.add_argument("--json", action="store_true", help="for a program to read")
+    parser.set_defaults(run=run)
+    return parser
+
+
+def _connect(args: argparse.Namespace, role: Role) -> Board:
+    from situ.blackboard.client import connect
+
+    return connect(args.at, role=role, timeout=PATIENCE)
+
+
+def _print(value: Any) -> None:
+    import msgspec
+
+    sys.stdout.write(msgspec.json.encode(value).decode() + "\n")
+    sys.stdout.flush()
+
+
+def _get(args: argparse.Namespace) -> int:
+    with _connect(args, "viewer") as board:
+        entries = board.entries(args.tag)
+    if args.json:
+        _print(entries)
+    elif "*" in args.tag:
+        for tag, entry in entries.items():
+            _say(tag, entry.value)
+    else:
+        _print(entries[args.tag].value)
+    return 0
+
+
+def _set(args: argparse.Namespace) -> int:
+    from situ.decide.values import read
+
+    with _connect(args, "operator") as board:
+        board.set(args.tag, read(args.value))
+    return 0
+
+
+def _watch(args: argparse.Namespace) -> int:
+    with _connect(args, "viewer") as board, board.watch(args.tag) as changes:
+        for change in changes:
+            if args.json:
+                _print(change)
+            else:
+                _say(change.tag, change.value)
+    return 0
+
+
+def _event(args: argparse.Namespace) -> int:
+    with _connect(args, "operator") as board:
+        board.publish(args.name, args.application)
+    return 0
+
+
+def _modules(args: argparse.Namespace) -> int:
+    with _connect(args, "viewer") as board:
+        states = board.modules()
+    if args.json:
+        _print(states.wanted if args.wanted else states.modules)
+    elif args.wanted:
+        for want in states.wanted:
+            what = f"data {want.data}" if want.data is not None else f"module {want.module}"
+            print(f"{what}  wanted by {', '.join(want.by)}")
+    else:
+        for state in states.modules:
+            there = "present" if state.present else "absent"
+            kind = "application" if state.application else "module"
+            resources = " ".join(state.resources) or "-"
+            holds = f"  holds {' '.join(state.holds)}" if state.holds else ""
+            print(f"{state.name}  {kind}  {there}  {resources}{holds}")
+    return 0
+
+
+def _trace(args: argparse.Namespace) -> int:
+    with _connect(args, "viewer") as board, board.trace(args.since) as events:
+        for event in events:
+            _print(event)
+    return 0
+
+
+def _say(tag: str, value: Any) -> None:
+    import msgspec
+
+    print(tag, msgspec.json.encode(value).decode(), flush=True)

@@ -1,0 +1,205 @@
+"""``situ run``: the robot's side, until it is told to stop or its scenario has ended."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from situ.document.project import Project
+
+
+def add(commands: Any) -> None:
+    parser = commands.add_parser(
+        "run",
+        help="run a project: the robot's side",
+        description="Runs a project: the blackboard, situations, priorities and applications, "
+        "and what carries out what they decide. Ends with Ctrl-C.",
+    )
+    parser.add_argument(
+        "project", metavar="PROJECT", help="a project's folder, or one of its files"
+    )
+    parser.add_argument(
+        "--endpoint",
+        metavar="ADDRESS",
+        help="where clients ask; port 0 picks a free one; the project's unless given",
+    )
+    parser.add_argument(
+        "--notify", metavar="ADDRESS", help="where they are told; one port higher unless given"
+    )
+    parser.add_argument(
+        "--http",
+        type=_host_and_port,
+        metavar="HOST:PORT",
+        help="the robot's screen; two ports higher than the endpoint unless given",
+    )
+    parser.add_argument("--state", type=Path, metavar="DIR", help="where the robot keeps its state")
+    parser.add_argument("--script", metavar="S.jsonl", help="a scenario to play; ends with it")
+    parser.add_argument(
+        "--speed",
+        type=_seconds,
+        default=1.0,
+        metavar="N",
+        help="how many times as fast the scenario is played",
+    )
+    parser.add_argument("--trace", metavar="OUT", help="write the trace here; - is standard output")
+    parser.add_argument(
+        "--auto-finish",
+        type=_seconds,
+        metavar="S",
+        help="with --script: every action ends well after S seconds",
+    )
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of everything random")
+    parser.add_argument("--json", action="store_true", help="say where it is ready as JSON")
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    import asyncio
+
+    from situ.document.ready import load_ready
+    from situ.errors import UsageError
+    from situ.rehearse import scenario
+
+    project = load_ready(args.project)
+    lines = None
+    if args.script is not None:
+        names = [application.name for application in project.applications.values()]
+        lines = scenario.load(args.script, names)
+    elif args.auto_finish is not None:
+        raise UsageError("--auto-finish goes with --script: alive, actions end when they end")
+    with contextlib.ExitStack() as stack:
+        out = None
+        if args.trace == "-":
+            out = sys.stdout.buffer
+        elif args.trace is not None:
+            try:
+                out = stack.enter_context(open(args.trace, "wb"))
+            except OSError as error:
+                raise UsageError(f"{args.trace}: {error.strerror or error}") from None
+        return asyncio.run(_run(args, project, lines, out))
+
+
+async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any) -> int:
+    import asyncio
+    import signal
+
+    from situ.blackboard.backlog import stamped
+    from situ.blackboard.client import AsyncBoard, Link, Person
+    from situ.blackboard.server import check_local
+    from situ.decide.trace import TraceEvent
+    from situ.engine.live import Live
+    from situ.engine.perform import Performer
+    from situ.engine.script import Script
+
+    loop = asyncio.get_running_loop()
+    stopped = asyncio.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        loop.add_signal_handler(number, stopped.set)
+    endpoint = args.endpoint or project.endpoint
+    screen = args.http or ("127.0.0.1", _higher(endpoint, 2))
+    check_local(f"http://{screen[0]}:{screen[1]}")
+    script = None if lines is None else Script(lines, args.speed)
+
+    def heard(events: list[TraceEvent], moment: float) -> None:
+        if script is not None:
+            script.heard(events, moment)
+        if out is not None:
+            out.writelines(stamped(event, moment) + b"\n" for event in events)
+            out.flush()
+
+    def performer(submit: Any, tag: Any) -> Performer:
+        state = _state(args.state, project)
+        return Performer(project, submit, tag=tag, screen=screen, state_dir=state)
+
+    live = Live(
+        project,
+        endpoint,
+        args.notify or f"tcp://127.0.0.1:{_higher(endpoint, 1)}",
+        performer,
+        files=_files(project),
+        scripted=script is not None,
+        seed=args.seed,
+        auto_finish=args.auto_finish,
+        heard=heard,
+    )
+    addresses = await live.start()
+    try:
+        _say_ready(args.json, project.name, addresses)
+        if script is None:
+            await stopped.wait()
+            return 0
+        board = AsyncBoard(Link(addresses.requests, Person(role="scenario")))
+        async with board:
+            play = asyncio.create_task(script.play(live, board))
+            stop = asyncio.create_task(stopped.wait())
+            await asyncio.wait({play, stop}, return_when=asyncio.FIRST_COMPLETED)
+            stop.cancel()
+            if not play.done():
+                play.cancel()
+                print(f"{args.script}: stopped before its end", file=sys.stderr)
+                return 1
+            await play
+    finally:
+        await live.stop()
+    for failure in script.verdict.failures:
+        print(f"{args.script}: {failure}", file=sys.stderr)
+    return 1 if script.verdict.failures else 0
+
+
+def _say_ready(as_json: bool, name: str, addresses: Any) -> None:
+    if as_json:
+        import msgspec
+
+        said = {"project": name, **msgspec.to_builtins(addresses)}
+        print(msgspec.json.encode(said).decode(), flush=True)
+        return
+    screen = f" screen {addresses.http}" if addresses.http is not None else ""
+    print(f"situ run: {name} ready at {addresses.requests}{screen}", flush=True)
+
+
+def _files(project: Project) -> dict[str, str]:
+    """The project's documents as they lie there, by their paths in the project."""
+    paths = [*project.applications, project.spds_file, project.modules_file]
+    if project.toml is not None:
+        paths.insert(0, "situ.toml")
+    root = Path(project.root)
+    return {path: (root / path).read_text("utf-8") for path in paths if path is not None}
+
+
+def _state(given: Path | None, project: Project) -> Path:
+    """architecture.md, *on disk*."""
+    if given is not None:
+        return given
+    if os.environ.get("STATE_DIRECTORY"):
+        return Path(os.environ["STATE_DIRECTORY"].split(":")[0])
+    home = os.environ.get("XDG_STATE_HOME")
+    base = Path(home) if home else Path.home() / ".local" / "state"
+    return base / "situ" / project.name
+
+
+def _higher(endpoint: str, by: int) -> int:
+    """The port that much above the endpoint's; 0 where that is 0 or has none."""
+    port = endpoint.rpartition(":")[2]
+    return int(port) + by if port.isdecimal() and int(port) else 0
+
+
+def _host_and_port(text: str) -> tuple[str, int]:
+    host, colon, port = text.rpartition(":")
+    if not colon or not port.isdecimal() or int(port) > 65535:
+        raise argparse.ArgumentTypeError("HOST:PORT is needed, as 127.0.0.1:5572")
+    return host.strip("[]") or "127.0.0.1", int(port)
+
+
+def _seconds(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < 1e9:
+        raise argparse.ArgumentTypeError("a number above 0 is needed")
+    return value
