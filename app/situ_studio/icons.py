@@ -8,7 +8,7 @@ from PySide6.QtCore import QByteArray, QRectF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
-from situ_studio.assets import resource
+from situ.resources import resource
 
 SCALES = (1.0, 2.0, 3.0)
 """Device pixel ratios for which an icon holds a picture."""
@@ -18,9 +18,9 @@ SCALES = (1.0, 2.0, 3.0)
 def renderer(name: str, color: str) -> QSvgRenderer:
     """An SVG renderer of the icon in ``color`` (as a QColor's name); shared, so only read from.
 
-    Raises FileNotFoundError for a name that no icon has.
+    Raises UsageError for a name that no icon has.
     """
-    text = resource(f"icons/{name}.svg").read_text(encoding="utf-8")
+    text = resource("icons", f"{name}.svg").read_text(encoding="utf-8")
     return QSvgRenderer(QByteArray(text.replace("currentColor", color).encode()))
 
 

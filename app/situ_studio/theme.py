@@ -11,7 +11,7 @@ from typing import Literal
 from msgspec import Struct
 from PySide6.QtGui import QColor, QFont, QFontDatabase
 
-from situ_studio.assets import resource
+from situ.resources import resource
 
 Kind = Literal["state", "start", "part", "data", "condition", "situation", "module", "resource"]
 KINDS: tuple[Kind, ...] = (
@@ -198,7 +198,7 @@ CAPTION, LABEL, FORM, BODY, SECTION, PAGE, WELCOME = 11.0, 12.0, 12.5, 13.0, 15.
 def load_fonts() -> None:
     """Makes the bundled Inter known to Qt; needs a QGuiApplication. Once is enough."""
     for weight in ("Regular", "Medium", "SemiBold"):
-        QFontDatabase.addApplicationFont(str(resource(f"fonts/Inter-{weight}.otf")))
+        QFontDatabase.addApplicationFont(str(resource("fonts", f"Inter-{weight}.otf")))
 
 
 def font(size: float = BODY, weight: int = 400) -> QFont:

@@ -1,0 +1,297 @@
+"""What the commands of ``actions.COMMANDS`` do, and when they can be done."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+import situ
+from situ.errors import SituError
+from situ_studio import kinds, projects
+from situ_studio.find import Find, places_of
+from situ_studio.insert import NotHere, insert
+from situ_studio.panels.palette import offered
+from situ_studio.panels.project_tree import stem
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+
+class Commands(QObject):
+    """The handlers of one window."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._session = window.session
+
+    # -- when ------------------------------------------------------------------------
+
+    def has_document(self) -> bool:
+        return self._window.current_view is not None
+
+    def is_dirty(self) -> bool:
+        return bool(self._session.dirty)
+
+    def can_undo(self) -> bool:
+        return self._session.undo_text is not None
+
+    def can_redo(self) -> bool:
+        return self._session.redo_text is not None
+
+    def has_selection(self) -> bool:
+        view = self._window.current_view
+        return view is not None and bool(view.selected)
+
+    def has_graph(self) -> bool:
+        view = self._window.current_view
+        return view is not None and view.has_graph
+
+    def on_graph(self) -> bool:
+        view = self._window.current_view
+        return view is not None and view.mode == "graph"
+
+    def _can(self, method: str, selected: bool = True) -> bool:
+        view = self._window.current_view
+        return view is not None and (bool(view.selected) or not selected) and view.can(method)
+
+    def can_cut(self) -> bool:
+        return self._can("cut")
+
+    def can_copy(self) -> bool:
+        return self._can("copy")
+
+    def can_paste(self) -> bool:
+        return self._can("paste", selected=False)
+
+    def can_duplicate(self) -> bool:
+        return self._can("duplicate")
+
+    def can_align(self) -> bool:
+        view = self._window.current_view
+        return view is not None and len(view.selected) > 1 and view.can("align")
+
+    def can_auto_layout(self) -> bool:
+        return self._can("auto_layout", selected=False)
+
+    def _can_insert(self, part: str) -> bool:
+        document = self._window.current_document
+        return any(kind.palette == part for kind in offered(document))
+
+    def can_insert_application(self) -> bool:
+        return self._can_insert("application")
+
+    def can_insert_action(self) -> bool:
+        return self._can_insert("action") and self.has_selection()
+
+    def can_insert_screen(self) -> bool:
+        return self._can_insert("screen") and self.has_selection()
+
+    def can_insert_script(self) -> bool:
+        return self._can_insert("script")
+
+    def can_insert_modules(self) -> bool:
+        return self._can_insert("modules")
+
+    def can_connect(self) -> bool:
+        return self._window.can_connect and not self.is_connected()
+
+    def is_connected(self) -> bool:
+        return self._window.is_connected
+
+    def shows_view(self, mode: str) -> bool:
+        view = self._window.current_view
+        return view is not None and view.mode == mode
+
+    def has_theme(self, choice: str) -> bool:
+        return self._window.theme_choice == choice
+
+    # -- files -----------------------------------------------------------------------
+
+    def _home(self) -> str:
+        recent = self._window.recent
+        return str(Path(recent[0]).parent) if recent else str(Path.home())
+
+    def new_project(self) -> None:
+        dialogs = self._window.dialogs
+        name = dialogs.name(self.tr("New project"), self.tr("Name"), "my-robot")
+        if name is None:
+            return
+        parent = dialogs.new_folder(self._home(), self.tr("Where shall its folder be?"))
+        if parent is not None and self._window.may_leave():
+            self._try(lambda: self._window.open_project(projects.new_project(Path(parent), name)))
+
+    def open_project(self) -> None:
+        path = self._window.dialogs.project(self._home())
+        if path is not None:
+            self.open_path(path)
+
+    def open_path(self, path: str) -> None:
+        """Opens a project, after asking what to do with unsaved changes."""
+        if self._window.may_leave():
+            self._try(lambda: self._window.open_project(Path(path)))
+
+    def open_example(self, name: str) -> None:
+        """Opens a copy of an example, made where the person says."""
+        parent = self._window.dialogs.new_folder(
+            self._home(), self.tr("Where shall the copy of the example be?")
+        )
+        if parent is not None and self._window.may_leave():
+            self._try(lambda: self._window.open_project(projects.copy_example(name, Path(parent))))
+
+    def show_welcome(self) -> None:
+        self._window.show_welcome()
+
+    def save(self) -> bool:
+        """Saves every changed document; False where a person or the disk said no."""
+        for file in self._session.conflicts():
+            answer = self._window.dialogs.conflict(file)
+            if answer == "cancel":
+                return False
+            if answer == "mine":
+                self._session.keep_mine(file)
+            elif not self._try(lambda f=file: self._session.take_from_disk(f)):  # type: ignore[misc]
+                return False
+        return self._try(self._session.save)
+
+    def close_tab(self) -> None:
+        self._window.close_tab()
+
+    def quit(self) -> None:
+        self._window.close()
+
+    # -- editing ---------------------------------------------------------------------
+
+    def undo(self) -> None:
+        self._window.finish_fields()
+        view = self._window.current_view
+        self._session.undo(view.selected if view is not None else ())
+
+    def redo(self) -> None:
+        self._session.redo()
+
+    def on_view(self, method: str) -> None:
+        view = self._window.current_view
+        if view is not None:
+            view.call(method)
+
+    def delete(self) -> None:
+        self.on_view("delete_selection")
+
+    def rename(self) -> None:
+        self.on_view("rename")
+
+    def align(self, how: str) -> None:
+        view = self._window.current_view
+        if view is not None:
+            view.call("align", "across" if how == "distribute" else how)
+
+    def insert(self, name: str) -> None:
+        """Puts a new thing where the selection is, and selects it."""
+        view, document = self._window.current_view, self._window.current_document
+        if view is None or document is None:
+            return
+        if name == "state" and view.can("add_state"):
+            view.call("add_state")
+            return
+        at = view.selected[0] if view.selected else ()
+        try:
+            after, place, text = insert(document, kinds.kind(name), at)
+        except NotHere as refused:
+            self._window.say(str(refused))
+            return
+        self._window.commit(after, text)
+        self._window.select(place)
+
+    # -- looking -----------------------------------------------------------------------
+
+    def show_view(self, mode: str) -> None:
+        self._window.show_mode(mode)
+
+    def zoom_by(self, factor: float) -> None:
+        view = self._window.current_view
+        if view is not None:
+            view.call("zoom_in" if factor > 1 else "zoom_out")
+
+    def zoom_to_actual_size(self) -> None:
+        view = self._window.current_view
+        if view is not None:
+            view.call("set_zoom", 1.0)
+
+    def zoom_to_selection(self) -> None:
+        view = self._window.current_view
+        if view is not None:
+            view.call("zoom_to", view.selected)
+
+    def choose_theme(self, choice: str) -> None:
+        self._window.choose_theme(choice)
+
+    def find(self) -> None:
+        """Opens the field that finds anything, with everything in it."""
+        self._window.finder.open(self.everything())
+
+    def everything(self) -> list[Find]:
+        """Commands that can be done now, then everything in the project that has a name."""
+        window = self._window
+        window.actions_.refresh()
+        found = []
+        for id, action in window.actions_.actions.items():
+            if action.isEnabled() and action.isVisible() and id != "find":
+                from situ_studio.actions import command
+
+                one = command(id)
+                keys = action.shortcut().toString()
+                found.append(
+                    Find(
+                        action.text().rstrip("…"), one.icon, "text2", keys, action.trigger, one.menu
+                    )
+                )
+        project = self._session.project
+        for file in self._session.files if project is not None else ():
+            document = self._session.document(file)
+            if document is None:
+                continue
+            for place, icon, token, text, more in places_of(document):
+                found.append(
+                    Find(
+                        text,
+                        icon,
+                        token,
+                        stem(file),
+                        lambda f=file, p=place: window.go_to(f, p),  # type: ignore[misc]
+                        more,
+                    )
+                )
+        return found
+
+    def find_here(self) -> None:
+        self._window.outline.toggle_search()
+
+    # -- robot -------------------------------------------------------------------------
+
+    def connect_robot(self) -> None:
+        self._window.ask_to_connect()
+
+    def disconnect_robot(self) -> None:
+        self._window.disconnect_robot()
+
+    def about(self) -> None:
+        self._window.dialogs.tell(
+            self.tr("Situ Studio {0}\nDraw what a robot says, shows and does.").format(
+                situ.__version__
+            )
+        )
+
+    # -- inside ------------------------------------------------------------------------
+
+    def _try(self, what: object) -> bool:
+        """Does something that may fail, and says in one line why it did."""
+        assert callable(what)
+        try:
+            what()
+        except (SituError, OSError) as error:
+            self._window.dialogs.tell(str(error))
+            return False
+        return True

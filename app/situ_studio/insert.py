@@ -1,0 +1,104 @@
+"""Inserting a new thing of a kind: by a drop, a palette button or the Insert menu."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec.structs import replace
+
+from situ.document import modules, rbd, spds
+from situ.document.condition import Condition, Test
+from situ_studio import changes, kinds, places, words
+from situ_studio.edit import Document, Place
+from situ_studio.kinds import Kind
+
+
+class NotHere(ValueError):
+    """A thing of this kind can not be put there; the text says what to select first."""
+
+
+def insert(document: Document, kind: Kind, at: Place) -> tuple[Document, Place, str]:
+    """The document with a new thing of ``kind`` at or in ``at``, its place, and the step's name.
+
+    Raises NotHere, with a line for the user.
+    """
+    if isinstance(document, rbd.Application):
+        return _into_application(document, kind, at)
+    if isinstance(document, spds.Spds):
+        return _into_script(document, kind, at)
+    name = _free(kind.name.replace("information", "module"), {m.name for m in document.modules})
+    made = modules.Module(name=name)
+    after = places.change(document, (), modules=(*document.modules, made))
+    return after, ("module", name), f"Add module {name}"
+
+
+def _into_application(
+    document: rbd.Application, kind: Kind, at: Place
+) -> tuple[Document, Place, str]:
+    if kind is kinds.STATE:
+        no = changes.free_number(document)
+        after = places.change(document, (), states=(*document.states, kind.make(no)))
+        return after, ("state", no), f"Add state {no}"
+    root = places.root(at)
+    part: Any = places.get(document, root) if root else None
+    if part is None:
+        raise NotHere(f"Select a state first, then add the {kind.title.lower()}.")
+    where = words.place_words(document, root)
+    text = f"Add {kind.title.lower()} to {where}"
+    if kind is kinds.EVENT:
+        made = kind.make(words.expected_next(part))
+        after = places.change(document, root, events=(*part.events, made))
+        return after, (*root, "event", str(len(part.events))), text
+    if kind is kinds.TIMEOUT:
+        if part.timeout is not None:
+            raise NotHere(f"{where.capitalize()} has a timeout already.")
+        return places.change(document, root, timeout=kind.make("")), root, text
+    if kind in kinds.COMPONENTS:
+        screen = part.screen or rbd.Screen()
+        name = _free(kind.name, {c.id for c in screen.components}, first=True)
+        screen = replace(screen, components=(*screen.components, kind.make(name)))
+        return places.change(document, root, screen=screen), (*root, "screen", name), text
+    made = kind.make("")
+    event = at[: len(root) + 2]
+    inside = places.get(document, event)
+    if isinstance(inside, rbd.Event) and kind in kinds.EVENT_ACTIONS:
+        after = places.change(document, event, actions=(*inside.actions, made))
+        return after, (*event, "action", str(len(inside.actions))), text
+    if not isinstance(part, rbd.State):
+        raise NotHere("Actions belong to states and events: select one of them first.")
+    after = places.change(document, root, actions=(*part.actions, made))
+    return after, (*root, "action", str(len(part.actions))), text
+
+
+def _into_script(document: spds.Spds, kind: Kind, at: Place) -> tuple[Document, Place, str]:
+    if kind is kinds.DATA:
+        tag = _free("data", {o.tag for o in document.observe})
+        after = places.change(document, (), observe=(*document.observe, kind.make(tag)))
+        return after, ("data", tag), f"Add data {tag}"
+    if kind is kinds.MODULE:
+        name = _free("module", {m.name for m in document.modules})
+        after = places.change(document, (), modules=(*document.modules, kind.make(name)))
+        return after, ("module", name), f"Add module {name}"
+    name = _free("situation", {s.name for s in document.situations})
+    every = list(document.situations)
+    index = max(0, len(every) - 1)
+    if at[:1] == ("situation",):
+        index = next((i for i, s in enumerate(every) if s.name == at[1]), index)
+    made = spds.Situation(name=name)
+    if every:
+        # Only the last one may hold always, and a new one stands before it.
+        tag = document.observe[0].tag if document.observe else "data"
+        made = spds.Situation(name=name, condition=Condition((Test(tag, "exists", "true"),)))
+    every.insert(index, made)
+    after = places.change(document, (), situations=tuple(every))
+    return after, ("situation", name), f"Add situation {name}"
+
+
+def _free(word: str, taken: set[str], first: bool = False) -> str:
+    """``word``, or with the first number that is free; ``first``: always with a number."""
+    if not first and word not in taken:
+        return word
+    number = 1 if first else 2
+    while f"{word}{number}" in taken:
+        number += 1
+    return f"{word}{number}"

@@ -1,0 +1,280 @@
+"""Situ Studio's start: the only place where its objects are wired."""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import re
+import signal
+import socket
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import QEvent, QEventLoop, QObject, QSettings, QSocketNotifier, Qt, QTimer
+from PySide6.QtGui import QGuiApplication, QIcon
+from PySide6.QtWidgets import QApplication
+
+from situ.document import folder
+from situ.errors import SituError, UsageError
+from situ.resources import examples, resource
+from situ_studio.panels.project_tree import stem
+from situ_studio.session import Session
+from situ_studio.theme import load_fonts
+from situ_studio.welcome import Example
+from situ_studio.window import MainWindow
+
+_log = logging.getLogger("situ.studio")
+
+WELCOME = "welcome"
+
+
+def application() -> QApplication:
+    """The QApplication, made at the first call, with our typeface and style."""
+    there = QApplication.instance()
+    if isinstance(there, QApplication):
+        return there
+    # Fractions of the desktop's scale are taken as they are: the canvas is sharp at any.
+    QGuiApplication.setHighDpiScaleFactorRoundingPolicy(
+        Qt.HighDpiScaleFactorRoundingPolicy.PassThrough
+    )
+    made = QApplication(["situ-studio"])
+    made.setApplicationName("Situ Studio")
+    made.setOrganizationName("Situ")
+    made.setDesktopFileName("situ-studio")
+    # One style everywhere: the sheet's measures are made for it.
+    made.setStyle("Fusion")
+    made.setWindowIcon(QIcon(str(resource("icons", "situ.svg"))))
+    load_fonts()
+    return made
+
+
+def create_window(
+    path: str | Path | None = None,
+    settings: QSettings | None = None,
+    theme: str | None = None,
+) -> MainWindow:
+    """A window with the project at ``path`` open, or with the welcome page; not shown yet.
+
+    settings: where geometry, theme and recent projects are kept; the user's own unless given.
+    theme: ``light``, ``dark`` or ``system``, in place of the one kept.
+    Raises UsageError, with one line, where ``path`` is no project that can be read.
+    """
+    application()
+    window = MainWindow(Session(), settings or QSettings(), shipped_examples, theme)
+    if path is not None:
+        try:
+            window.open_project(Path(path))
+        except SituError:
+            window.deleteLater()
+            raise
+    return window
+
+
+def shipped_examples() -> list[Example]:
+    """The examples that can be read, with the first sentence of their README."""
+    found = []
+    for name, where in examples().items():
+        try:
+            project, _ = folder.load(where)
+        except SituError:
+            continue
+        if project is not None:
+            found.append(Example(name, _about(where), project))
+    # The one with a single application is the easier one to begin with.
+    return sorted(
+        found, key=lambda e: (len(e.project.applications) > 1 or e.project.spds is not None, e.name)
+    )
+
+
+def _about(where: Path) -> str:
+    """The first sentence of a README, or nothing."""
+    try:
+        text = (where / "README.md").read_text(encoding="utf-8")
+    except OSError:
+        return ""
+    for paragraph in text.split("\n\n"):
+        line = " ".join(paragraph.split())
+        if line and not line.startswith(("#", "```", "|", "-", "!")):
+            return re.split(r"(?<=[.!?])\s", line)[0].replace("`", "")
+    return ""
+
+
+# -- the command line ----------------------------------------------------------------
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of ``situ studio``."""
+    made = argparse.ArgumentParser(prog="situ studio", allow_abbrev=False)
+    made.add_argument("project", nargs="?", metavar="PROJECT")
+    made.add_argument("--screenshot", metavar="OUT.png")
+    made.add_argument("--size", type=_size, metavar="WxH")
+    made.add_argument("--view", metavar="NAME")
+    made.add_argument("--connect", metavar="ENDPOINT")
+    made.add_argument("--theme", choices=("light", "dark"))
+    return made
+
+
+def _size(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"([1-9]\d{1,4})x([1-9]\d{1,4})", text)
+    if found is None:
+        raise argparse.ArgumentTypeError(f"{text!r} is no size; write it as 1440x900")
+    return int(found[1]), int(found[2])
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Runs the studio; the exit status: 0 well, 2 wrong usage or unreadable input."""
+    try:
+        options = parser().parse_args(argv)
+    except SystemExit as stopped:
+        return stopped.code if isinstance(stopped.code, int) else 2
+    logging.basicConfig(level="WARNING", format="%(levelname)s %(name)s: %(message)s")
+    try:
+        return run(options)
+    except SituError as error:
+        print(f"situ studio: {error}", file=sys.stderr)
+        return 2
+
+
+def run(options: argparse.Namespace) -> int:
+    """Opens the window and runs Qt's loop, or takes the screenshot."""
+    qt = application()
+    settings = QSettings()
+    if options.screenshot is not None:
+        # A picture shows the window as it is at the first start.
+        settings = QSettings(str(Path("/nonexistent/situ")), QSettings.Format.IniFormat)
+    project = None if options.view == WELCOME else options.project
+    window = create_window(project, settings, options.theme)
+    if options.size is not None:
+        window.resize(*options.size)
+    if options.view is not None:
+        show_view(window, options.view)
+    window.show()
+    if options.screenshot is not None:
+        return screenshot(window, options.screenshot, options.size)
+    sys.excepthook = Unexpected(window.dialogs.tell)
+    with Interrupts(qt):
+        return int(qt.exec())
+
+
+def show_view(window: MainWindow, name: str) -> None:
+    """Shows what ``--view`` names: a document's file stem, ``outline:`` before it, ``welcome``.
+
+    ``NAME/PLACE`` selects too: ``reception/state/6``. Raises UsageError naming what there is.
+    """
+    if name == WELCOME:
+        window.show_welcome()
+        return
+    wanted, mode = name, "graph"
+    if name.startswith("outline:"):
+        wanted, mode = name.removeprefix("outline:"), "outline"
+    wanted, *place = wanted.split("/")
+    files = {stem(file): file for file in window.session.files}
+    project = window.session.project
+    if wanted == "spds" and project is not None and project.spds_file is not None:
+        files["spds"] = project.spds_file
+    if wanted not in files:
+        known = ", ".join(files) or "none: name a project too"
+        raise UsageError(f"no view {wanted!r}; there are: {known}")
+    window.open_file(files[wanted])
+    window.show_mode(mode)
+    if place:
+        window.go_to(files[wanted], tuple(place))
+
+
+def screenshot(window: MainWindow, out: str, size: tuple[int, int] | None) -> int:
+    """Draws the window into a PNG once it is laid out."""
+    if size is not None:
+        window.resize(*size)
+    settle(window)
+    view = window.current_view
+    if view is not None and view.mode == "graph":
+        view.call("zoom_to_fit")
+        settle(window)
+    picture = window.grab()
+    if not picture.save(out, "PNG"):
+        raise UsageError(f"{out}: can not be written")
+    window.session.blockSignals(True)
+    window.close()
+    return 0
+
+
+def settle(window: MainWindow) -> None:
+    """Lets Qt lay out and paint everything that is due: a turn of the loop after the last event."""
+    loop = QEventLoop()
+    for _ in range(4):
+        QTimer.singleShot(0, loop.quit)
+        loop.exec()
+        QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+        QApplication.processEvents()
+    assert window.isVisible()
+
+
+# -- what nobody expected ----------------------------------------------------------------
+
+
+class Unexpected:
+    """``sys.excepthook``: a fault of ours in a slot is logged whole and told once in one line.
+
+    The studio runs on: what is open can still be saved.
+    """
+
+    def __init__(self, tell: Callable[[str], None]) -> None:
+        self._tell = tell
+        self._told: set[str] = set()
+        self._telling = False
+
+    def __call__(
+        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        if issubclass(kind, KeyboardInterrupt):
+            QApplication.quit()
+            return
+        _log.error("%s", "".join(traceback.format_exception(kind, error, trace)))
+        line = f"{kind.__name__}: {error}"
+        if self._telling or line in self._told:
+            return
+        self._told.add(line)
+        self._telling = True
+        try:
+            self._tell(
+                f"A fault in Situ Studio itself: {line}. Your documents are as they were; "
+                "save them, then please report this."
+            )
+        finally:
+            self._telling = False
+
+
+class Interrupts(QObject):
+    """Ctrl-C and a polite kill close the window; Qt's loop would not notice them by itself."""
+
+    def __init__(self, qt: QApplication) -> None:
+        super().__init__()
+        self._qt = qt
+        self._read, self._write = socket.socketpair()
+        self._read.setblocking(False)
+        self._write.setblocking(False)
+        self._notifier = QSocketNotifier(self._read.fileno(), QSocketNotifier.Type.Read, self)
+        self._notifier.activated.connect(self._on_signal)
+        self._old: dict[int, object] = {}
+        self._wakeup = -1
+
+    def __enter__(self) -> Interrupts:
+        self._wakeup = signal.set_wakeup_fd(self._write.fileno(), warn_on_full_buffer=False)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self._old[number] = signal.signal(number, lambda *_: None)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        signal.set_wakeup_fd(self._wakeup)
+        for number, handler in self._old.items():
+            signal.signal(number, handler)  # type: ignore[arg-type]
+        self._notifier.setEnabled(False)
+        self._read.close()
+        self._write.close()
+
+    def _on_signal(self) -> None:
+        self._read.recv(64)
+        self._qt.quit()

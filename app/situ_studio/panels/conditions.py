@@ -1,0 +1,279 @@
+"""Conditions, edited in place: a box a test, a frame a group."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec.structs import replace
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, QWidget
+
+from situ.document.condition import Condition, Group, Test
+from situ_studio.icon_widgets import IconButton, IconLabel
+from situ_studio.kinds import GROUPS, TESTS
+from situ_studio.layouts import clear
+from situ_studio.panels.fields import Choice, Line, Number
+from situ_studio.theme import Theme
+from situ_studio.vocabulary import Vocabulary
+
+Path = tuple[int, ...]
+
+# `exists` has only two values, so it is two tests to the designer.
+_MISSING = "missing"
+_CHOICES = (*TESTS, (_MISSING, "is missing"))
+
+
+class TestBox(QFrame):
+    """One test: its tag, what it asks, and since when."""
+
+    changed = Signal(object)
+    removed = Signal()
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "box")
+        self._test: Test | None = None
+        column = QVBoxLayout(self)
+        column.setContentsMargins(7, 5, 7, 7)
+        column.setSpacing(4)
+        first = QHBoxLayout()
+        first.setSpacing(6)
+        first.addWidget(IconLabel(theme, "data", "data", 15))
+        self.tag = Line()
+        self.tag.setAccessibleName(self.tr("Tag"))
+        first.addWidget(self.tag, 1)
+        remove = IconButton(theme, "close", self.tr("Remove this test"), "text3", 12)
+        remove.setFixedSize(18, 18)
+        remove.clicked.connect(self.removed)
+        first.addWidget(remove)
+        column.addLayout(first)
+        second = QHBoxLayout()
+        second.setSpacing(6)
+        self.test = Choice(theme)
+        self.test.setAccessibleName(self.tr("Test"))
+        self.test.offer(_CHOICES)
+        self.test.setFixedWidth(98)
+        second.addWidget(self.test)
+        self.value = Line()
+        self.value.setAccessibleName(self.tr("Value"))
+        second.addWidget(self.value, 1)
+        self._value_gap = QWidget()
+        second.addWidget(self._value_gap, 1)
+        column.addLayout(second)
+        third = QHBoxLayout()
+        third.setSpacing(6)
+        self.within = self._seconds(
+            third, self.tr("within"), self.tr("The tag was set less than so many seconds ago.")
+        )
+        self.hold = self._seconds(
+            third, self.tr("for"), self.tr("It has held without a break for so many seconds.")
+        )
+        column.addLayout(third)
+        self.tag.committed.connect(lambda v: self._change(tag=v))
+        self.test.committed.connect(self._on_test)
+        self.value.committed.connect(lambda v: self._change(value=v))
+        self.within.committed.connect(lambda v: self._change(within=v))
+        self.hold.committed.connect(lambda v: self._change(hold=v))
+
+    def _seconds(self, line: QHBoxLayout, words: str, tip: str) -> Number:
+        label = QLabel(words)
+        label.setProperty("role", "label")
+        line.addWidget(label)
+        field = Number(unit="s", above=True)
+        field.setAccessibleName(words)
+        field.setToolTip(tip)
+        line.addWidget(field, 1)
+        return field
+
+    def show_test(self, test: Test, vocabulary: Vocabulary) -> None:
+        self._test = test
+        self.tag.complete_from(vocabulary.tags)
+        self.tag.show_value(test.tag)
+        missing = test.test == "exists" and test.value == "false"
+        self.test.show_value(_MISSING if missing else test.test)
+        self.value.setVisible(test.test != "exists")
+        self._value_gap.setVisible(test.test == "exists")
+        self.value.show_value(test.value)
+        self.within.show_value(test.within)
+        self.hold.show_value(test.hold)
+
+    def _on_test(self, test: str) -> None:
+        if self._test is None:
+            return
+        if test in ("exists", _MISSING):
+            self._change(test="exists", value="true" if test == "exists" else "false")
+        elif self._test.test == "exists":
+            self._change(test=test, value="true" if test in ("is", "isnot") else "0")
+        else:
+            self._change(test=test)
+
+    def _change(self, **fields: Any) -> None:
+        if self._test is not None:
+            self.changed.emit(replace(self._test, **fields))
+
+
+class GroupBox(QFrame):
+    """A group: its kind above, its members below a line at the left."""
+
+    changed = Signal(str)
+    removed = Signal()
+    added = Signal(str)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        first = QHBoxLayout()
+        first.setSpacing(4)
+        first.addWidget(IconLabel(theme, "condition", "condition", 15))
+        self.kind = Choice(theme)
+        self.kind.setAccessibleName(self.tr("Group"))
+        self.kind.offer(GROUPS)
+        self.kind.committed.connect(self.changed)
+        first.addWidget(self.kind, 1)
+        first.addWidget(AddTest(theme, self.added.emit))
+        remove = IconButton(theme, "close", self.tr("Remove this group"), "text3", 12)
+        remove.setFixedSize(18, 18)
+        remove.clicked.connect(self.removed)
+        first.addWidget(remove)
+        column.addLayout(first)
+        inner = QHBoxLayout()
+        inner.setContentsMargins(6, 0, 0, 0)
+        inner.setSpacing(6)
+        line = QFrame()
+        line.setFixedWidth(2)
+        line.setStyleSheet(f"background: {theme.condition_soft};")
+        inner.addWidget(line)
+        self.members = QVBoxLayout()
+        self.members.setSpacing(6)
+        inner.addLayout(self.members, 1)
+        column.addLayout(inner)
+
+
+class AddTest(IconButton):
+    """The button that adds a test or a group."""
+
+    def __init__(self, theme: Theme, add: Any, parent: QWidget | None = None) -> None:
+        super().__init__(theme, "plus", "", "text3", 16, parent)
+        self.setToolTip(self.tr("Add a test"))
+        self.setAccessibleName(self.tr("Add a test"))
+        menu = QMenu(self)
+        menu.addAction(self.tr("A test"), lambda: add("test"))
+        for kind, words in GROUPS:
+            menu.addAction(words.capitalize(), lambda k=kind: add(k))
+        self.setMenu(menu)
+        self.setPopupMode(self.ToolButtonPopupMode.InstantPopup)
+        self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
+        self.setIconSize(QSize(16, 16))
+
+
+class ConditionEditor(QWidget):
+    """All of a condition; tells the new one (None: no test is left) with words for the step."""
+
+    changed = Signal(object, str)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._condition: Condition | None = None
+        self._vocabulary = Vocabulary()
+        self._shape: Any = ()
+        self._boxes: dict[Path, TestBox | GroupBox] = {}
+        self._layout = QVBoxLayout(self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setSpacing(6)
+
+    def show_value(self, theme: Theme, condition: Condition | None, vocabulary: Vocabulary) -> None:
+        self._condition, self._vocabulary = condition, vocabulary
+        children = condition.children if condition is not None else ()
+        shape = (theme.name, _shape(children))
+        if shape != self._shape:
+            self._theme, self._shape = theme, shape
+            self._rebuild(children)
+        self._fill((), children)
+        self.setVisible(bool(children))
+
+    def box(self, *path: int) -> TestBox | GroupBox:
+        """The box at a path of positions; tests type into it."""
+        return self._boxes[path]
+
+    def add(self, kind: str, path: Path = ()) -> None:
+        """Adds a test or a group of that kind at the end of the group at ``path``."""
+        tags = self._vocabulary.tags
+        test = Test(tags[0] if tags else "tag", "exists", "true")
+        new: Test | Group = test if kind == "test" else Group(kind, (test,))  # type: ignore[arg-type]
+        condition = self._condition or Condition()
+        self.changed.emit(_insert(condition, path, new), self.tr("Add a test"))
+
+    def _rebuild(self, children: tuple[Test | Group, ...]) -> None:
+        clear(self._layout)
+        self._boxes = {}
+        self._build(self._layout, (), children)
+
+    def _build(self, layout: QVBoxLayout, path: Path, children: tuple[Test | Group, ...]) -> None:
+        for index, child in enumerate(children):
+            at = (*path, index)
+            if isinstance(child, Test):
+                box = TestBox(self._theme)
+                box.changed.connect(lambda v, p=at: self._put(p, v, self.tr("Change a test")))
+                box.removed.connect(lambda p=at: self._put(p, None, self.tr("Remove a test")))
+                self._boxes[at] = box
+                layout.addWidget(box)
+            else:
+                group = GroupBox(self._theme)
+                group.changed.connect(lambda kind, p=at: self._regroup(p, kind))
+                group.removed.connect(lambda p=at: self._put(p, None, self.tr("Remove a group")))
+                group.added.connect(lambda kind, p=at: self.add(kind, p))
+                self._boxes[at] = group
+                layout.addWidget(group)
+                self._build(group.members, at, child.children)
+
+    def _fill(self, path: Path, children: tuple[Test | Group, ...]) -> None:
+        for index, child in enumerate(children):
+            box = self._boxes[(*path, index)]
+            if isinstance(child, Test) and isinstance(box, TestBox):
+                box.show_test(child, self._vocabulary)
+            elif isinstance(child, Group) and isinstance(box, GroupBox):
+                box.kind.show_value(child.kind)
+                self._fill((*path, index), child.children)
+
+    def _regroup(self, path: Path, kind: Any) -> None:
+        group = _at(self._condition, path)
+        if isinstance(group, Group):
+            self._put(path, replace(group, kind=kind), self.tr("Change a group"))
+
+    def _put(self, path: Path, value: Test | Group | None, text: str) -> None:
+        if self._condition is None:
+            return
+        made = _exchange(self._condition, path, value)
+        self.changed.emit(made if made.children else None, text)
+
+
+def _shape(children: tuple[Test | Group, ...]) -> Any:
+    return tuple("test" if isinstance(c, Test) else _shape(c.children) for c in children)
+
+
+def _at(condition: Condition | None, path: Path) -> Any:
+    value: Any = condition
+    for index in path:
+        value = value.children[index]
+    return value
+
+
+def _exchange(holder: Any, path: Path, value: Test | Group | None) -> Any:
+    """``holder`` with the member at ``path`` exchanged, or taken out; empty groups go too."""
+    children = list(holder.children)
+    if len(path) == 1:
+        children[path[0] : path[0] + 1] = [] if value is None else [value]
+    else:
+        inner = _exchange(children[path[0]], path[1:], value)
+        children[path[0] : path[0] + 1] = [inner] if inner.children else []
+    return replace(holder, children=tuple(children))
+
+
+def _insert(holder: Any, path: Path, value: Test | Group) -> Any:
+    if not path:
+        return replace(holder, children=(*holder.children, value))
+    inner = _insert(holder.children[path[0]], path[1:], value)
+    return _exchange(holder, path[:1], inner)

@@ -1,0 +1,375 @@
+"""Editors of one value: what stands at the right of a label in a form.
+
+Each shows a value without telling, and tells ``committed`` once when a person has
+finished a different one: at Enter, at leaving the field, at a choice.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication, QRectF, QStringListModel, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QKeyEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QCompleter,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QWidget,
+)
+
+from situ.document.rbd import AGAIN, BACK
+from situ_studio import icons
+from situ_studio.theme import Theme
+from situ_studio.vocabulary import Vocabulary
+
+
+class Line(QLineEdit):
+    """One line of text. Esc puts back what was shown; ``unit`` stands behind the text."""
+
+    committed = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None, unit: str = "") -> None:
+        super().__init__(parent)
+        self._shown = ""
+        self._unit: QLabel | None = None
+        self._words: QStringListModel | None = None
+        self.editingFinished.connect(self.on_finished)
+        if unit:
+            self._unit = QLabel(unit, self)
+            self._unit.setProperty("role", "label")
+            self._unit.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+            width = self._unit.sizeHint().width()
+            self.setTextMargins(0, 0, width + 6, 0)
+
+    def show_value(self, value: Any) -> None:
+        self._shown = self.written(value)
+        if not self.hasFocus() or self.text() != self._shown:
+            self.setText(self._shown)
+            self.setCursorPosition(0)
+
+    def written(self, value: Any) -> str:
+        """How a value stands in the field."""
+        return "" if value is None else str(value)
+
+    def read(self, text: str) -> Any:
+        """The value of a text; ValueError, with a line for the user, where it is none."""
+        return text.strip()
+
+    def complete_from(self, words: tuple[str, ...]) -> None:
+        """Offers these words while somebody types."""
+        if self._words is None:
+            self._words = QStringListModel(self)
+            completer = QCompleter(self._words, self)
+            completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+            completer.setFilterMode(Qt.MatchFlag.MatchContains)
+            completer.popup().setProperty("role", "completions")
+            self.setCompleter(completer)
+        if self._words.stringList() != list(words):
+            self._words.setStringList(list(words))
+
+    def refuse(self, why: str) -> None:
+        """Marks the field and says why; empty: no longer."""
+        self.setProperty("role", "refused" if why else "")
+        self.setToolTip(why)
+        self.style().unpolish(self)
+        self.style().polish(self)
+
+    def on_finished(self) -> None:
+        text = self.text()
+        if text == self._shown:
+            self.refuse("")
+            return
+        try:
+            value = self.read(text)
+        except ValueError as error:
+            self.refuse(str(error))
+            return
+        self.refuse("")
+        self._shown = text
+        self.committed.emit(value)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.text() != self._shown:
+            self.setText(self._shown)
+            self.refuse("")
+            return
+        super().keyPressEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if self.property("role") == "refused":
+            self.setText(self._shown)
+            self.refuse("")
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._unit is not None:
+            hint = self._unit.sizeHint()
+            self._unit.setGeometry(self.width() - hint.width() - 9, 0, hint.width(), self.height())
+
+
+class Number(Line):
+    """A number, or nothing."""
+
+    def __init__(
+        self,
+        parent: QWidget | None = None,
+        unit: str = "",
+        whole: bool = False,
+        above: bool = False,
+    ) -> None:
+        super().__init__(parent, unit)
+        self._whole, self._above = whole, above
+
+    def written(self, value: Any) -> str:
+        return "" if value is None else f"{value:g}" if not self._whole else str(value)
+
+    def read(self, text: str) -> Any:
+        text = text.strip().replace(",", ".")
+        if not text:
+            return None
+        try:
+            value = int(text) if self._whole else float(text)
+        except ValueError:
+            raise ValueError(
+                self.tr("Write a whole number.") if self._whole else self.tr("Write a number.")
+            ) from None
+        if value != value or value in (float("inf"), float("-inf")):
+            raise ValueError(self.tr("Write a number."))
+        if self._above and value <= 0:
+            raise ValueError(self.tr("Write a number above 0."))
+        return value
+
+
+class Words(Line):
+    """Several words, divided by spaces or commas."""
+
+    def written(self, value: Any) -> str:
+        return " ".join(value or ())
+
+    def read(self, text: str) -> Any:
+        return tuple(dict.fromkeys(text.replace(",", " ").split()))
+
+
+class Paragraph(QPlainTextEdit):
+    """Several lines; as high as its text, from two lines to eight. Ctrl+Enter ends it too."""
+
+    committed = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._shown = ""
+        self.setTabChangesFocus(True)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.document().documentLayout().documentSizeChanged.connect(self.on_size_changed)
+        self.on_size_changed()
+
+    def show_value(self, value: Any) -> None:
+        self._shown = value or ""
+        if self.toPlainText() != self._shown:
+            self.setPlainText(self._shown)
+
+    def on_size_changed(self) -> None:
+        lines = min(8, max(2, int(self.document().size().height())))
+        self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + 16)
+
+    def finish(self) -> None:
+        text = self.toPlainText()
+        if text != self._shown:
+            self._shown = text
+            self.committed.emit(text)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+        if control and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.finish()
+            return
+        if event.key() == Qt.Key.Key_Escape and self.toPlainText() != self._shown:
+            self.setPlainText(self._shown)
+            return
+        super().keyPressEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.finish()
+
+
+class Choice(QComboBox):
+    """One of several; what is not among them is shown too, as it stands."""
+
+    committed = Signal(object)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._value: Any = None
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(4)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.activated.connect(self.on_activated)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self.update()
+
+    def offer(self, choices: tuple[tuple[Any, str], ...]) -> None:
+        """The values and what stands for each."""
+        if [(self.itemData(i), self.itemText(i)) for i in range(self.count())] == list(choices):
+            return
+        self.blockSignals(True)
+        self.clear()
+        for value, text in choices:
+            self.addItem(text, value)
+        self.blockSignals(False)
+
+    def show_value(self, value: Any) -> None:
+        self._value = value
+        index = self.findData(value)
+        if index < 0 and value is not None:
+            self.addItem(self.tr("{0} (missing)").format(value), value)
+            index = self.count() - 1
+        self.setCurrentIndex(index)
+
+    def on_activated(self, index: int) -> None:
+        value = self.itemData(index)
+        if value != self._value:
+            self._value = value
+            self.committed.emit(value)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        # A form that is scrolled must not change what lies under the pointer.
+        event.ignore()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        rect = QRectF(self.width() - 21, (self.height() - 14) / 2, 14, 14)
+        icons.paint(painter, "down", rect, self._theme.color("text3"))
+        painter.end()
+
+
+class Flag(QCheckBox):
+    """Yes or no."""
+
+    committed = Signal(object)
+
+    def __init__(self, theme: Theme, words: str, parent: QWidget | None = None) -> None:
+        super().__init__(words, parent)
+        self._theme = theme
+        self.clicked.connect(self.on_clicked)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self.update()
+
+    def show_value(self, value: Any) -> None:
+        self.setChecked(bool(value))
+
+    def on_clicked(self, checked: bool) -> None:
+        self.committed.emit(checked)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self.isChecked():
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        rect = QRectF(1, (self.height() - 14) / 2, 14, 14)
+        icons.paint(painter, "check", rect, self._theme.color("on_accent"))
+        painter.end()
+
+
+class Swatch(Line):
+    """A colour as the screen's page takes it, with a sample of it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setTextMargins(0, 0, 22, 0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        color = QColor(self.text())
+        if not self.text() or not color.isValid():
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(self.palette().color(self.foregroundRole()))
+        painter.setBrush(color)
+        painter.drawRoundedRect(QRectF(self.width() - 24, (self.height() - 14) / 2, 14, 14), 4, 4)
+        painter.end()
+
+
+def next_choices(vocabulary: Vocabulary, stay: str) -> tuple[tuple[Any, str], ...]:
+    """What an event can lead to."""
+    return (
+        (None, stay),
+        *((no, f"{no} {name}".strip()) for no, name in vocabulary.states),
+        (AGAIN, QCoreApplication.translate("fields", "the same state, anew")),
+        (BACK, QCoreApplication.translate("fields", "back to where it came from")),
+    )
+
+
+FieldWidget = Line | Paragraph | Choice | Flag
+
+
+def make_field(
+    editor: str, theme: Theme, label: str, unit: str = "", parent: QWidget | None = None
+) -> FieldWidget:
+    """The widget for an editor of the kinds' table."""
+    if editor == "number":
+        return Number(parent, unit)
+    if editor == "whole":
+        return Number(parent, unit, whole=True)
+    if editor == "long":
+        return Paragraph(parent)
+    if editor == "flag":
+        return Flag(theme, label, parent)
+    if editor in ("choice", "state", "next", "situation", "module"):
+        return Choice(theme, parent)
+    if editor == "resources":
+        return Words(parent, unit)
+    return Swatch(parent) if editor == "color" else Line(parent, unit)
+
+
+def offer(
+    widget: FieldWidget,
+    editor: str,
+    vocabulary: Vocabulary,
+    choices: tuple[tuple[str, str], ...] = (),
+    empty: str = "",
+) -> None:
+    """Gives a field the words that it can complete or choose from."""
+    if isinstance(widget, Choice):
+        if editor == "choice":
+            widget.offer(tuple((value or None, text) for value, text in choices))
+        elif editor == "next":
+            widget.offer(next_choices(vocabulary, empty))
+        elif editor == "state":
+            states = tuple((no, f"{no} {name}".strip()) for no, name in vocabulary.states)
+            widget.offer(((None, empty), *states))
+        elif editor == "situation":
+            widget.offer(((None, empty), *((s, s) for s in vocabulary.situations)))
+        else:
+            widget.offer(tuple((m, m) for m in vocabulary.modules))
+    elif isinstance(widget, Line):
+        words = {
+            "event": vocabulary.events,
+            "tag": vocabulary.tags,
+            "resource": vocabulary.resources,
+            "media": vocabulary.media,
+        }.get(editor)
+        if words is not None:
+            widget.complete_from(words)

@@ -1,0 +1,174 @@
+"""The inspector: the form of what is selected, one form a kind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+
+from situ.document.problem import Problem
+from situ_studio import kinds, places, words
+from situ_studio.edit import Document, Place
+from situ_studio.icon_widgets import Elided, IconButton, IconLabel
+from situ_studio.layouts import rule
+from situ_studio.panels.form import Form, Subject
+from situ_studio.theme import Theme
+from situ_studio.vocabulary import Vocabulary
+
+
+class Inspector(QWidget):
+    """Shows one selected place; several or none are told in words."""
+
+    edited = Signal(object, str, tuple)
+    """The new document, the step's name, the place that is selected then."""
+    place_asked = Signal(tuple)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        self.setAccessibleName(self.tr("Inspector"))
+        self._theme = theme
+        self._place: Place = ()
+        self._form: Form | None = None
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        self.header = QWidget()
+        self.header.setFixedHeight(39)
+        line = QHBoxLayout(self.header)
+        line.setContentsMargins(12, 0, 8, 0)
+        line.setSpacing(8)
+        self._back = IconButton(theme, "left", self.tr("Back"), "text2", 14)
+        self._back.setFixedSize(20, 20)
+        self._back.clicked.connect(self._on_back)
+        line.addWidget(self._back)
+        self._icon = IconLabel(theme, "state", "state", 18)
+        line.addWidget(self._icon)
+        self._title = Elided("", "subject")
+        line.addWidget(self._title, 1)
+        self._pill = QLabel()
+        self._pill.setProperty("role", "pill")
+        line.addWidget(self._pill)
+        column.addWidget(self.header)
+        column.addWidget(rule())
+        self._notice = QLabel()
+        self._notice.setProperty("role", "refused")
+        self._notice.setWordWrap(True)
+        self._notice.setContentsMargins(12, 8, 12, 0)
+        self._notice.setTextFormat(Qt.TextFormat.PlainText)
+        column.addWidget(self._notice)
+        self._words = QLabel()
+        self._words.setProperty("role", "words")
+        self._words.setWordWrap(True)
+        self._words.setContentsMargins(12, 12, 12, 12)
+        column.addWidget(self._words)
+        self._scroll = QScrollArea()
+        self._scroll.setWidgetResizable(True)
+        self._scroll.setFrameShape(QFrame.Shape.NoFrame)
+        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scroll.viewport().setProperty("role", "panel")
+        column.addWidget(self._scroll, 1)
+        self.show_nothing(self.tr("Nothing is selected."))
+
+    @property
+    def form(self) -> Form | None:
+        """The form that is shown; None where words are."""
+        return self._form
+
+    @property
+    def place(self) -> Place:
+        """The place that the form shows."""
+        return self._place
+
+    def show_nothing(self, why: str, title: str = "") -> None:
+        """Words instead of a form."""
+        self._drop_form()
+        self._back.hide()
+        self._pill.hide()
+        self._notice.hide()
+        self._icon.set_icon("info", "text3")
+        self._title.setText(title or self.tr("Inspector"))
+        self._words.setText(why)
+        self._words.show()
+
+    def show_selection(
+        self,
+        document: Document,
+        selected: tuple[Place, ...],
+        vocabulary: Vocabulary,
+        problems: tuple[Problem, ...] = (),
+        media: Path | None = None,
+    ) -> None:
+        """Shows what is selected in ``document``; nothing selected is the document itself."""
+        if len(selected) > 1:
+            self.show_nothing(
+                self.tr("Select one of them to change it."),
+                self.tr("{0} selected").format(len(selected)),
+            )
+            return
+        place = places.nearest(document, selected[0]) if selected else ()
+        value = places.get(document, place)
+        kind = kinds.kind_of(value)
+        while kind is None and place:
+            place = place[:-1]
+            value = places.get(document, place)
+            kind = kinds.kind_of(value)
+        if kind is None:
+            self.show_nothing(self.tr("Nothing is selected."))
+            return
+        if self._form is None or self._form.kind is not kind:
+            self._drop_form()
+            form = Form(kind, self._theme)
+            form.edited.connect(self.edited)
+            form.place_asked.connect(self.place_asked)
+            self._scroll.setWidget(form)
+            form.setProperty("role", "panel")
+            self._form = form
+        self._place = place
+        self._words.hide()
+        icon, tint, name, what = words.title(document, place)
+        self._icon.set_icon(icon, tint)
+        self._title.setText(name)
+        self._pill.setText(what)
+        pill = str(kind.tint) if kind.tint != "state" else tint
+        if self._pill.property("pill") != pill:
+            self._pill.setProperty("pill", pill)
+            self._pill.style().unpolish(self._pill)
+            self._pill.style().polish(self._pill)
+        self._pill.show()
+        self._back.setVisible(len(place) > 2 or (place[:1] == ("always",) and len(place) > 1))
+        here = [p.message for p in problems if p.place == place]
+        self._notice.setText("\n".join(here))
+        self._notice.setVisible(bool(here))
+        self._form.show_subject(
+            Subject(
+                document=document,
+                place=place,
+                value=value,
+                theme=self._theme,
+                vocabulary=vocabulary,
+                problems=problems,
+                media=media,
+            )
+        )
+
+    def set_theme(self, theme: Theme) -> None:
+        """Takes the theme; the form is made anew at the next ``show_selection``."""
+        self._theme = theme
+        self._drop_form()
+
+    def _drop_form(self) -> None:
+        form = self._scroll.takeWidget()
+        if form is not None:
+            form.hide()
+            form.deleteLater()
+        self._form = None
+        self._place = ()
+
+    def _on_back(self) -> None:
+        place = self._place
+        if place[-2:-1] == ("screen",) or place[-1:] in (("screen",), ("timeout",)):
+            self.place_asked.emit(place[:-1])
+        else:
+            self.place_asked.emit(place[:-2])

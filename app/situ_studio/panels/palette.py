@@ -1,0 +1,107 @@
+"""The palette: kinds to drag onto the canvas, or to press with the keyboard."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QMimeData, QPoint, Qt, Signal
+from PySide6.QtGui import QDrag, QMouseEvent
+from PySide6.QtWidgets import QApplication, QGridLayout, QVBoxLayout, QWidget
+
+from situ.document.modules import Modules
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+from situ_studio import icons
+from situ_studio.edit import Document
+from situ_studio.icon_widgets import ThemedButton
+from situ_studio.kinds import KINDS, MIME, Kind
+from situ_studio.layouts import clear
+from situ_studio.panels.form import translated
+from situ_studio.theme import Theme
+
+
+def offered(document: Document | None) -> tuple[Kind, ...]:
+    """The kinds that a document can take."""
+    parts = {
+        Application: ("application", "action", "screen"),
+        Spds: ("script",),
+        Modules: ("modules",),
+    }.get(type(document), ())
+    return tuple(k for part in parts for k in KINDS if k.palette == part)
+
+
+class PaletteItem(ThemedButton):
+    """One kind. A drag carries its name as ``MIME``; a click asks to insert it."""
+
+    def __init__(self, theme: Theme, kind: Kind, parent: QWidget | None = None) -> None:
+        super().__init__(
+            theme, kind.icon, translated(kind.title), "palette", str(kind.tint), 16, parent=parent
+        )
+        self.kind = kind
+        self.setToolTip(translated(kind.help))
+        self._theme = theme
+        self._press: QPoint | None = None
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._press = event.position().toPoint()
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        at = event.position().toPoint()
+        far = QApplication.startDragDistance()
+        if self._press is None or (at - self._press).manhattanLength() < far:
+            return
+        self._press = None
+        self.setDown(False)
+        drag = QDrag(self)
+        data = QMimeData()
+        data.setData(MIME, self.kind.name.encode())
+        drag.setMimeData(data)
+        drag.setPixmap(icons.pixmap(self.kind.icon, self._theme.color(self.kind.tint), 24))
+        drag.exec(Qt.DropAction.CopyAction)
+
+
+class Palette(QWidget):
+    """Two columns; never scrolls."""
+
+    kind_asked = Signal(str)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        self._theme = theme
+        self._kinds: tuple[Kind, ...] = ()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(8, 0, 8, 8)
+        column.setSpacing(4)
+        self._grid = QGridLayout()
+        self._grid.setSpacing(4)
+        column.addLayout(self._grid)
+        column.addStretch(1)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self._fill()
+
+    def show_document(self, document: Document | None) -> None:
+        """Offers what the document can take."""
+        kinds = offered(document)
+        if kinds != self._kinds:
+            self._kinds = kinds
+            self._fill()
+
+    def item(self, name: str) -> PaletteItem:
+        """The button of a kind; LookupError where it is not offered."""
+        for item in self.findChildren(PaletteItem):
+            if item.kind.name == name and not item.isHidden():
+                return item
+        raise LookupError(name)
+
+    def _fill(self) -> None:
+        clear(self._grid)
+        for index, kind in enumerate(self._kinds):
+            item = PaletteItem(self._theme, kind)
+            item.clicked.connect(lambda _=False, k=kind: self.kind_asked.emit(k.name))
+            self._grid.addWidget(item, index // 2, index % 2)
+        self._grid.setColumnStretch(0, 1)
+        self._grid.setColumnStretch(1, 1)
+        self.setFixedHeight(max(8, (len(self._kinds) + 1) // 2 * 32 + 4))

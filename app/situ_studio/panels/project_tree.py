@@ -1,0 +1,157 @@
+"""The project tree: the project, its documents, and what else lies in its folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QModelIndex, QRect, QRectF, Qt, Signal
+from PySide6.QtGui import QPainter, QStandardItem, QStandardItemModel
+from PySide6.QtWidgets import QTreeView, QVBoxLayout, QWidget
+
+from situ.document.modules import Modules
+from situ.document.project import Project
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+from situ_studio import icons
+from situ_studio.edit import Document
+from situ_studio.panels.lists import COUNT, ICON, MARKS, PLACE, RowDelegate
+from situ_studio.theme import Theme
+
+
+def look(document: Document) -> tuple[str, str, int]:
+    """A document's icon, its colour, and how many it holds."""
+    if isinstance(document, Application):
+        return "state", "state", len(document.states)
+    if isinstance(document, Spds):
+        return "situation", "situation", len(document.situations)
+    return "module", "module", len(document.modules)
+
+
+def stem(file: str) -> str:
+    """A document's name for people: the file's without ``.rbd.xml``, ``.spds.xml``, ``.xml``."""
+    name = file.rsplit("/", 1)[-1]
+    for end in (".rbd.xml", ".spds.xml", ".xml"):
+        if name.endswith(end):
+            return name.removesuffix(end)
+    return name
+
+
+class Tree(QTreeView):
+    """A tree whose arrows are ours."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self.setHeaderHidden(True)
+        self.setIndentation(14)
+        self.setMouseTracking(True)
+        self.setUniformRowHeights(True)
+        self.setEditTriggers(QTreeView.EditTrigger.NoEditTriggers)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self.viewport().update()
+
+    def drawRow(self, painter: QPainter, options: object, index: QModelIndex) -> None:  # type: ignore[override]
+        super().drawRow(painter, options, index)  # type: ignore[arg-type]
+        if self.model().hasChildren(index):
+            rect = self.visualRect(index)
+            box = QRectF(rect.x() - 12, rect.center().y() - 5.5, 12, 12)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            name = "down" if self.isExpanded(index) else "right"
+            icons.paint(painter, name, box, self._theme.color("text3"))
+
+    def drawBranches(self, painter: QPainter, rect: QRect, index: QModelIndex) -> None:  # type: ignore[override]
+        """Nothing: the row draws its arrow, above its own background."""
+
+
+class ProjectTree(QWidget):
+    """Tells which document is asked for; marks the one that is shown."""
+
+    file_asked = Signal(str)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        self._files: dict[str, QStandardItem] = {}
+        self._folder: dict[Path, int] = {}
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 4)
+        self.tree = Tree(theme)
+        self.tree.setAccessibleName(self.tr("Project"))
+        self._delegate = RowDelegate(theme, 24, self.tree)
+        self.tree.setItemDelegate(self._delegate)
+        self._model = QStandardItemModel(self)
+        self.tree.setModel(self._model)
+        self.tree.clicked.connect(self._on_asked)
+        self.tree.activated.connect(self._on_asked)
+        column.addWidget(self.tree)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._delegate.set_theme(theme)
+        self.tree.set_theme(theme)
+
+    def show_project(self, project: Project, files: list[str]) -> None:
+        """Shows the project's documents and folders."""
+        self._model.clear()
+        self._files = {}
+        top = QStandardItem(project.name)
+        top.setData(("folder", "text2"), ICON)
+        top.setData(500, Qt.ItemDataRole.FontRole)
+        top.setToolTip(project.root)
+        self._model.appendRow(top)
+        for file in files:
+            item = QStandardItem(stem(file))
+            item.setData(file, PLACE)
+            item.setToolTip(file)
+            top.appendRow(item)
+            self._files[file] = item
+        root = Path(project.root)
+        for words, folder, icon in (
+            (self.tr("media"), project.media, "image"),
+            (self.tr("scenarios"), project.scenarios, "scenarios"),
+        ):
+            if folder is None or not (root / folder).is_dir():
+                continue
+            item = QStandardItem(words)
+            item.setData((icon, "text2"), ICON)
+            item.setData(str(sum(1 for f in (root / folder).rglob("*") if f.is_file())), COUNT)
+            item.setToolTip(folder)
+            top.appendRow(item)
+        self.tree.expandAll()
+
+    def show_document(
+        self, file: str, document: Document, dirty: bool, marks: tuple[str, ...]
+    ) -> None:
+        """Brings one document's row up to date; ``marks`` are ``error`` and ``warning``."""
+        item = self._files.get(file)
+        if item is None:
+            return
+        icon, token, count = look(document)
+        item.setData((icon, token), ICON)
+        item.setData(str(count), COUNT)
+        item.setData(tuple((m, m) for m in marks), MARKS)
+        item.setText(stem(file) + (" *" if dirty else ""))
+
+    def show_current(self, file: str | None) -> None:
+        """Marks the document that the window shows."""
+        item = self._files.get(file or "")
+        if item is None:
+            self.tree.clearSelection()
+        else:
+            self.tree.setCurrentIndex(item.index())
+
+    def height_wanted(self) -> int:
+        """The height at which nothing needs to scroll."""
+        return 24 * (len(self._files) + 1 + 2) + 8
+
+    def _on_asked(self, index: QModelIndex) -> None:
+        file = index.data(PLACE)
+        if file:
+            self.file_asked.emit(file)
+
+
+def is_information(document: Document) -> bool:
+    """Whether a document is module information, which has no graph of its own."""
+    return isinstance(document, Modules)

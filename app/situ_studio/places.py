@@ -1,0 +1,149 @@
+"""Places: the way from a document to one of its parts, and back with a change.
+
+A place is what a selection and a ``Problem`` name, from the outside in:
+``("state", "5", "event", "0")``, ``("state", "5", "screen", "continue")``,
+``("situation", "sound", "entry", "1")``. States, situations, modules, data and
+screen components go by their name, everything else by its position.
+"""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from situ.document import condition, modules, rbd, spds
+from situ_studio.edit import Document, Place
+
+# A word after a value of that type: the attribute, and the attribute that names
+# its members (None: by position, "": the attribute is no sequence).
+_WORDS: dict[tuple[type, str], tuple[str, str | None]] = {
+    (rbd.Application, "always"): ("always", ""),
+    (rbd.Application, "state"): ("states", "no"),
+    (rbd.State, "timeout"): ("timeout", ""),
+    (rbd.State, "screen"): ("screen", ""),
+    (rbd.State, "action"): ("actions", None),
+    (rbd.State, "event"): ("events", None),
+    (rbd.Always, "timeout"): ("timeout", ""),
+    (rbd.Always, "screen"): ("screen", ""),
+    (rbd.Always, "event"): ("events", None),
+    (rbd.Event, "when"): ("when", ""),
+    (rbd.Event, "say"): ("says", None),
+    (rbd.Event, "action"): ("actions", None),
+    (spds.Spds, "data"): ("observe", "tag"),
+    (spds.Spds, "module"): ("modules", "name"),
+    (spds.Spds, "situation"): ("situations", "name"),
+    (spds.Situation, "condition"): ("condition", ""),
+    (spds.Situation, "until"): ("until", ""),
+    (spds.Situation, "entry"): ("entries", None),
+    (spds.Situation, "module"): ("entries", "module"),
+    (modules.Modules, "module"): ("modules", "name"),
+    (modules.Module, "requires"): ("requires", None),
+    (modules.Module, "provides"): ("provides", None),
+}
+# Values whose members follow without a word.
+_MEMBERS: dict[type, tuple[str, str | None]] = {
+    rbd.Screen: ("components", "id"),
+    condition.Condition: ("children", None),
+    condition.Group: ("children", None),
+}
+
+
+class _Link(Struct, frozen=True):
+    """One link of the way: ``holder.attribute``, or its member at ``index``."""
+
+    holder: Any
+    attribute: str
+    index: int | None
+
+
+def _way(document: Document, place: Place) -> tuple[list[_Link], Any] | None:
+    links: list[_Link] = []
+    value: Any = document
+    rest = place
+    while rest:
+        members = _MEMBERS.get(type(value))
+        if members is not None:
+            attribute, key = members
+            name, rest = rest[0], rest[1:]
+        else:
+            found = _WORDS.get((type(value), rest[0]))
+            if found is None and isinstance(value, rbd.Action) and len(rest) > 1:
+                word = {"param": "params", "result": "results"}.get(rest[0])
+                found = (word, None) if word and hasattr(value, word) else None
+            if found is None:
+                return None
+            attribute, key = found
+            if key == "":
+                links.append(_Link(value, attribute, None))
+                value = getattr(value, attribute)
+                rest = rest[1:]
+                if value is None:
+                    return None
+                continue
+            if len(rest) < 2:
+                return None
+            name, rest = rest[1], rest[2:]
+        every = getattr(value, attribute)
+        if key is None:
+            index = int(name) if name.isdigit() and int(name) < len(every) else -1
+        else:
+            index = next((i for i, m in enumerate(every) if getattr(m, key) == name), -1)
+        if index < 0:
+            return None
+        links.append(_Link(value, attribute, index))
+        value = every[index]
+    return links, value
+
+
+def get(document: Document, place: Place) -> Any:
+    """The value at ``place``; None where there is none."""
+    found = _way(document, place)
+    return found[1] if found is not None else None
+
+
+def nearest(document: Document, place: Place) -> Place:
+    """The longest beginning of ``place`` at which there is something."""
+    while place and _way(document, place) is None:
+        place = place[:-1]
+    return place
+
+
+def put(document: Document, place: Place, value: Any) -> Document:
+    """The document with the value at ``place`` exchanged; LookupError where there is none.
+
+    ``None`` takes an optional value away (a timeout, a screen) and a member out of its sequence.
+    Everything off the way keeps its identity.
+    """
+    found = _way(document, place)
+    if found is None:
+        raise LookupError(f"there is nothing at {'/'.join(place)}")
+    for link in reversed(found[0]):
+        if link.index is None:
+            value = replace(link.holder, **{link.attribute: value})
+        else:
+            every = list(getattr(link.holder, link.attribute))
+            every[link.index : link.index + 1] = [] if value is None else [value]
+            value = replace(link.holder, **{link.attribute: tuple(every)})
+    return cast(Document, value)
+
+
+def change(document: Document, place: Place, **fields: Any) -> Document:
+    """The document with some fields of the value at ``place`` changed."""
+    value = get(document, place)
+    if value is None:
+        raise LookupError(f"there is nothing at {'/'.join(place)}")
+    return put(document, place, replace(value, **fields))
+
+
+def move(document: Document, place: Place, attribute: str, start: int, end: int) -> Document:
+    """The document with one member of a sequence at another position."""
+    every = list(getattr(get(document, place), attribute))
+    every.insert(end, every.pop(start))
+    return change(document, place, **{attribute: tuple(every)})
+
+
+def root(place: Place) -> Place:
+    """The card that a place belongs to: ``("state", "5")`` for an event of state 5."""
+    return place[:1] if place[:1] == ("always",) else place[:2]

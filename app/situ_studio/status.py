@@ -1,0 +1,144 @@
+"""The status bar: what the link is, honestly; problems; selection; how much there is; saved."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
+
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+from situ_studio.edit import Document
+from situ_studio.icon_widgets import IconLabel, ThemedButton
+from situ_studio.theme import Theme
+
+SAID_FOR = 6000
+"""Milliseconds that a passing message stays."""
+
+
+def count(number: int, one: str, many: str) -> str:
+    """``1 state``, ``20 states``."""
+    return f"{number} {one if number == 1 else many}"
+
+
+class Status(QStatusBar):
+    """24 px at the bottom of the window."""
+
+    problems_asked = Signal()
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setSizeGripEnabled(False)
+        self.setContentsMargins(0, 0, 0, 0)
+        left = QWidget()
+        line = QHBoxLayout(left)
+        line.setContentsMargins(10, 0, 0, 0)
+        line.setSpacing(6)
+        self._link_icon = IconLabel(theme, "unlink", "text2", 14)
+        line.addWidget(self._link_icon)
+        self.link = QLabel(self.tr("no robot"))
+        line.addWidget(self.link)
+        line.addSpacing(10)
+        self.errors = self._button(theme, "error", "error")
+        line.addWidget(self.errors)
+        self.warnings = self._button(theme, "warning", "warning")
+        line.addWidget(self.warnings)
+        self.addWidget(left)
+        self.said = QLabel()
+        self.addWidget(self.said, 1)
+        self.selection = QLabel()
+        self.counts = QLabel()
+        right = QWidget()
+        end = QHBoxLayout(right)
+        end.setContentsMargins(0, 0, 12, 0)
+        end.setSpacing(16)
+        end.addWidget(self.selection)
+        end.addWidget(self.counts)
+        saved = QHBoxLayout()
+        saved.setSpacing(6)
+        self._saved_icon = IconLabel(theme, "check", "text2", 14)
+        saved.addWidget(self._saved_icon)
+        self.saved = QLabel()
+        saved.addWidget(self.saved)
+        end.addLayout(saved)
+        self.addPermanentWidget(right)
+        self._silence = QTimer(self)
+        self._silence.setSingleShot(True)
+        self._silence.setInterval(SAID_FOR)
+        self._silence.timeout.connect(self.said.clear)
+        self.show_problems(0, 0)
+        self.show_saved(0, None, False)
+
+    def _button(self, theme: Theme, icon: str, token: str) -> QPushButton:
+        button = ThemedButton(theme, icon, "0", "", token, 14)
+        button.clicked.connect(self.problems_asked)
+        return button
+
+    def say(self, text: str) -> None:
+        """A message for a few seconds."""
+        self.said.setText(text)
+        self._silence.start()
+
+    def show_link(self, icon: str, words: str, live: str) -> None:
+        """live: ``true``, ``lost`` or nothing."""
+        token = {"true": "live", "lost": "error"}.get(live, "text2")
+        self._link_icon.set_icon(icon, token)
+        self.link.setText(words)
+        if self.link.property("live") != live:
+            self.link.setProperty("live", live)
+            self.link.style().unpolish(self.link)
+            self.link.style().polish(self.link)
+
+    def show_problems(self, errors: int, warnings: int) -> None:
+        self.errors.setText(str(errors))
+        self.errors.setAccessibleName(count(errors, self.tr("error"), self.tr("errors")))
+        self.warnings.setText(str(warnings))
+        self.warnings.setAccessibleName(count(warnings, self.tr("warning"), self.tr("warnings")))
+
+    def show_selection(self, selected: tuple[tuple[str, ...], ...]) -> None:
+        if not selected:
+            self.selection.setText("")
+            return
+        kinds = {p[0] if len(p) == 2 else p[-2] for p in selected if len(p) >= 2}
+        one = kinds.pop() if len(kinds) == 1 else self.tr("thing")
+        many = {"data": "data", "entry": self.tr("priorities")}.get(one, f"{one}s")
+        text = count(len(selected), one, many)
+        self.selection.setText(self.tr("{0} selected").format(text))
+
+    def show_counts(self, document: Document | None) -> None:
+        words: list[str] = []
+        if isinstance(document, Application):
+            parts = [*document.states, *([document.always] if document.always else [])]
+            leading = sum(1 for p in parts for e in p.events if e.next is not None)
+            leading += sum(1 for p in parts if p.timeout is not None and p.timeout.next)
+            words = [
+                count(len(document.states), self.tr("state"), self.tr("states")),
+                count(leading, self.tr("transition"), self.tr("transitions")),
+            ]
+        elif isinstance(document, Spds):
+            resources = {r for m in document.modules for r in m.resources}
+            words = [
+                count(len(document.situations), self.tr("situation"), self.tr("situations")),
+                count(len(document.modules), self.tr("module"), self.tr("modules")),
+                count(len(resources), self.tr("resource"), self.tr("resources")),
+            ]
+        elif document is not None:
+            words = [count(len(document.modules), self.tr("module"), self.tr("modules"))]
+        self.counts.setText(", ".join(words))
+
+    def show_saved(self, unsaved: int, at: datetime | None, there: bool) -> None:
+        """unsaved: how many documents; there: whether a project is open at all."""
+        self._saved_icon.setVisible(there and not unsaved)
+        if not there:
+            self.saved.setText("")
+        elif unsaved:
+            self.saved.setText(
+                self.tr("{0} not saved").format(
+                    count(unsaved, self.tr("document"), self.tr("documents"))
+                )
+            )
+        elif at is not None:
+            self.saved.setText(self.tr("Saved {0}").format(f"{at:%H:%M}"))
+        else:
+            self.saved.setText(self.tr("No changes"))

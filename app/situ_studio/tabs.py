@@ -1,0 +1,257 @@
+"""Strips of tabs: documents above the canvas, panels below it, and the switch between views."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QStackedWidget,
+    QTabBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from situ_studio import icons
+from situ_studio.icon_widgets import IconButton, ThemedButton
+from situ_studio.layouts import rule
+from situ_studio.theme import Theme
+
+
+class Segments(QFrame):
+    """Buttons of which one is down: ``Graph | Outline``."""
+
+    chosen = Signal(str)
+
+    def __init__(
+        self,
+        theme: Theme,
+        segments: tuple[tuple[str, str, str], ...],
+        words: str,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "segments")
+        self.setAccessibleName(words)
+        self.setFixedHeight(28)
+        line = QHBoxLayout(self)
+        line.setContentsMargins(1, 1, 1, 1)
+        line.setSpacing(0)
+        self._group = QButtonGroup(self)
+        self._buttons: dict[str, QPushButton] = {}
+        for name, icon, text in segments:
+            button: QPushButton
+            if icon:
+                button = ThemedButton(theme, icon, text, "", "text2", 14, on="accent")
+            else:
+                button = QPushButton(text)
+            button.setCheckable(True)
+            button.setAccessibleName(text)
+            button.clicked.connect(lambda _=False, n=name: self.chosen.emit(n))
+            self._group.addButton(button)
+            self._buttons[name] = button
+            line.addWidget(button)
+
+    def show_choice(self, name: str) -> None:
+        self._buttons[name].setChecked(True)
+
+    def set_offered(self, names: tuple[str, ...]) -> None:
+        """Shows only these."""
+        for name, button in self._buttons.items():
+            button.setVisible(name in names)
+
+    def button(self, name: str) -> QPushButton:
+        return self._buttons[name]
+
+
+class DocumentTabs(QFrame):
+    """One tab a document; the shown one can be closed. At the right, what views it has."""
+
+    chosen = Signal(str)
+    closed = Signal(str)
+    view_chosen = Signal(str)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "tabs")
+        self.setFixedHeight(36)
+        self._theme = theme
+        self._looks: dict[str, tuple[str, str]] = {}
+        line = QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 8, 0)
+        line.setSpacing(8)
+        self.bar = QTabBar()
+        self.bar.setProperty("role", "documents")
+        self.bar.setAccessibleName(self.tr("Open documents"))
+        self.bar.setExpanding(False)
+        self.bar.setDrawBase(False)
+        self.bar.setIconSize(QSize(16, 16))
+        self.bar.setElideMode(Qt.TextElideMode.ElideRight)
+        self.bar.currentChanged.connect(self._on_current)
+        line.addWidget(self.bar, 0, Qt.AlignmentFlag.AlignBottom)
+        line.addStretch(1)
+        self.views = Segments(
+            theme,
+            (("graph", "graph", self.tr("Graph")), ("outline", "table", self.tr("Outline"))),
+            self.tr("View"),
+        )
+        self.views.chosen.connect(self.view_chosen)
+        line.addWidget(self.views)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        for index in range(self.bar.count()):
+            icon, token = self._looks[self.bar.tabData(index)]
+            self.bar.setTabIcon(index, icons.icon(icon, theme.color(token), 16))
+
+    def add(self, file: str, words: str, icon: str, token: str) -> None:
+        """One more tab, without choosing it."""
+        self._looks[file] = (icon, token)
+        self.bar.blockSignals(True)
+        index = self.bar.addTab(icons.icon(icon, self._theme.color(token), 16), words)
+        self.bar.setTabData(index, file)
+        self.bar.setTabToolTip(index, file)
+        self.bar.blockSignals(False)
+
+    def remove(self, file: str) -> None:
+        index = self.files().index(file)
+        self.bar.removeTab(index)
+
+    def clear(self) -> None:
+        self.bar.blockSignals(True)
+        while self.bar.count():
+            self.bar.removeTab(0)
+        self.bar.blockSignals(False)
+
+    def files(self) -> list[str]:
+        return [self.bar.tabData(i) for i in range(self.bar.count())]
+
+    def choose(self, file: str) -> None:
+        """Chooses a tab and tells it, also if it was chosen already."""
+        index = self.files().index(file)
+        self.bar.blockSignals(True)
+        self.bar.setCurrentIndex(index)
+        self.bar.blockSignals(False)
+        self._on_current(index)
+
+    def _on_current(self, index: int) -> None:
+        side = QTabBar.ButtonPosition.RightSide
+        for other in range(self.bar.count()):
+            if other != index and self.bar.tabButton(other, side) is not None:
+                self.bar.setTabButton(other, side, None)  # type: ignore[arg-type]
+        if index < 0:
+            return
+        file = self.bar.tabData(index)
+        if self.bar.tabButton(index, side) is None and self.bar.count() > 1:
+            close = IconButton(self._theme, "close", self.tr("Close"), "text3", 12)
+            close.setFixedSize(18, 18)
+            close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+            close.clicked.connect(lambda: self.closed.emit(file))
+            self.bar.setTabButton(index, side, close)
+        self.chosen.emit(file)
+
+
+class BottomPanels(QWidget):
+    """Panels below the canvas, one shown at a time; a second click on its tab folds them."""
+
+    folded = Signal(bool)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        self.strip = QFrame()
+        self.strip.setProperty("role", "bottomtabs")
+        self.strip.setFixedHeight(32)
+        self._line = QHBoxLayout(self.strip)
+        self._line.setContentsMargins(4, 0, 12, 0)
+        self._line.setSpacing(0)
+        self._line.addStretch(1)
+        self._fold = IconButton(theme, "down", self.tr("Fold the panel"), "text2", 14)
+        self._fold.clicked.connect(lambda: self.set_folded(not self.is_folded))
+        self._line.addWidget(self._fold)
+        column.addWidget(self.strip)
+        column.addWidget(rule())
+        self._stack = QStackedWidget()
+        column.addWidget(self._stack, 1)
+        self._group = QButtonGroup(self)
+        self._buttons: dict[str, QPushButton] = {}
+        self._counts: dict[str, QLabel] = {}
+        self._panels: dict[str, QWidget] = {}
+
+    @property
+    def is_folded(self) -> bool:
+        return self._stack.isHidden()
+
+    @property
+    def current(self) -> str:
+        """The name of the panel that is shown."""
+        shown = self._stack.currentWidget()
+        return next((n for n, w in self._panels.items() if w is shown), "")
+
+    def add(self, name: str, words: str, panel: QWidget) -> None:
+        button = QPushButton(words)
+        button.setCheckable(True)
+        button.setAccessibleName(words)
+        button.clicked.connect(lambda: self._on_clicked(name))
+        holder = QHBoxLayout(button)
+        holder.setContentsMargins(0, 0, 8, 0)
+        holder.addStretch(1)
+        count = QLabel()
+        count.setProperty("role", "count")
+        count.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        count.hide()
+        holder.addWidget(count)
+        self._group.addButton(button)
+        self._line.insertWidget(len(self._buttons), button)
+        self._buttons[name], self._counts[name], self._panels[name] = button, count, panel
+        self._stack.addWidget(panel)
+        if len(self._buttons) == 1:
+            button.setChecked(True)
+
+    def set_shown(self, name: str, shown: bool) -> None:
+        """Whether a panel has a tab at the moment."""
+        self._buttons[name].setVisible(shown)
+        if not shown and self.current == name:
+            self.choose(next(iter(self._buttons)))
+
+    def set_count(self, name: str, count: int) -> None:
+        """A number behind the tab's words; 0 shows none."""
+        label, button = self._counts[name], self._buttons[name]
+        label.setText(str(count))
+        label.setVisible(count > 0)
+        words = button.text().rstrip()
+        # Room for the pill, which lies over the button's right end.
+        room = label.sizeHint().width() + 4 if count else 0
+        button.setStyleSheet(f"padding-right: {10 + room}px;")
+        button.setAccessibleName(f"{words} {count}" if count else words)
+
+    def choose(self, name: str) -> None:
+        """Shows a panel, unfolded."""
+        self._buttons[name].setChecked(True)
+        self._stack.setCurrentWidget(self._panels[name])
+        self.set_folded(False)
+
+    def button(self, name: str) -> QPushButton:
+        return self._buttons[name]
+
+    def set_folded(self, folded: bool) -> None:
+        """Only the strip, or the panel too."""
+        self._stack.setVisible(not folded)
+        self.setMaximumHeight(33 if folded else 16777215)
+        self.setMinimumHeight(33)
+        self._fold.setAccessibleName(
+            self.tr("Unfold the panel") if folded else self.tr("Fold the panel")
+        )
+        self.folded.emit(folded)
+
+    def _on_clicked(self, name: str) -> None:
+        if self.current == name and not self.is_folded:
+            self.set_folded(True)
+        else:
+            self.choose(name)

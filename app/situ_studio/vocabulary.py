@@ -1,0 +1,133 @@
+"""The words that a form can complete: what a project already knows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from msgspec import Struct
+
+from situ.document import rbd
+from situ.document.condition import Condition, Group, Test
+from situ.document.names import references
+from situ.document.project import Project
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+from situ_studio.edit import Document
+
+
+class Vocabulary(Struct, frozen=True):
+    """Sorted, without doubles; states and situations in the document's order."""
+
+    states: tuple[tuple[str, str], ...] = ()
+    events: tuple[str, ...] = ()
+    tags: tuple[str, ...] = ()
+    resources: tuple[str, ...] = ()
+    situations: tuple[str, ...] = ()
+    modules: tuple[str, ...] = ()
+    media: tuple[str, ...] = ()
+
+
+def _tests(condition: Condition | Group | None) -> Iterator[Test]:
+    for child in condition.children if condition is not None else ():
+        if isinstance(child, Test):
+            yield child
+        else:
+            yield from _tests(child)
+
+
+def _parts(application: Application) -> Iterator[rbd.State | rbd.Always]:
+    if application.always is not None:
+        yield application.always
+    yield from application.states
+
+
+def _actions(part: rbd.State | rbd.Always) -> Iterator[rbd.Action]:
+    if isinstance(part, rbd.State):
+        yield from part.actions
+    for event in part.events:
+        yield from event.actions
+
+
+def events(application: Application) -> set[str]:
+    """Every event that this application expects or raises by itself."""
+    found: set[str | None] = set()
+    for part in _parts(application):
+        found |= {e.name for e in part.events}
+        for action in _actions(part):
+            found |= {action.done, action.failed}
+        if part.screen is not None:
+            found.add(part.screen.touched)
+            for component in part.screen.components:
+                found |= {getattr(component, "event", None), getattr(component, "done", None)}
+    return {name for name in found if name}
+
+
+def tags(application: Application) -> set[str]:
+    """Every tag that this application writes, reads or waits for."""
+    found: set[str | None] = set()
+    for part in _parts(application):
+        for event in part.events:
+            found |= {t.tag for t in _tests(event.when)}
+        for action in _actions(part):
+            if not isinstance(action, rbd.Clear):
+                found |= {getattr(action, "tag", None), getattr(action, "source", None)}
+            texts: list[Any] = [getattr(action, "text", ""), getattr(action, "url", "")]
+            texts += [p.text for p in getattr(action, "params", ())]
+            found |= {r.tag for r in getattr(action, "results", ())}
+            for text in texts:
+                found |= set(references(text))
+        if part.screen is not None:
+            for component in part.screen.components:
+                found |= {getattr(component, "tag", None), getattr(component, "items", None)}
+                found |= set(references(getattr(component, "text", "")))
+    return {tag for tag in found if tag}
+
+
+def _media(project: Project) -> tuple[str, ...]:
+    if project.media is None:
+        return ()
+    folder = Path(project.root) / project.media
+    if not folder.is_dir():
+        return ()
+    every = (f for f in folder.rglob("*") if f.is_file())
+    return tuple(sorted(f.relative_to(folder).as_posix() for f in every))
+
+
+def vocabulary(project: Project, document: Document) -> Vocabulary:
+    """What a form of ``document`` completes from."""
+    known_tags = set(project.tags)
+    known_events: set[str] = set()
+    resources = {"screen", "speech"}
+    for application in project.applications.values():
+        known_tags |= tags(application)
+        known_events |= events(application)
+        for part in _parts(application):
+            resources |= {a.resource for a in _actions(part) if isinstance(a, rbd.Robot)}
+    if project.spds is not None:
+        known_tags |= {o.tag for o in project.spds.observe}
+        for situation in project.spds.situations:
+            known_tags |= {t.tag for t in _tests(situation.condition)}
+            known_tags |= {t.tag for t in _tests(situation.until)}
+    if project.modules is not None:
+        for module in project.modules.modules:
+            known_tags |= {p.data for p in module.provides}
+    for each in project.declared().values():
+        resources |= set(each)
+    script = document if isinstance(document, Spds) else project.spds
+    return Vocabulary(
+        states=tuple((s.no, s.name) for s in document.states)
+        if isinstance(document, Application)
+        else (),
+        events=tuple(sorted(known_events)),
+        tags=tuple(sorted(known_tags)),
+        resources=tuple(sorted(resources)),
+        situations=tuple(s.name for s in script.situations) if script is not None else (),
+        modules=tuple(sorted({*project.declared(), *_names(project)})),
+        media=_media(project),
+    )
+
+
+def _names(project: Project) -> set[str]:
+    return {a.name for a in project.applications.values()}

@@ -1,0 +1,380 @@
+"""The welcome page: what one can start with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from msgspec import Struct
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPaintEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from situ.document.project import Project
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+from situ_studio import icons, thumbnail
+from situ_studio.icon_widgets import Elided, IconLabel
+from situ_studio.layouts import clear
+from situ_studio.tabs import Segments
+from situ_studio.theme import Theme
+
+
+class Example(Struct, frozen=True):
+    """An example as its card shows it. about: one sentence, from its own files."""
+
+    name: str
+    about: str
+    project: Project
+
+    @property
+    def document(self) -> Application | Spds | None:
+        """What its picture shows: the script where there is one, else the first application."""
+        if self.project.spds is not None:
+            return self.project.spds
+        return next(iter(self.project.applications.values()), None)
+
+
+def _count(number: int, word: str) -> str:
+    return f"{number} {word}" if number == 1 else f"{number} {word}s"
+
+
+def facts(document: Application | Spds | None) -> str:
+    """``20 states`` or ``5 situations, 7 modules``."""
+    if isinstance(document, Application):
+        return _count(len(document.states), "state")
+    if isinstance(document, Spds):
+        situations = _count(len(document.situations), "situation")
+        return f"{situations}, {_count(len(document.modules), 'module')}"
+    return ""
+
+
+class Press(QFrame):
+    """A frame that acts as a button."""
+
+    pressed = Signal()
+
+    def __init__(self, role: str, words: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", role)
+        self.setAccessibleName(words)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self.rect().contains(event.position().toPoint()):
+            self.pressed.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
+            self.pressed.emit()
+        else:
+            super().keyPressEvent(event)
+
+
+class Picture(QWidget):
+    """The upper half of an example's card."""
+
+    def __init__(self, theme: Theme, document: Application | Spds | None) -> None:
+        super().__init__()
+        self._theme, self._document = theme, document
+        self.setFixedHeight(176)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        rect = QRectF(self.rect())
+        shape = QPainterPath()
+        shape.addRoundedRect(rect.adjusted(0, 0, 0, 8), 7, 7)
+        painter.setClipRect(rect)
+        painter.fillPath(shape, self._theme.color("canvas"))
+        inner = rect.adjusted(24, 16, -24, -16)
+        if isinstance(self._document, Application):
+            thumbnail.paint_application(painter, inner, self._document, self._theme)
+        elif isinstance(self._document, Spds):
+            thumbnail.paint_script(painter, inner, self._document, self._theme)
+        painter.setPen(self._theme.color("line"))
+        painter.drawLine(rect.bottomLeft(), rect.bottomRight())
+        painter.end()
+
+
+class Mark(QWidget):
+    """The studio's own sign."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFixedSize(56, 56)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        icons.paint(painter, "situ", QRectF(self.rect()), "#FFFFFF")
+        painter.end()
+
+
+class Welcome(QScrollArea):
+    """Tells what a person wants to start with."""
+
+    new_asked = Signal()
+    open_asked = Signal()
+    connect_asked = Signal()
+    recent_asked = Signal(str)
+    example_asked = Signal(str)
+    theme_asked = Signal(str)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self.setAccessibleName(self.tr("Welcome"))
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.viewport().setProperty("role", "page")
+        page = QWidget()
+        page.setProperty("role", "page")
+        outer = QHBoxLayout(page)
+        outer.setContentsMargins(24, 0, 24, 0)
+        outer.addStretch(1)
+        middle = QWidget()
+        middle.setMaximumWidth(1160)
+        middle.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        outer.addWidget(middle, 100)
+        outer.addStretch(1)
+        self.setWidget(page)
+        column = QVBoxLayout(middle)
+        column.setContentsMargins(0, 56, 0, 24)
+        column.setSpacing(0)
+        column.addLayout(self._head())
+        column.addSpacing(48)
+        body = QHBoxLayout()
+        body.setSpacing(32)
+        body.addLayout(self._start())
+        body.addLayout(self._examples_side(), 1)
+        column.addLayout(body)
+        column.addStretch(1)
+        column.addSpacing(24)
+        foot = QHBoxLayout()
+        foot.addStretch(1)
+        self.themes = Segments(
+            theme,
+            (
+                ("system", "", self.tr("Like the system")),
+                ("light", "", self.tr("Light")),
+                ("dark", "", self.tr("Dark")),
+            ),
+            self.tr("Colours"),
+        )
+        self.themes.chosen.connect(self.theme_asked)
+        foot.addWidget(self.themes)
+        column.addLayout(foot)
+
+    def _head(self) -> QHBoxLayout:
+        line = QHBoxLayout()
+        line.setSpacing(20)
+        line.addWidget(Mark())
+        words = QVBoxLayout()
+        words.setSpacing(0)
+        title = QLabel(self.tr("Welcome to Situ Studio"))
+        title.setProperty("role", "welcome")
+        words.addWidget(title)
+        lead = QLabel(self.tr("Draw what a robot says, shows and does, and watch it live."))
+        lead.setProperty("role", "lead")
+        words.addWidget(lead)
+        line.addLayout(words, 1)
+        return line
+
+    def _heading(self, words: str, hint: str = "") -> QHBoxLayout:
+        line = QHBoxLayout()
+        line.setContentsMargins(0, 0, 0, 8)
+        line.setSpacing(8)
+        title = QLabel(words)
+        title.setProperty("role", "strong")
+        line.addWidget(title)
+        below = QLabel(hint)
+        below.setProperty("role", "hint")
+        line.addWidget(below)
+        line.addStretch(1)
+        return line
+
+    def _start(self) -> QVBoxLayout:
+        column = QVBoxLayout()
+        column.setSpacing(8)
+        column.addLayout(self._heading(self.tr("Start")))
+        self.new = self._choice(
+            "first",
+            "plus",
+            self.tr("New project"),
+            self.tr("An empty one to start from"),
+            "Ctrl N",
+            self.new_asked.emit,
+        )
+        column.addWidget(self.new)
+        self.open = self._choice(
+            "card",
+            "folder",
+            self.tr("Open a project"),
+            self.tr("A folder with situ.toml"),
+            "Ctrl O",
+            self.open_asked.emit,
+        )
+        column.addWidget(self.open)
+        self.connect_robot = self._choice(
+            "card",
+            "link",
+            self.tr("Connect to a robot"),
+            self.tr("By its address"),
+            "Ctrl R",
+            self.connect_asked.emit,
+        )
+        self.connect_robot.hide()
+        column.addWidget(self.connect_robot)
+        column.addSpacing(16)
+        column.addLayout(self._heading(self.tr("Recent")))
+        self._recent = QVBoxLayout()
+        self._recent.setSpacing(8)
+        column.addLayout(self._recent)
+        column.addStretch(1)
+        holder = QWidget()
+        holder.setFixedWidth(324)
+        return column
+
+    def _choice(
+        self,
+        role: str,
+        icon: str,
+        title: str,
+        below: str,
+        keys: str,
+        pressed: Callable[[], object],
+    ) -> Press:
+        press = Press(role, title)
+        press.setAccessibleDescription(below)
+        press.setFixedSize(324, 64)
+        press.pressed.connect(pressed)
+        line = QHBoxLayout(press)
+        line.setContentsMargins(16, 0, 16, 0)
+        line.setSpacing(14)
+        token = "on_accent" if role == "first" else "accent"
+        line.addWidget(IconLabel(self._theme, icon, token, 20))
+        words = QVBoxLayout()
+        words.setSpacing(0)
+        words.addStretch(1)
+        name = QLabel(title)
+        name.setProperty("role", "strong")
+        words.addWidget(name)
+        words.addWidget(Elided(below, "label"))
+        words.addStretch(1)
+        line.addLayout(words, 1)
+        if keys:
+            label = QLabel(keys)
+            label.setProperty("role", "kbd")
+            line.addWidget(label)
+        return press
+
+    def _examples_side(self) -> QVBoxLayout:
+        column = QVBoxLayout()
+        column.setSpacing(8)
+        column.addLayout(
+            self._heading(self.tr("Open an example"), self.tr("a copy is made, so try anything"))
+        )
+        self._examples = QHBoxLayout()
+        self._examples.setSpacing(16)
+        column.addLayout(self._examples)
+        column.addStretch(1)
+        return column
+
+    # -- contents ------------------------------------------------------------------
+
+    def show_examples(self, examples: list[Example]) -> None:
+        """One card each."""
+        clear(self._examples)
+        for one in examples:
+            self._examples.addWidget(self._example(one), 1)
+
+    def example(self, name: str) -> Press:
+        """The card of an example; LookupError where there is none."""
+        for press in self.findChildren(Press):
+            if press.objectName() == f"example {name}":
+                return press
+        raise LookupError(name)
+
+    def _example(self, one: Example) -> Press:
+        title = one.name.replace("-", " ").capitalize()
+        press = Press("card", self.tr("Open a copy of the example {0}").format(title))
+        press.setObjectName(f"example {one.name}")
+        press.pressed.connect(lambda: self.example_asked.emit(one.name))
+        column = QVBoxLayout(press)
+        column.setContentsMargins(1, 1, 1, 1)
+        column.setSpacing(0)
+        column.addWidget(Picture(self._theme, one.document))
+        words = QVBoxLayout()
+        words.setContentsMargins(16, 12, 16, 14)
+        words.setSpacing(4)
+        line = QHBoxLayout()
+        line.setSpacing(8)
+        script = isinstance(one.document, Spds)
+        kind = "situation" if script else "state"
+        line.addWidget(IconLabel(self._theme, kind, kind, 18))
+        name = QLabel(title)
+        name.setProperty("role", "section")
+        line.addWidget(name)
+        line.addStretch(1)
+        count = QLabel(facts(one.document))
+        count.setProperty("role", "hint")
+        line.addWidget(count)
+        words.addLayout(line)
+        about = QLabel(one.about)
+        about.setProperty("role", "dim")
+        about.setWordWrap(True)
+        about.setMinimumHeight(40)
+        about.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        words.addWidget(about)
+        column.addLayout(words)
+        return press
+
+    def show_recent(self, paths: list[str]) -> None:
+        """The projects that were open lately, the last one first."""
+        clear(self._recent)
+        for path in paths[:5]:
+            press = self._choice(
+                "card",
+                "history",
+                Path(path).name,
+                path,
+                "",
+                lambda p=path: self.recent_asked.emit(p),
+            )
+            press.setFixedSize(324, 56)
+            self._recent.addWidget(press)
+        if paths:
+            return
+        empty = QFrame()
+        empty.setProperty("role", "empty")
+        empty.setFixedSize(324, 56)
+        line = QHBoxLayout(empty)
+        line.setContentsMargins(16, 0, 16, 0)
+        words = QLabel(self.tr("Projects that you open will be listed here."))
+        words.setProperty("role", "dim")
+        line.addWidget(words)
+        self._recent.addWidget(empty)
+
+    def show_connect(self, shown: bool) -> None:
+        """Whether a robot can be connected to from here."""
+        self.connect_robot.setVisible(shown)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        for picture in self.findChildren(Picture):
+            picture.set_theme(theme)
