@@ -8,7 +8,8 @@ export function unit(area) {
   return Math.min(area.clientHeight, area.clientWidth * 1.25) / 100;
 }
 
-// Sets the largest size up to `wanted` px at which `inner` lies inside `box`.
+// Sets the largest size up to `wanted` px at which `inner` lies inside `box`. Words stay whole
+// unless that makes them much smaller (Japanese may be parted anywhere) or too small to fit.
 export function fit(box, inner, wanted) {
   const fits = (size) => {
     box.style.fontSize = `${size}px`;
@@ -18,13 +19,22 @@ export function fit(box, inner, wanted) {
     const height = box.clientHeight - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom);
     return inner.scrollWidth <= width + 1 && inner.scrollHeight <= height + 1;
   };
-  if (box.clientWidth === 0 || fits(wanted)) return;
-  let low = SMALLEST;
-  let high = wanted;
-  while (high - low > 0.5) {
-    const middle = (low + high) / 2;
-    if (fits(middle)) low = middle;
-    else high = middle;
-  }
-  fits(low);
+  const largest = () => {
+    if (fits(wanted)) return wanted;
+    let low = SMALLEST;
+    let high = wanted;
+    while (high - low > 0.5) {
+      const middle = (low + high) / 2;
+      if (fits(middle)) low = middle;
+      else high = middle;
+    }
+    return fits(low) ? low : 0;
+  };
+  if (box.clientWidth === 0) return;
+  delete box.dataset.parted;
+  if (largest() >= wanted * 0.6) return;
+  box.dataset.parted = "script";
+  if (largest() > 0) return;
+  box.dataset.parted = "anywhere";
+  largest();
 }

@@ -96,23 +96,22 @@ export function keyboard(panel, resized) {
       resized();
     }
   };
-  addEventListener("focusin", ({ target }) => {
-    if (target instanceof HTMLInputElement) show(target);
-  });
   // While a finger is down nothing may move: what it aims at would slip away from under it.
   let down = false;
-  let leaving = 0;
-  const leave = () => {
-    clearTimeout(leaving);
-    leaving = setTimeout(() => {
-      if (down) leave();
-      else if (!(document.activeElement instanceof HTMLInputElement)) show(null);
-    }, 200);
+  let following = 0;
+  const follow = (delay) => {
+    clearTimeout(following);
+    following = setTimeout(() => {
+      const active = document.activeElement;
+      if (down) follow(delay);
+      else show(active instanceof HTMLInputElement ? active : null);
+    }, delay);
   };
   addEventListener("pointerdown", () => { down = true; }, { capture: true });
   for (const over of ["pointerup", "pointercancel"]) {
     addEventListener(over, () => { down = false; }, { capture: true });
   }
-  addEventListener("focusout", leave);
+  addEventListener("focusin", () => follow(20));
+  addEventListener("focusout", () => follow(200));
   return { hide: () => show(null) };
 }

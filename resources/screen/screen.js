@@ -136,7 +136,7 @@ function layout() {
 }
 
 new ResizeObserver(layout).observe(stage);
-document.fonts.ready.then(layout);
+document.fonts.addEventListener("loadingdone", layout);
 
 // -- what people do --------------------------------------------------------------
 

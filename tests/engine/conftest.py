@@ -107,6 +107,15 @@ class Answers:
                 self._more.clear()
                 await self._more.wait()
 
+    async def first(self, count: int) -> list[AnyInput]:
+        """Waits until so many inputs have been submitted, and what was on its way with them."""
+        async with asyncio.timeout(DEADLINE):
+            while len(self.inputs) < count:
+                self._more.clear()
+                await self._more.wait()
+        await settle()
+        return self.inputs
+
 
 class Side:
     """One performer with its answers, its clock and the tags that it may read."""

@@ -113,14 +113,12 @@ class ScreenServer:
         log: logging.Logger,
         *,
         token: str | None = None,
-        beat: float = BEAT,
     ) -> None:
         self._media = media
         self._use = use
         self._ended = ended
         self._log = log
         self._token = token or secrets.token_urlsafe(24)
-        self._beat = beat
         self._folder = resource("screen")
         self._fonts = resource("fonts")
         self._content = Content()
@@ -283,7 +281,7 @@ class ScreenServer:
         try:
             while True:
                 try:
-                    async with asyncio.timeout(self._beat):
+                    async with asyncio.timeout(BEAT):
                         await changed.wait()
                 except TimeoutError:
                     await page.send_str('{"beat":true}')

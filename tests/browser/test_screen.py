@@ -1,0 +1,424 @@
+"""The robot's screen as a person meets it: seen, touched, typed into, chosen from."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.async_api import expect
+
+from situ.decide.effects import Map
+from situ.decide.inputs import Finish, Set, Touch, Use
+from situ.resources import example
+
+pytestmark = pytest.mark.chromium
+
+KIOSK = {"width": 1280, "height": 800}
+PHONE = {"width": 390, "height": 844}
+
+
+def component(
+    kind: str, name: str, x: float, y: float, width: float, height: float, **more: Any
+) -> dict[str, Any]:
+    return {"type": kind, "id": name, "x": x, "y": y, "width": width, "height": height} | more
+
+
+def button(name: str = "yes", text: str = "YES", x: float = 8, **more: Any) -> dict[str, Any]:
+    return component("button", name, x, 68, 38, 22, text=text, event=f"click-{name}") | more
+
+
+def text(words: str, name: str = "hello", **more: Any) -> dict[str, Any]:
+    return component("text", name, 8, 10, 60, 20, text=words, size=9) | more
+
+
+def field(name: str = "name", **more: Any) -> dict[str, Any]:
+    given = {"tag": f"user.{name}", "kind": "text", "value": None}
+    return component("input", name, 10, 40, 50, 16) | given | more
+
+
+def names(*labels: str, **more: Any) -> dict[str, Any]:
+    items = [{"label": label, "value": {"name": label}} for label in labels]
+    return component("list", "names", 10, 30, 80, 40, items=items, event="chosen") | more
+
+
+def test_every_component_is_shown_where_the_designer_put_it(play: Any, media: Path) -> None:
+    shutil.copy(example("reception") / "media" / "robot.png", media)
+
+    async def scenario(stage: Any) -> None:
+        stage.show(
+            text("Hello!"),
+            button(),
+            field(value="Ann"),
+            component("image", "robot", 62, 8, 30, 40, src="robot.png"),
+            names("Ann", "Bob"),
+            background="robot.png",
+        )
+        for name, (x, y, width, height) in {
+            "hello": (8, 10, 60, 20),
+            "yes": (8, 68, 38, 22),
+            "name": (10, 40, 50, 16),
+            "robot": (62, 8, 30, 40),
+            "names": (10, 30, 80, 40),
+        }.items():
+            await expect(stage.component(name)).to_be_visible()
+            box = await stage.component(name).bounding_box()
+            assert box["x"] == pytest.approx(x * 12.8, abs=1)
+            assert box["y"] == pytest.approx(y * 8.0, abs=1)
+            assert box["width"] == pytest.approx(width * 12.8, abs=1)
+            assert box["height"] == pytest.approx(height * 8.0, abs=1)
+        # Text as high as the designer said: 9 percent of 800.
+        size = await stage.component("hello").evaluate("one => getComputedStyle(one).fontSize")
+        assert float(size.removesuffix("px")) == pytest.approx(72)
+        for picture in ("[data-id=robot] img", "#background"):
+            await stage.page.wait_for_function(
+                "name => document.querySelector(name).naturalWidth > 0", arg=picture
+            )
+
+    play(scenario)
+
+
+def test_a_button_is_used_by_a_click_and_by_the_keyboard(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(button(), button("no", "NO", 54))
+        await stage.component("yes").click()
+        assert await stage.next() == Use("yes")
+        await stage.page.keyboard.press("Tab")
+        await stage.page.keyboard.press("Enter")
+        assert await stage.next() == Use("no")
+
+    play(scenario)
+
+
+def test_an_input_is_entered_by_enter_and_by_its_own_button(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field(event="entered"), button())
+        # The only input has the focus already.
+        await expect(stage.component("name").locator("input")).to_be_focused()
+        await stage.page.keyboard.type("Ann Marsh")
+        await stage.page.keyboard.press("Enter")
+        assert await stage.next() == Use("name", "Ann Marsh")
+        await stage.page.keyboard.type("all")
+        await stage.component("name").get_by_role("button").click()
+        assert await stage.next() == Use("name", "Ann Marshall")
+        assert stage.nothing_more()
+
+    play(scenario)
+
+
+def test_an_input_is_entered_when_it_is_full_and_a_single_letter_is_replaced(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field(max=1))
+        await expect(stage.component("name").locator("input")).to_be_focused()
+        await stage.page.keyboard.type("K")
+        assert await stage.next() == Use("name", "K")
+        await stage.page.keyboard.type("J")
+        assert await stage.next() == Use("name", "J")
+        stage.show(field("pin", kind="pin", max=4))
+        await expect(stage.component("pin").locator("input")).to_be_focused()
+        await stage.page.keyboard.type("12x3")
+        assert stage.nothing_more()
+        await stage.page.keyboard.type("45")
+        assert await stage.next() == Use("pin", "1234")
+
+    play(scenario)
+
+
+def test_a_number_is_sent_as_a_number_and_what_is_none_is_not_sent(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field("age", kind="number", event="entered"))
+        await expect(stage.component("age").locator("input")).to_be_focused()
+        await stage.page.keyboard.type("8-1")
+        await stage.page.keyboard.press("Enter")
+        await expect(stage.component("age")).to_have_class("input component can-enter wrong")
+        await stage.component("age").locator("input").fill("81,5")
+        await stage.page.keyboard.press("Enter")
+        assert await stage.next() == Use("age", 81.5)
+
+    play(scenario)
+
+
+def test_a_date_is_written_when_chosen_and_entered_by_enter(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field("born", kind="date", event="entered"))
+        await stage.component("born").locator("input").fill("1941-05-07")
+        assert await stage.next() == Set({"user.born": "1941-05-07"}, "screen")
+        await stage.page.keyboard.press("Enter")
+        assert await stage.next() == Use("born", "1941-05-07")
+
+    play(scenario)
+
+
+def test_what_was_typed_is_written_before_the_button_that_confirms_it(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field(event="entered"), button("confirm", "CONFIRM"))
+        await stage.component("name").locator("input").fill("Ann")
+        await stage.component("confirm").click()
+        assert await stage.next() == Set({"user.name": "Ann"}, "screen")
+        assert await stage.next() == Use("confirm")
+        assert stage.nothing_more()
+
+    play(scenario)
+
+
+def test_an_item_of_a_list_is_chosen_whole(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        people = [f"Person {number}" for number in range(40)]
+        stage.show(names(*people))
+        await stage.page.get_by_text("Person 3", exact=True).click()
+        assert await stage.next() == Use("names", {"name": "Person 3"})
+        # Far below; scrolling there touches nothing.
+        await stage.page.get_by_text("Person 37", exact=True).click()
+        assert await stage.next() == Use("names", {"name": "Person 37"})
+
+    play(scenario)
+
+
+def test_a_touch_of_no_component_or_of_a_text_is_a_touch_of_the_screen(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(text("Touch the screen"), button(), field())
+        await expect(stage.component("hello")).to_be_visible()
+        await stage.page.mouse.click(1200, 100)
+        assert await stage.next() == Touch()
+        await stage.component("hello").click()
+        assert await stage.next() == Touch()
+        await stage.component("name").click()
+        await stage.component("yes").click()
+        assert await stage.next() == Use("yes")
+        assert stage.nothing_more()
+
+    play(scenario)
+
+
+def test_text_is_never_markup(play: Any) -> None:
+    evil = '<img src=x onerror="window.hacked=1"><script>window.hacked=1</script>'
+
+    async def scenario(stage: Any) -> None:
+        stage.performer.perform(Map("speech", "reception", {"text": evil, "lang": "en"}))
+        stage.show(
+            text(evil), button(text=evil), names(evil), field(value=evil),
+            text("x", "styled", color="red;background:url(x)", fill="url(javascript:1)"),
+        )  # fmt: skip
+        await expect(stage.component("hello")).to_have_text(evil)
+        await expect(stage.component("yes")).to_have_text(evil)
+        await expect(stage.component("names")).to_have_text(evil)
+        await expect(stage.component("name").locator("input")).to_have_value(evil)
+        await expect(stage.page.locator("#caption")).to_have_text(evil)
+        assert await stage.page.locator("#components img, #components script").count() == 0
+        assert await stage.page.evaluate("window.hacked") is None
+
+    play(scenario, services=("screen", "engine"), captions=True)
+
+
+def test_what_stays_is_not_made_anew_and_a_caret_keeps_its_place(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(text("One"), button(), field(value="Ann"))
+        typed = stage.component("name").locator("input")
+        await typed.focus()
+        await typed.evaluate("one => { one.value = 'Anna'; one.setSelectionRange(2, 2); }")
+        await stage.page.evaluate(
+            "document.querySelectorAll('.component').forEach(n => n.mark = 1)"
+        )
+        stage.show(text("Two"), text("New", "new", y=80), button(text="JA"), field(value="Ann"))
+        await expect(stage.component("hello")).to_have_text("Two")
+        marks = await stage.page.evaluate(
+            "[...document.querySelectorAll('.component')].map(n => [n.dataset.id, n.mark ?? 0])"
+        )
+        assert marks == [["hello", 1], ["new", 0], ["yes", 1], ["name", 1]]
+        await expect(typed).to_be_focused()
+        assert await typed.evaluate("one => [one.value, one.selectionStart]") == ["Anna", 2]
+        # Another tag under the same id is another input: the next letter begins empty.
+        stage.show(field(tag="user.other"))
+        await expect(typed).to_have_value("")
+
+    play(scenario)
+
+
+def test_without_a_holder_the_robot_shows_a_calm_face(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        await expect(stage.page.locator("#idle")).to_be_visible()
+        stage.show(text("Hello"))
+        await expect(stage.page.locator("#idle")).to_be_hidden()
+        stage.clear()
+        await expect(stage.page.locator("#idle")).to_be_visible()
+        await expect(stage.page.locator(".component")).to_have_count(0)
+
+    play(scenario)
+
+
+def test_the_page_waits_for_a_robot_that_restarts_and_shows_what_is_shown_then(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(text("Before"), field())
+        await stage.component("name").locator("input").fill("half a na")
+        port = await stage.stop()
+        veil = stage.page.locator("#veil")
+        await expect(veil).to_be_visible()
+        await expect(veil).to_contain_text("One moment, please")
+        await stage.restart(port)
+        stage.show(text("After"), field())
+        await expect(veil).to_be_hidden()
+        await expect(stage.component("hello")).to_have_text("After")
+        await expect(stage.component("name").locator("input")).to_have_value("half a na")
+        await stage.page.keyboard.press("Enter")
+        assert await stage.next() == Use("name", "half a na")
+
+    play(scenario)
+
+
+def test_a_key_that_is_out_of_date_is_said(play: Any, tmp_path: Path) -> None:
+    async def scenario(stage: Any) -> None:
+        port = await stage.stop()
+        (tmp_path / "state" / "keys" / "screen").write_text("another key\n", "utf-8")
+        await stage.restart(port)
+        await expect(stage.page.locator("#veil")).to_contain_text("out of date")
+
+    play(scenario)
+
+
+def test_the_key_does_not_stay_in_the_address(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        await expect(stage.page.locator("#idle")).to_be_visible()
+        assert "token" not in stage.page.url
+        await stage.page.reload()
+        await expect(stage.page.locator("#idle")).to_be_visible()
+
+    play(scenario)
+
+
+def test_a_movie_plays_to_its_end_and_says_so(play: Any, media: Path) -> None:
+    shutil.copy(example("reception") / "media" / "clip.webm", media)
+    clip = component("movie", "clip", 10, 10, 50, 50, src="clip.webm")
+
+    async def scenario(stage: Any) -> None:
+        stage.show(text("One"), clip, actions=(7,))
+        video = stage.page.locator("video")
+        await stage.page.wait_for_function("() => document.querySelector('video').currentTime > 0")
+        # A text that changes does not begin it anew; meanwhile it runs faster than in life.
+        await video.evaluate("one => { one.playbackRate = 16; one.mark = 1; }")
+        stage.show(text("Two"), clip, actions=(7,))
+        assert await stage.next() == Finish(id=7)
+        assert await video.evaluate("one => one.mark") == 1
+        # The state entered anew is a new action: it plays once more.
+        stage.show(text("Two"), clip, actions=(8,))
+        assert await stage.next() == Finish(id=8)
+        assert stage.nothing_more()
+
+    play(scenario)
+
+
+def test_a_movie_that_is_missing_fails(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(component("movie", "clip", 10, 10, 50, 50, src="gone.webm"), actions=(7,))
+        finish = await stage.next()
+        assert isinstance(finish, Finish)
+        assert (finish.id, finish.ok) == (7, False)
+
+    play(scenario)
+
+
+def test_what_is_said_stands_at_the_bottom_where_there_is_no_sound(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        caption = stage.page.locator("#caption")
+        await expect(caption).to_be_visible()
+        stage.performer.perform(
+            Map("speech", "m", {"text": "Please sit down. " * 40, "lang": "en"})
+        )
+        await expect(caption).to_have_class("speaking")
+        await expect(caption).to_contain_text("Please sit down.")
+        stage.performer.perform(Map("speech", None, None))
+        await expect(caption).not_to_have_class("speaking")
+        stage.performer.captions = False
+        await expect(caption).to_be_hidden()
+
+    play(scenario, services=("screen", "engine"), captions=True)
+
+
+def test_the_second_half_of_a_double_tap_does_not_answer_the_next_screen(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(text("Are these your initials?"), button())
+        await expect(stage.component("yes")).to_be_visible()
+        box = await stage.component("yes").bounding_box()
+        await stage.page.mouse.move(box["x"] + 50, box["y"] + 50)
+        await stage.page.mouse.down(click_count=1)
+        await stage.page.mouse.up(click_count=1)
+        assert await stage.next() == Use("yes")
+        stage.show(text("Shall I show names?", "question"), button(), button("no", "NO", 54))
+        await expect(stage.component("no")).to_be_visible()
+        await stage.page.mouse.down(click_count=2)
+        await stage.page.mouse.up(click_count=2)
+        await stage.component("no").click()
+        assert await stage.next() == Use("no")
+
+    play(scenario)
+
+
+def test_a_robot_without_keys_has_them_on_its_screen(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field(event="entered"), button("confirm", "CONFIRM"))
+        keys = stage.page.locator("#keys")
+        await stage.component("name").locator("input").tap()
+        await expect(keys).to_be_visible()
+        # Nothing is covered: the screen above the keys is smaller.
+        for name in ("name", "confirm"):
+            box = await stage.component(name).bounding_box()
+            assert box["y"] + box["height"] <= (await keys.bounding_box())["y"]
+        for key in ("a", "n", "n", "x", "Backspace"):
+            await keys.get_by_role("button", name=key, exact=True).tap()
+        await expect(stage.component("name").locator("input")).to_have_value("Ann")
+        await keys.get_by_role("button", name="OK").tap()
+        assert await stage.next() == Use("name", "Ann")
+        await expect(keys).to_be_hidden()
+        # Leaving them for a button finds the button where it was aimed at.
+        await stage.component("name").locator("input").tap()
+        await keys.get_by_role("button", name="Space", exact=True).tap()
+        await stage.component("confirm").tap()
+        assert await stage.next() == Set({"user.name": "Ann "}, "screen")
+        assert await stage.next() == Use("confirm")
+
+    play(scenario, has_touch=True, address="&keyboard=on")
+
+
+@pytest.mark.parametrize("viewport", [KIOSK, PHONE], ids=["kiosk", "phone"])
+def test_every_text_fits_its_box(play: Any, viewport: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(
+            text("What is the first letter of your first name?", size=14),
+            button(text="Unterbrechungsfreie Messung", size=12),
+            button("no", "それではまたあとでお願いします", 54, size=12),
+        )
+        await expect(stage.component("no")).to_be_visible()
+        await stage.page.evaluate(
+            "document.fonts.ready.then(() => new Promise(requestAnimationFrame))"
+        )
+        for name in ("hello", "yes", "no"):
+            over = await stage.component(name).evaluate(
+                """one => {
+                    const box = one.getBoundingClientRect();
+                    const inner = one.firstElementChild;
+                    return [inner.scrollWidth - box.width, inner.scrollHeight - box.height];
+                }"""
+            )
+            assert max(over) <= 1
+
+    play(scenario, viewport=viewport)
+
+
+def test_default_looks_tell_the_answer_from_the_others(play: Any) -> None:
+    async def looks(stage: Any) -> list[str]:
+        found: list[str] = await stage.page.evaluate(
+            "[...document.querySelectorAll('.button')].map(one => one.dataset.look)"
+        )
+        return found
+
+    async def scenario(stage: Any) -> None:
+        stage.show(button(), button("no", "NO", 54), button("home", fill="#ffeeaa"))
+        await expect(stage.component("home")).to_be_visible()
+        assert await looks(stage) == ["filled", "outlined", "given"]
+        # Dark letters on a light colour, where only the colour is given.
+        await expect(stage.component("home")).to_have_css("color", "rgb(21, 34, 59)")
+        stage.show(*(button(name, name, y=20 * place) for place, name in enumerate("abcd")))
+        await expect(stage.component("d")).to_be_visible()
+        assert await looks(stage) == ["outlined"] * 4
+
+    play(scenario)
