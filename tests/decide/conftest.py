@@ -20,6 +20,7 @@ import pytest
 
 from situ.decide.trace import TraceEvent, to_fields, to_line
 from situ.document import codec
+from situ.document.check import check
 from situ.document.modules import Modules
 from situ.document.project import Project
 from situ.document.rbd import Application
@@ -175,6 +176,10 @@ _TOLD: dict[str, Callable[[Event], str]] = {
 }
 
 
+RESOURCES = ("acquire", "abandon", "authority", "mapping")
+"""Kinds that only tell of resources, for tests of something else."""
+
+
 class Build(Protocol):
     def __call__(
         self,
@@ -193,6 +198,7 @@ class Play(Protocol):
         *,
         spds: str | None = ...,
         modules: str | None = ...,
+        pauses: str | None = ...,
         seed: int = ...,
         auto_finish: float | None = ...,
         **project: Any,
@@ -218,9 +224,12 @@ def build_project(
     known = None if modules is None else _read(f"<modules>{modules}</modules>", "modules.xml")
     assert script is None or isinstance(script, Spds)
     assert known is None or isinstance(known, Modules)
-    return Project(
+    built = Project(
         root=".", name="test", applications=applications, spds=script, modules=known, **project
     )
+    errors = [str(problem) for problem in check(built) if problem.severity == "error"]
+    assert not errors, "\n".join(errors)
+    return built
 
 
 def _wrap(text: str, element: str, name: str) -> str:
@@ -256,6 +265,14 @@ def run(
     return trace
 
 
+_PAUSING = """
+  <observe><data tag="busy"/></observe>
+  <modules><module name="app" resources="{}"/></modules>
+  <situation name="busy"><condition><data tag="busy" is="true"/></condition></situation>
+  <situation name="calm"><module name="app" priority="1"/></situation>
+"""
+
+
 @pytest.fixture
 def build() -> Build:
     return build_project
@@ -263,16 +280,22 @@ def build() -> Build:
 
 @pytest.fixture
 def play() -> Play:
+    """Builds a project and plays a scenario in it. ``pauses``: resources of the application
+    ``app`` in a script of two situations; while the tag ``busy`` is true it may hold none.
+    """
+
     def played(
         rbd: str | Sequence[str],
         lines: Sequence[Event],
         *,
         spds: str | None = None,
         modules: str | None = None,
+        pauses: str | None = None,
         seed: int = 0,
         auto_finish: float | None = None,
         **project: Any,
     ) -> Trace:
-        return run(build_project(rbd, spds, modules, **project), lines, seed, auto_finish)
+        script = spds if pauses is None else _PAUSING.format(pauses)
+        return run(build_project(rbd, script, modules, **project), lines, seed, auto_finish)
 
     return played

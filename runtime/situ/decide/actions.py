@@ -155,8 +155,8 @@ class Actions:
             return
         resource = resource_of(action)
         if resource is not None and not self._world.priorities.holds(self._program.name, resource):
-            self._trace_cancelled(action.element, name_of(action), cause)
-            self._ended(number, place, cause)
+            seq = self._trace_cancelled(action.element, name_of(action), cause)
+            self._ended(number, place, seq)
             return
         if isinstance(action, QUICK):
             self._at_once(number, place, action, cause)
@@ -208,8 +208,8 @@ class Actions:
         for running in list(self.state.running.values()):
             if running.resource == resource:
                 del self.state.running[running.id]
-                self._trace_cancelled(running.action, running.name, cause)
-                self._ended(running.run, running.place, cause)
+                seq = self._trace_cancelled(running.action, running.name, cause)
+                self._ended(running.run, running.place, seq)
 
     def _at_once(self, number: int, place: int, action: Action, cause: int | None) -> None:
         run = self.state.runs[number]
@@ -315,10 +315,10 @@ class Actions:
         for running in list(self.state.running.values()):
             if running.resource is None and running.action != "movie":
                 continue
-            self._cancel(running, cause)
+            seq = self._cancel(running, cause)
             self._mark(running, ENDED if running.optional else INTERRUPTED)
             if running.optional:
-                self._ended(running.run, running.place, cause)
+                self._ended(running.run, running.place, seq)
         for number, place in self.state.voice:
             self.state.runs[number].marks[place] = INTERRUPTED
         self.state.voice.clear()
@@ -336,10 +336,10 @@ class Actions:
         """An optional resource was lost: its actions are not begun again."""
         for running in list(self.state.running.values()):
             if running.resource == resource and running.optional:
-                self._cancel(running, cause)
+                seq = self._cancel(running, cause)
                 if running.action in ("speech", "sound"):
-                    self._next_voice(cause)
-                self._ended(running.run, running.place, cause)
+                    self._next_voice(seq)
+                self._ended(running.run, running.place, seq)
 
     def repeat(self, cause: int | None) -> None:
         """``<repeat/>``: says the speeches of the state once more, with their events."""
@@ -360,13 +360,14 @@ class Actions:
             for place in again:
                 self._start(number, place, cause)
 
-    def _cancel(self, running: Running, cause: int | None) -> None:
+    def _cancel(self, running: Running, cause: int | None) -> int:
         del self.state.running[running.id]
         seq = self._trace_cancelled(running.action, running.name, cause)
         if running.resource is not None:
             self._world.priorities.end_command(self._program.name, running.resource, seq)
         elif running.action != "movie":
             self._world.step.effects.append(Cancel(running.id))
+        return seq
 
     def _mark(self, running: Running, mark: int) -> None:
         run = self.state.runs.get(running.run)
