@@ -65,6 +65,7 @@ class Canvas(QWidget):
         self._moved_timer.timeout.connect(self._follow_cards)
         self.viewer.moved.connect(self._moved_timer.start)
         self.viewer.settled.connect(self.settle)
+        self.viewer.cancelled.connect(self._on_cancelled)
         self.viewer.zoomed.connect(self._on_zoomed)
         self.viewer.double_click.connect(self._on_double_click)
         self.viewer.clicked.connect(self._on_clicked)
@@ -108,6 +109,7 @@ class Canvas(QWidget):
         self._quiet += 1
         try:
             self.graph.show_picture(cards, links)
+            self.viewer.drop_dead_ends()
             for id in chosen:
                 pipe = self.graph.pipe(id)
                 if pipe is not None:
@@ -209,6 +211,11 @@ class Canvas(QWidget):
 
     def zoom_out(self) -> None:
         self._step_zoom(-1)
+
+    def _on_cancelled(self) -> None:
+        self.graph.take_intents()
+        if self.viewer.touched:
+            self.render_document()
 
     def _on_zoomed(self, zoom: float) -> None:
         self.zoom_bar.set_zoom(zoom)
@@ -318,6 +325,8 @@ class Canvas(QWidget):
     def _on_clicked(self, item: Any, spot: QPointF) -> None:
         if isinstance(item, Spot) and item.node is not None:
             self._choose_exit(item.node, item.name)
+        elif isinstance(item, RoutedPipe) and item.link is not None and not item.isSelected():
+            self.select([self.link_place(item.link.id)])
 
     def _choose_exit(self, card: NodeFace, exit: str) -> None:
         """A click on an exit selects its transition."""

@@ -174,6 +174,11 @@ class NodeFace(NodeItem):
         self.update()
 
     def mousePressEvent(self, event: QGraphicsSceneMouseEvent) -> None:
+        viewer = self.viewer()
+        if viewer is not None and viewer.takes_press():
+            # An exit or a pipe that reaches over this card: the card must not follow the cursor.
+            event.ignore()
+            return
         AbstractNodeItem.mousePressEvent(self, event)
 
     def mouseDoubleClickEvent(self, event: QGraphicsSceneMouseEvent) -> None:
@@ -261,7 +266,6 @@ class Node(BaseNode):
         kept = {p.name(): p for p in ports}
         for name in [n for n in kept if n not in names]:
             port = kept.pop(name)
-            models.pop(name)
             self.view.remove_spot(port.view)
             viewer = self.view.viewer()
             if viewer is not None:
@@ -269,9 +273,10 @@ class Node(BaseNode):
         for name in names:
             if name not in kept:
                 kept[name] = self._port(kind, name)
-                models[name] = kept[name].model
             kept[name].view.place(*self.face.port(name))
         ports[:] = [kept[name] for name in names]
+        models.clear()
+        models.update((name, kept[name].model) for name in names)
 
     def _port(self, kind: str, name: str) -> Any:
         port = Port(self, self.view.add_spot(name, kind))

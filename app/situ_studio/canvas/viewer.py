@@ -57,6 +57,8 @@ class Viewer(NodeViewer):
     """
 
     settled = Signal()
+    cancelled = Signal()
+    """Esc in the middle of a gesture: nothing of it counts."""
     dropped = Signal(object, QPointF)
     """A pipe was dropped on empty canvas: its exit's item, where."""
     double_click = Signal(object, QPointF)
@@ -237,6 +239,32 @@ class Viewer(NodeViewer):
         if self._LIVE_PIPE.isVisible():
             self.end_live_connection()
 
+    def takes_press(self) -> bool:
+        """Whether the press under way means an exit or a pipe."""
+        return self._waiting is not None or self.busy()
+
+    def give_up(self) -> None:
+        """Ends whatever gesture is under way, as if it had not begun."""
+        self.cancel()
+        self._pressed = None
+        grabber = self.scene().mouseGrabberItem()
+        if grabber is not None:
+            grabber.ungrabMouse()
+        if self._rubber_band.isActive:
+            self._rubber_band.isActive = False
+            self._rubber_band.hide()
+        self.cancelled.emit()
+
+    def drop_dead_ends(self) -> None:
+        """The document changed under a gesture: what it started from may be gone."""
+        if self._waiting is not None and self._waiting[0].scene() is None:
+            self._waiting = None
+        start = self._start_port
+        if self.busy() and (start is None or start.scene() is None or start.node is None):
+            self.cancel()
+        elif self._detached_port is not None and self._detached_port.scene() is None:
+            self._detached_port = None
+
     def busy(self) -> bool:
         """Whether a pipe is being drawn."""
         return bool(self._LIVE_PIPE.isVisible())
@@ -365,9 +393,8 @@ class Viewer(NodeViewer):
     # -- keys -------------------------------------------------------------------------
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and (self.busy() or self._waiting is not None):
-            self.cancel()
-            self.settled.emit()
+        if event.key() == Qt.Key.Key_Escape and (self.busy() or self._pressed is not None):
+            self.give_up()
             event.accept()
             return
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
