@@ -133,6 +133,10 @@ class Performer:
 
     async def close(self) -> None:
         """Stops everything: silences, holds the robot, ends programs, closes the screen."""
+        if self._adapter is not None:
+            # First of all it stands still, whatever else takes its time.
+            for resource in sorted(self._adapter.resources):
+                self.perform(Map(resource, None, None))
         for task in self._tasks.values():
             self._end(task)
         self._tasks.clear()
@@ -142,8 +146,6 @@ class Performer:
         if self._ending:
             await asyncio.gather(*self._ending, return_exceptions=True)
         if self._adapter is not None:
-            for resource in sorted(self._adapter.resources):
-                self._adapter.apply(resource, None)
             await self._adapter.close()
             self._adapter = None
         await self._asker.close()

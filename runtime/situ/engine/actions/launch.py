@@ -27,7 +27,7 @@ import msgspec
 from situ.engine.actions import ActionFailed
 from situ.engine.process import kill
 
-GRACE = 2.0
+GRACE = 1.0
 """Seconds between asking a program to end and killing it."""
 
 _PLACE = re.compile(r"\{([\w-]+)\}")
