@@ -152,7 +152,7 @@ class Commands(QObject):
                 return False
             if answer == "mine":
                 self._session.keep_mine(file)
-            elif not self._try(lambda f=file: self._session.take_from_disk(f)):  # type: ignore[misc]
+            elif not self._try(lambda f=file: self._session.take_from_disk(f)):
                 return False
         return self._try(self._session.save)
 

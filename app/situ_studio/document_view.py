@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import logging
+import importlib.util
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -14,8 +14,6 @@ from situ.document.spds import Spds
 from situ_studio.edit import Document, Place
 from situ_studio.panels.twin import Twin
 from situ_studio.theme import Theme
-
-_log = logging.getLogger("situ.studio")
 
 
 def make_canvas(document: Document, theme: Theme, parent: QWidget) -> Any:
@@ -62,7 +60,10 @@ class DocumentView(QStackedWidget):
     @property
     def has_graph(self) -> bool:
         """Whether documents of this kind have a graph."""
-        return isinstance(self._document, Application | Spds)
+        if isinstance(self._document, Spds):
+            # Until the script's canvas is there.
+            return importlib.util.find_spec("situ_studio.canvas.script") is not None
+        return isinstance(self._document, Application)
 
     @property
     def canvas(self) -> Any:

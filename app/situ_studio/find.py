@@ -98,8 +98,8 @@ class _Delegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
         found: Find = index.data(FOUND)
-        rect = QRectF(option.rect)  # type: ignore[attr-defined]
-        state = option.state  # type: ignore[attr-defined]
+        rect = QRectF(option.rect)
+        state = option.state
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if state & QStyle.StateFlag.State_Selected:
@@ -136,6 +136,7 @@ class FindAnything(QFrame):
         super().__init__(parent)
         self.setProperty("role", "popup")
         self.setAccessibleName(self.tr("Find anything, run a command"))
+        self._window = parent
         self._every: list[Find] = []
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 8, 8, 8)
@@ -164,8 +165,8 @@ class FindAnything(QFrame):
     def open(self, every: list[Find]) -> None:
         """Shows itself with everything that can be found."""
         self._every = every
-        width = min(WIDTH, self.parentWidget().width() - 32)
-        self.setGeometry((self.parentWidget().width() - width) // 2, 64, width, 400)
+        width = min(WIDTH, self._window.width() - 32)
+        self.setGeometry((self._window.width() - width) // 2, 64, width, 400)
         self.field.clear()
         self._filter("")
         self.show()

@@ -132,6 +132,9 @@ class Elided(QLabel):
 
 def retheme(top: QWidget, theme: Theme) -> None:
     """Gives the theme to every icon below ``top``."""
-    for kind in (IconLabel, IconButton, ThemedButton):
-        for one in top.findChildren(kind):
-            one.set_theme(theme)
+    for label in top.findChildren(IconLabel):
+        label.set_theme(theme)
+    for button in top.findChildren(IconButton):
+        button.set_theme(theme)
+    for themed in top.findChildren(ThemedButton):
+        themed.set_theme(theme)

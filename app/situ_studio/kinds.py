@@ -448,7 +448,7 @@ _SHOWN = Field(
 )
 
 
-def _box(x: float, y: float, width: float, height: float) -> dict[str, float]:
+def _box(x: float, y: float, width: float, height: float) -> dict[str, Any]:
     return {"x": x, "y": y, "width": width, "height": height}
 
 

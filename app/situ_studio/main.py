@@ -8,6 +8,7 @@ import re
 import signal
 import socket
 import sys
+import tempfile
 import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -84,9 +85,7 @@ def shipped_examples() -> list[Example]:
         if project is not None:
             found.append(Example(name, _about(where), project))
     # The one with a single application is the easier one to begin with.
-    return sorted(
-        found, key=lambda e: (len(e.project.applications) > 1 or e.project.spds is not None, e.name)
-    )
+    return sorted(found, key=lambda e: (e.project.spds is not None, e.name))
 
 
 def _about(where: Path) -> str:
@@ -114,6 +113,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("--view", metavar="NAME")
     made.add_argument("--connect", metavar="ENDPOINT")
     made.add_argument("--theme", choices=("light", "dark"))
+    made.add_argument("--log-level", choices=("debug", "info", "warning", "error"))
     return made
 
 
@@ -130,33 +130,46 @@ def main(argv: Sequence[str] | None = None) -> int:
         options = parser().parse_args(argv)
     except SystemExit as stopped:
         return stopped.code if isinstance(stopped.code, int) else 2
-    logging.basicConfig(level="WARNING", format="%(levelname)s %(name)s: %(message)s")
+    level = (options.log_level or "warning").upper()
+    logging.basicConfig(level=level, format="%(levelname)s %(name)s: %(message)s")
     try:
         return run(options)
     except SituError as error:
         print(f"situ studio: {error}", file=sys.stderr)
-        return 2
+    except Exception as error:
+        _log.debug("unexpected", exc_info=True)
+        print(
+            f"situ studio: a fault in the studio itself ({type(error).__name__}: {error}); "
+            "please report it with what --log-level debug prints",
+            file=sys.stderr,
+        )
+    return 2
 
 
 def run(options: argparse.Namespace) -> int:
     """Opens the window and runs Qt's loop, or takes the screenshot."""
     qt = application()
-    settings = QSettings()
     if options.screenshot is not None:
-        # A picture shows the window as it is at the first start.
-        settings = QSettings(str(Path("/nonexistent/situ")), QSettings.Format.IniFormat)
+        with tempfile.TemporaryDirectory() as fresh:
+            # A picture shows the window as it is at the first start, and leaves no trace.
+            settings = QSettings(f"{fresh}/settings.ini", QSettings.Format.IniFormat)
+            return screenshot(_window(options, settings), options.screenshot)
+    window = _window(options, QSettings())
+    window.show()
+    sys.excepthook = Unexpected(window.dialogs.tell)
+    with Interrupts(qt):
+        return int(qt.exec())
+
+
+def _window(options: argparse.Namespace, settings: QSettings) -> MainWindow:
+    """The window that the command line asks for."""
     project = None if options.view == WELCOME else options.project
     window = create_window(project, settings, options.theme)
     if options.size is not None:
         window.resize(*options.size)
     if options.view is not None:
         show_view(window, options.view)
-    window.show()
-    if options.screenshot is not None:
-        return screenshot(window, options.screenshot, options.size)
-    sys.excepthook = Unexpected(window.dialogs.tell)
-    with Interrupts(qt):
-        return int(qt.exec())
+    return window
 
 
 def show_view(window: MainWindow, name: str) -> None:
@@ -184,10 +197,9 @@ def show_view(window: MainWindow, name: str) -> None:
         window.go_to(files[wanted], tuple(place))
 
 
-def screenshot(window: MainWindow, out: str, size: tuple[int, int] | None) -> int:
-    """Draws the window into a PNG once it is laid out."""
-    if size is not None:
-        window.resize(*size)
+def screenshot(window: MainWindow, out: str) -> int:
+    """Shows the window and draws it into a PNG once it is laid out."""
+    window.show()
     settle(window)
     view = window.current_view
     if view is not None and view.mode == "graph":

@@ -7,7 +7,8 @@ from datetime import datetime
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
 
-from situ.document.rbd import Application
+import situ
+from situ.document.rbd import Always, Application, State
 from situ.document.spds import Spds
 from situ_studio.edit import Document
 from situ_studio.icon_widgets import IconLabel, ThemedButton
@@ -75,6 +76,16 @@ class Status(QStatusBar):
         button.clicked.connect(self.problems_asked)
         return button
 
+    def show_project(self, there: bool) -> None:
+        """Problems only where there is a document; else what program this is."""
+        self.errors.setVisible(there)
+        self.warnings.setVisible(there)
+        if not there:
+            self.counts.setText(f"Situ Studio {situ.__version__}")
+            self._saved_icon.hide()
+        self.selection.setVisible(there)
+        self.saved.setVisible(there)
+
     def say(self, text: str) -> None:
         """A message for a few seconds."""
         self.said.setText(text)
@@ -109,9 +120,11 @@ class Status(QStatusBar):
     def show_counts(self, document: Document | None) -> None:
         words: list[str] = []
         if isinstance(document, Application):
-            parts = [*document.states, *([document.always] if document.always else [])]
-            leading = sum(1 for p in parts for e in p.events if e.next is not None)
-            leading += sum(1 for p in parts if p.timeout is not None and p.timeout.next)
+            parts: list[State | Always] = list(document.states)
+            if document.always is not None:
+                parts.append(document.always)
+            leading = len([e for p in parts for e in p.events if e.next is not None])
+            leading += len([p for p in parts if p.timeout is not None and p.timeout.next])
             words = [
                 count(len(document.states), self.tr("state"), self.tr("states")),
                 count(leading, self.tr("transition"), self.tr("transitions")),

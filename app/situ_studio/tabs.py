@@ -141,13 +141,13 @@ class DocumentTabs(QFrame):
         side = QTabBar.ButtonPosition.RightSide
         for other in range(self.bar.count()):
             if other != index and self.bar.tabButton(other, side) is not None:
-                self.bar.setTabButton(other, side, None)  # type: ignore[arg-type]
+                self.bar.setTabButton(other, side, None)
         if index < 0:
             return
         file = self.bar.tabData(index)
         if self.bar.tabButton(index, side) is None and self.bar.count() > 1:
             close = IconButton(self._theme, "close", self.tr("Close"), "text3", 12)
-            close.setFixedSize(18, 18)
+            close.setFixedSize(22, 18)
             close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             close.clicked.connect(lambda: self.closed.emit(file))
             self.bar.setTabButton(index, side, close)

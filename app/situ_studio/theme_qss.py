@@ -29,8 +29,8 @@ QMenu::icon {{ padding-left: 8px; }}
 QMenu::separator {{ height: 1px; background: {line}; margin: 4px 8px; }}
 
 QToolBar {{ background: {panel}; border: 0; border-bottom: 1px solid {line};
-  padding: 5px 12px; spacing: 4px; }}
-QToolBar::separator {{ background: {line}; width: 1px; margin: 4px 8px; }}
+  padding: 0 8px; spacing: 4px; }}
+QToolBar::separator {{ background: {line}; width: 1px; margin: 0 8px; }}
 QToolBar QToolButton {{ border: 0; border-radius: 6px; padding: 0 5px; min-width: 18px;
   min-height: 28px; max-height: 28px; color: {text2}; font-weight: 500; }}
 QToolBar QToolButton:hover {{ background: {hover}; }}
@@ -79,6 +79,9 @@ QLabel[role="medium"] {{ font-weight: 500; }}
 QLabel[role="label"] {{ font-size: 12px; color: {text2}; }}
 QLabel[role="dim"] {{ color: {text2}; }}
 QLabel[role="hint"] {{ font-size: 11px; color: {text3}; }}
+QLabel[role="rowtitle"] {{ font-size: 12px; font-weight: 500; }}
+QToolButton[role="over"] {{ border: 0; border-radius: 4px; background: {hover}; }}
+QToolButton[role="over"]:hover {{ background: {line}; }}
 QLabel[role="words"] {{ font-size: 12px; color: {text2}; }}
 QLabel[role="refused"] {{ font-size: 11px; color: {error}; }}
 QLabel[role="kbd"] {{ font-size: 11px; color: {text3}; border: 1px solid {line};
@@ -93,13 +96,13 @@ QLineEdit, QPlainTextEdit, QComboBox {{ border: 1px solid {line}; border-radius:
   background: {field}; color: {text}; selection-background-color: {accent};
   selection-color: {on_accent}; placeholder-text-color: {text3}; }}
 QLineEdit, QComboBox {{ padding: 0 7px; min-height: 26px; max-height: 26px; }}
-QComboBox {{ padding-right: 22px; }}
+QComboBox {{ padding-left: 9px; padding-right: 22px; }}
 QPlainTextEdit {{ padding: 2px 4px; }}
 QLineEdit:hover, QComboBox:hover, QPlainTextEdit:hover {{ border-color: {line_strong}; }}
 QLineEdit:focus, QComboBox:focus, QPlainTextEdit:focus {{ border: 2px solid {accent};
   background: {panel}; }}
 QLineEdit:focus, QComboBox:focus {{ padding-left: 6px; min-height: 24px; max-height: 24px; }}
-QComboBox:focus {{ padding-right: 21px; }}
+QComboBox:focus {{ padding-left: 8px; padding-right: 21px; }}
 QPlainTextEdit:focus {{ padding: 1px 3px; }}
 QLineEdit[role="refused"] {{ border-color: {error}; }}
 QLineEdit:read-only {{ color: {text2}; }}
@@ -132,6 +135,9 @@ QHeaderView::section {{ background: {panel}; color: {text2}; border: 0;
   border-bottom: 1px solid {line}; padding: 0 8px; height: 31px; font-size: 12px;
   font-weight: 600; }}
 QScrollArea, QAbstractScrollArea {{ border: 0; }}
+QScrollArea > #qt_scrollarea_viewport {{ background: {panel}; }}
+QScrollArea[role="page"] {{ border-top: 1px solid {line}; }}
+QScrollArea[role="page"] > #qt_scrollarea_viewport {{ background: {window}; }}
 QScrollBar {{ background: transparent; border: 0; }}
 QScrollBar:vertical {{ width: 10px; }}
 QScrollBar:horizontal {{ height: 10px; }}
@@ -149,7 +155,6 @@ QTabBar[role="documents"]::tab {{ height: 35px; padding: 0 12px; background: {wi
 QTabBar[role="documents"]::tab:selected {{ background: {panel}; color: {text};
   border-top-color: {accent}; border-bottom-color: {panel}; }}
 QTabBar[role="documents"]::tab:hover:!selected {{ background: {hover}; }}
-QTabBar[role="documents"]::tab:focus {{ color: {accent}; }}
 QFrame[role="tabs"] {{ background: {window}; border: 0; border-bottom: 1px solid {line}; }}
 
 QFrame[role="segments"] {{ border: 1px solid {line_strong}; border-radius: 6px;

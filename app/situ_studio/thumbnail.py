@@ -8,15 +8,17 @@ from PySide6.QtGui import QPainter, QPainterPath, QPen
 from situ.document.rbd import Application, State
 from situ.document.spds import Spds
 from situ_studio import icons
+from situ_studio.canvas import routes
 from situ_studio.theme import Theme
 
+Point = tuple[float, float]
 CARD = (176.0, 116.0)
 
 
 def paint_application(
     painter: QPainter, rect: QRectF, application: Application, theme: Theme
 ) -> None:
-    """Cards at their places with straight arrows; states without a place stand in rows."""
+    """Cards at their places with what leads to what; states without a place stand in rows."""
     boxes: dict[str, QRectF] = {}
     for index, state in enumerate(application.states):
         x, y = state.aside.position or (24 + 230 * (index % 5), 52 + 228 * (index // 5))
@@ -34,38 +36,36 @@ def paint_application(
     painter.translate(-extent.center())
     line = 1 / scale
     painter.setPen(QPen(theme.color("pipe"), line))
-    for state in application.states:
-        targets = {e.next for e in state.events}
-        for target in sorted(t for t in targets if t in boxes and t != state.no):
-            _arrow(painter, boxes[state.no], boxes[target])
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for points in _routes(application, boxes):
+        painter.drawPolyline([QPointF(x, y) for x, y in points])
     for state in application.states:
         _card(painter, boxes[state.no], state, theme, line, state.no == application.start_no)
     painter.restore()
 
 
-def _arrow(painter: QPainter, source: QRectF, target: QRectF) -> None:
-    """From the right side to the left side, with one step half way."""
-    start = QPointF(source.right(), source.top() + 63)
-    end = QPointF(target.left(), target.top() + 63)
-    path = QPainterPath(start)
-    if end.x() > start.x():
-        middle = (start.x() + end.x()) / 2
-        path.lineTo(middle, start.y())
-        path.lineTo(middle, end.y())
-    else:
-        # Back: through the corridor above or below.
-        corridor = max(source.bottom(), target.bottom()) + 40
-        if target.top() > source.bottom():
-            corridor = (source.bottom() + target.top()) / 2
-        elif source.top() > target.bottom():
-            corridor = (target.bottom() + source.top()) / 2
-        path.lineTo(start.x() + 20, start.y())
-        path.lineTo(start.x() + 20, corridor)
-        path.lineTo(end.x() - 20, corridor)
-        path.lineTo(end.x() - 20, end.y())
-    path.lineTo(end)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawPath(path)
+def _routes(application: Application, boxes: dict[str, QRectF]) -> list[tuple[Point, ...]]:
+    """The ways of the transitions, as the canvas would draw them."""
+    around = {no: routes.Box(b.left(), b.top(), b.right(), b.bottom()) for no, b in boxes.items()}
+    pipes = []
+    for state in application.states:
+        box = boxes[state.no]
+        targets = sorted({e.next for e in state.events if e.next in boxes and e.next != state.no})
+        for index, target in enumerate(targets):
+            assert target is not None
+            pipes.append(
+                routes.Pipe(
+                    id=(state.no, str(index), target),
+                    source=state.no,
+                    target=target,
+                    start=(box.right(), box.top() + 63 + 18 * min(index, 2)),
+                    end=(boxes[target].left(), boxes[target].top() + 63),
+                    width=0,
+                    height=0,
+                    chip=0,
+                )
+            )
+    return [route.points for route in routes.Router().route(around, pipes).values()]
 
 
 def _card(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from msgspec import Struct
@@ -141,7 +142,7 @@ class Welcome(QScrollArea):
         self.setAccessibleName(self.tr("Welcome"))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.viewport().setProperty("role", "page")
+        self.setProperty("role", "page")
         page = QWidget()
         page.setProperty("role", "page")
         outer = QHBoxLayout(page)
@@ -280,7 +281,7 @@ class Welcome(QScrollArea):
         if keys:
             label = QLabel(keys)
             label.setProperty("role", "kbd")
-            line.addWidget(label)
+            line.addWidget(label, 0, Qt.AlignmentFlag.AlignVCenter)
         return press
 
     def _examples_side(self) -> QVBoxLayout:
@@ -341,6 +342,7 @@ class Welcome(QScrollArea):
         about.setMinimumHeight(40)
         about.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         words.addWidget(about)
+        words.addStretch(1)
         column.addLayout(words)
         return press
 
@@ -349,12 +351,7 @@ class Welcome(QScrollArea):
         clear(self._recent)
         for path in paths[:5]:
             press = self._choice(
-                "card",
-                "history",
-                Path(path).name,
-                path,
-                "",
-                lambda p=path: self.recent_asked.emit(p),
+                "card", "history", Path(path).name, path, "", partial(self.recent_asked.emit, path)
             )
             press.setFixedSize(324, 56)
             self._recent.addWidget(press)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from msgspec.structs import replace
@@ -161,7 +162,7 @@ class AddTest(IconButton):
         menu = QMenu(self)
         menu.addAction(self.tr("A test"), lambda: add("test"))
         for kind, words in GROUPS:
-            menu.addAction(words.capitalize(), lambda k=kind: add(k))
+            menu.addAction(words.capitalize(), partial(add, kind))
         self.setMenu(menu)
         self.setPopupMode(self.ToolButtonPopupMode.InstantPopup)
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")

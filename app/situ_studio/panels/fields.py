@@ -73,7 +73,9 @@ class Line(QLineEdit):
             completer = QCompleter(self._words, self)
             completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
             completer.setFilterMode(Qt.MatchFlag.MatchContains)
-            completer.popup().setProperty("role", "completions")
+            popup = completer.popup()
+            if popup is not None:
+                popup.setProperty("role", "completions")
             self.setCompleter(completer)
         if self._words.stringList() != list(words):
             self._words.setStringList(list(words))

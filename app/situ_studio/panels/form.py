@@ -11,7 +11,7 @@ from typing import Any
 
 from msgspec import Struct
 from msgspec.structs import replace
-from PySide6.QtCore import QCoreApplication, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -118,6 +118,10 @@ class Form(QWidget):
             self._timeout.show_value(subject.value.timeout, subject.vocabulary)
         for section in self._sections:
             section.show_subject(subject)
+
+    def minimumSizeHint(self) -> QSize:
+        # Never wider than the panel: what is too long in it is shortened with ….
+        return QSize(0, super().minimumSizeHint().height())
 
     def field(self, attribute: str) -> FieldWidget:
         """The field of an attribute; LookupError where the form has none."""
@@ -431,7 +435,7 @@ class SectionEditor(QWidget):
 
     def show_subject(self, subject: Subject) -> None:
         self._subject = subject
-        value = getattr(subject.value, self.section.attribute, None)
+        value: Any = getattr(subject.value, self.section.attribute, None)
         theme, document = subject.theme, subject.document
         if self.preview is not None:
             above: tuple[rbd.Component, ...] = ()

@@ -49,7 +49,7 @@ class Inspector(QWidget):
         line.addWidget(self._title, 1)
         self._pill = QLabel()
         self._pill.setProperty("role", "pill")
-        line.addWidget(self._pill)
+        line.addWidget(self._pill, 0, Qt.AlignmentFlag.AlignVCenter)
         column.addWidget(self.header)
         column.addWidget(rule())
         self._notice = QLabel()
@@ -123,7 +123,10 @@ class Inspector(QWidget):
             form.edited.connect(self.edited)
             form.place_asked.connect(self.place_asked)
             self._scroll.setWidget(form)
+            # setWidget makes it paint the application's grey.
+            form.setAutoFillBackground(False)
             form.setProperty("role", "panel")
+            form.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
             self._form = form
         self._place = place
         self._words.hide()

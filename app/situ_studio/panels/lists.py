@@ -26,7 +26,7 @@ AnyIndex = QModelIndex | QPersistentModelIndex
 
 
 class RowDelegate(QStyledItemDelegate):
-    """Paints a row in the theme's colours, 24 px high (22 in dense lists, 40 with a second line)."""
+    """Paints a row in the theme's colours: 24 px high, 22 in dense lists, 44 with two lines."""
 
     def __init__(self, theme: Theme, height: int = 24, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -40,8 +40,8 @@ class RowDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
         theme = self._theme
-        rect = QRectF(option.rect)  # type: ignore[attr-defined]
-        state = option.state  # type: ignore[attr-defined]
+        rect = QRectF(option.rect)
+        state = option.state
         full = QRectF(0, rect.y(), rect.right() + 1, rect.height())
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -71,7 +71,7 @@ class Outline(QWidget):
         """Shows the members of ``document`` with their problems' marks."""
         self._document = document
         rows: list[QStandardItem] = []
-        worst = {}
+        worst: dict[Place, str] = {}
         for problem in problems:
             place = problem.place[:2]
             if worst.get(place) != "error":

@@ -20,11 +20,13 @@ from situ_studio.theme import Theme
 
 def offered(document: Document | None) -> tuple[Kind, ...]:
     """The kinds that a document can take."""
-    parts = {
-        Application: ("application", "action", "screen"),
-        Spds: ("script",),
-        Modules: ("modules",),
-    }.get(type(document), ())
+    parts: tuple[str, ...] = ()
+    if isinstance(document, Application):
+        parts = ("application", "action", "screen")
+    elif isinstance(document, Spds):
+        parts = ("script",)
+    elif isinstance(document, Modules):
+        parts = ("modules",)
     return tuple(k for part in parts for k in KINDS if k.palette == part)
 
 

@@ -8,8 +8,19 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPainterPath, QPaintEvent, QPixmap
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QMouseEvent,
+    QPainter,
+    QPainterPath,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from situ.document import rbd
@@ -17,8 +28,12 @@ from situ_studio import icons
 from situ_studio.theme import FAMILIES, Theme
 
 RATIO = 10 / 16
-PAPER, INK, PALE, TOUCH = "#F7FAFF", "#14213D", "#C9D3E3", "#1F4FC9"
-"""The robot's screen has colours of its own, the same in both themes of the editor."""
+SCREEN = QSizeF(1280, 800)
+"""The screen is painted at this size and scaled, so that texts break where they do on it."""
+INK, INK_SOFT, GROUND, LINE = "#15223b", "#43526d", "#f7fafe", "#b9c6dc"
+TOUCH, TOUCH_SOFT = "#1f4fc4", "#e4edfb"
+"""The colours of the robot's own page, the same in both themes of the editor."""
+SMALLEST = 11.0
 
 _ALIGN = {
     "left": Qt.AlignmentFlag.AlignLeft,
@@ -36,7 +51,7 @@ def paint_screen(
 ) -> None:
     """Paints a screen into ``rect``; ``above`` are the components that Always adds.
 
-    media: the folder in which its pictures lie; pictures that are not there are a grey box.
+    media: the folder in which its pictures lie; pictures that are not there are a pale box.
     """
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -44,92 +59,131 @@ def paint_screen(
     clip = QPainterPath()
     clip.addRoundedRect(rect, 4, 4)
     painter.setClipPath(clip)
-    painter.fillRect(rect, QColor(PAPER))
+    painter.translate(rect.topLeft())
+    painter.scale(rect.width() / SCREEN.width(), rect.height() / SCREEN.height())
+    whole = QRectF(QPointF(0, 0), SCREEN)
+    painter.fillRect(whole, QColor(GROUND))
     if screen.background:
         color = QColor(screen.background)
         picture = _picture(media, screen.background)
         if picture is not None:
-            painter.drawPixmap(rect, picture, QRectF(picture.rect()))
+            painter.drawPixmap(whole, picture, QRectF(picture.rect()))
         elif color.isValid():
-            painter.fillRect(rect, color)
+            painter.fillRect(whole, color)
+    first = next((c for c in screen.components if isinstance(c, rbd.Button) and not c.fill), None)
     for component in (*screen.components, *above):
         box = QRectF(
-            rect.x() + component.x / 100 * rect.width(),
-            rect.y() + component.y / 100 * rect.height(),
-            component.width / 100 * rect.width(),
-            component.height / 100 * rect.height(),
+            component.x / 100 * whole.width(),
+            component.y / 100 * whole.height(),
+            component.width / 100 * whole.width(),
+            component.height / 100 * whole.height(),
         )
-        _paint_component(painter, box, rect, component, media)
+        _paint_component(painter, box, component, component is first, media)
     painter.restore()
 
 
 def _paint_component(
-    painter: QPainter, box: QRectF, screen: QRectF, component: rbd.Component, media: Path | None
+    painter: QPainter, box: QRectF, component: rbd.Component, first: bool, media: Path | None
 ) -> None:
-    ink = QColor(component.color) if component.color else QColor(INK)
+    radius = SCREEN.height() * 0.026
     if component.fill and not isinstance(component, rbd.Button):
-        painter.fillRect(box, QColor(component.fill))
-    if isinstance(component, rbd.Text):
-        _words(painter, box, screen, component, component.text, ink, "left")
-    elif isinstance(component, rbd.Button):
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(component.fill or TOUCH))
-        radius = screen.height() * 0.02
+        painter.setBrush(QColor(component.fill))
         painter.drawRoundedRect(box, radius, radius)
-        ink = QColor(component.color) if component.color else QColor("#FFFFFF")
-        _words(painter, box, screen, component, component.text, ink, "center", 600)
+    if isinstance(component, rbd.Text):
+        size = component.size or 6.0
+        weight = 600 if size >= 8 else 500 if size >= 5.5 else 400
+        ink = QColor(component.color or (INK if size >= 5.5 else INK_SOFT))
+        _words(painter, box, component.text, size, weight, ink, component.align or "left")
+    elif isinstance(component, rbd.Button):
+        _button(painter, box, component, first, radius)
     elif isinstance(component, rbd.Image | rbd.Movie):
-        picture = _picture(media, component.src) if isinstance(component, rbd.Image) else None
-        if picture is not None:
-            size = picture.size().scaled(box.size().toSize(), Qt.AspectRatioMode.KeepAspectRatio)
-            at = QRectF(0, 0, size.width(), size.height())
-            at.moveCenter(box.center())
-            painter.drawPixmap(at, picture, QRectF(picture.rect()))
-            return
-        painter.fillRect(box, QColor(PALE))
-        side = min(box.width(), box.height(), 32) * 0.7
-        at = QRectF(0, 0, side, side)
-        at.moveCenter(box.center())
-        icons.paint(painter, component.element, at, QColor(INK))
+        _image(painter, box, component, media, radius)
     elif isinstance(component, rbd.Input):
-        painter.setPen(QColor("#5B6B86"))
+        painter.setPen(QPen(QColor(LINE), 4))
         painter.setBrush(QColor("#FFFFFF"))
-        painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 3, 3)
+        painter.drawRoundedRect(box.adjusted(2, 2, -2, -2), radius, radius)
     elif isinstance(component, rbd.List):
-        painter.setPen(Qt.PenStyle.NoPen)
-        row = max(box.height() / 4, 4.0)
+        row, gap = 76.0, 10.0
         y = box.y()
-        while y + row * 0.8 <= box.bottom() + 0.5:
+        while y + row <= box.bottom() + 1:
+            painter.setPen(QPen(QColor("#d5deec"), 4))
             painter.setBrush(QColor("#FFFFFF"))
-            painter.drawRoundedRect(QRectF(box.x(), y, box.width(), row * 0.8), 2, 2)
-            painter.setBrush(QColor(PALE))
-            line = QRectF(box.x() + row * 0.3, y + row * 0.28, box.width() * 0.5, row * 0.24)
-            painter.drawRoundedRect(line, 1, 1)
-            y += row
+            line = QRectF(box.x() + 2, y + 2, box.width() - 4, row - 4)
+            painter.drawRoundedRect(line, radius, radius)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(LINE))
+            painter.drawRoundedRect(QRectF(box.x() + 32, y + 30, box.width() * 0.4, 16), 8, 8)
+            y += row + gap
+
+
+def _button(painter: QPainter, box: QRectF, button: rbd.Button, first: bool, radius: float) -> None:
+    ground, ink = QColor(button.fill or TOUCH), QColor("#FFFFFF")
+    painter.setPen(Qt.PenStyle.NoPen)
+    if not button.fill and not first:
+        ground, ink = QColor("#FFFFFF"), QColor(TOUCH)
+        painter.setPen(QPen(ink, 4))
+    elif ground.lightnessF() > 0.65:
+        ink = QColor(INK)
+    painter.setBrush(ground)
+    painter.drawRoundedRect(box.adjusted(2, 2, -2, -2), radius, radius)
+    if button.color:
+        ink = QColor(button.color)
+    inner = box.adjusted(16, 8, -16, -8)
+    _words(painter, inner, button.text, button.size or 6.0, 600, ink, button.align or "center")
+
+
+def _image(
+    painter: QPainter,
+    box: QRectF,
+    component: rbd.Image | rbd.Movie,
+    media: Path | None,
+    radius: float,
+) -> None:
+    picture = _picture(media, component.src) if isinstance(component, rbd.Image) else None
+    if picture is not None:
+        size = picture.size().scaled(box.size().toSize(), Qt.AspectRatioMode.KeepAspectRatio)
+        at = QRectF(0, 0, size.width(), size.height())
+        at.moveCenter(box.center())
+        painter.drawPixmap(at, picture, QRectF(picture.rect()))
+        return
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(TOUCH_SOFT))
+    painter.drawRoundedRect(box, radius, radius)
+    side = min(box.width(), box.height()) * 0.35
+    at = QRectF(0, 0, side, side)
+    at.moveCenter(box.center())
+    icons.paint(painter, component.element, at, QColor(TOUCH))
 
 
 def _words(
     painter: QPainter,
     box: QRectF,
-    screen: QRectF,
-    component: rbd.Component,
     text: str,
+    percent: float,
+    weight: int,
     ink: QColor,
-    usual: str,
-    weight: int = 500,
+    align: str,
 ) -> None:
-    # What the page does where no size is given: a size that the box can hold.
-    percent = component.size or min(8.0, component.height * 0.45)
-    pixels = max(1, int(percent / 100 * screen.height() + 0.5))
+    """As on the robot: the designed size, smaller where it does not fit its box."""
+    flags = int(_ALIGN[align] | Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextWordWrap)
+    text = "\n".join(line.strip() for line in text.strip().split("\n"))
     font = QFont()
     font.setFamilies(FAMILIES)
-    font.setPixelSize(pixels)
     font.setWeight(QFont.Weight(weight))
+    font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
+    size = percent / 100 * SCREEN.height()
+    while True:
+        font.setPixelSize(max(1, round(size)))
+        needed = QFontMetricsF(font).boundingRect(box, flags, text)
+        if size <= SMALLEST or (
+            needed.height() <= box.height() + 1 and needed.width() <= box.width() + 1
+        ):
+            break
+        size *= 0.94
     painter.setFont(font)
     painter.setPen(ink)
-    side = _ALIGN[component.align or usual]
-    flags = side | Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextWordWrap
-    painter.drawText(box, int(flags), text)
+    painter.drawText(box, flags, text)
 
 
 def _picture(media: Path | None, name: str) -> QPixmap | None:
@@ -151,9 +205,7 @@ class ScreenPreview(QWidget):
         self._screen: rbd.Screen | None = None
         self._above: tuple[rbd.Component, ...] = ()
         self._media: Path | None = None
-        policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        policy.setHeightForWidth(True)
-        self.setSizePolicy(policy)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setAccessibleName(self.tr("Picture of the screen"))
 
@@ -167,8 +219,9 @@ class ScreenPreview(QWidget):
         self._theme, self._screen, self._above, self._media = theme, screen, above, media
         self.update()
 
-    def heightForWidth(self, width: int) -> int:
-        return int(width * RATIO)
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.setFixedHeight(int(event.size().width() * RATIO))
 
     def sizeHint(self) -> QSize:
         return QSize(240, int(240 * RATIO))

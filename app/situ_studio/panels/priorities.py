@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from msgspec.structs import replace
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.document.spds import Entry, Situation, Spds
@@ -93,8 +93,9 @@ class PrioritiesEditor(QFrame):
             value = QLabel(str(number))
             value.setProperty("role", "dim")
             value.setFixedWidth(32)
+            value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             line.addWidget(value)
-            line.addSpacing(22)
+            line.addSpacing(4)
             self._layout.addWidget(holder)
 
     def _line(self, theme: Theme, tint: str) -> tuple[QWidget, QHBoxLayout]:

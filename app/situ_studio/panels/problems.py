@@ -39,8 +39,8 @@ class ProblemDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
         theme = self._theme
-        rect = QRectF(option.rect)  # type: ignore[attr-defined]
-        state = option.state  # type: ignore[attr-defined]
+        rect = QRectF(option.rect)
+        state = option.state
         problem: Problem = index.data(PROBLEM)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

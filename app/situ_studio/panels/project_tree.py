@@ -120,6 +120,9 @@ class ProjectTree(QWidget):
             item.setToolTip(folder)
             top.appendRow(item)
         self.tree.expandAll()
+        height = self.height_wanted()
+        self.setMinimumHeight(min(height, 9 * 24 + 8))
+        self.setMaximumHeight(height)
 
     def show_document(
         self, file: str, document: Document, dirty: bool, marks: tuple[str, ...]
@@ -144,7 +147,8 @@ class ProjectTree(QWidget):
 
     def height_wanted(self) -> int:
         """The height at which nothing needs to scroll."""
-        return 24 * (len(self._files) + 1 + 2) + 8
+        root = self._model.invisibleRootItem()
+        return 24 * sum(1 + root.child(i).rowCount() for i in range(root.rowCount())) + 8
 
     def _on_asked(self, index: QModelIndex) -> None:
         file = index.data(PLACE)

@@ -17,8 +17,17 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
+    QResizeEvent,
 )
-from PySide6.QtWidgets import QApplication, QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QMenu,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import clear, rule
@@ -64,25 +73,28 @@ class RowWidget(QFrame):
         self._grip = IconLabel(theme, "grip", "text3", 14)
         line.addWidget(self._grip)
         line.addWidget(IconLabel(theme, row.icon, row.tint, 15))
-        title = QLabel(row.title)
-        title.setProperty("role", "medium")
-        title.setTextFormat(Qt.TextFormat.PlainText)
+        title = Elided(row.title, "rowtitle")
+        title.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         line.addWidget(title)
-        line.addWidget(Elided(row.detail, "dim"), 1)
+        if row.detail or not row.target:
+            line.addWidget(Elided(row.detail, "words"), 1)
+        else:
+            line.addStretch(1)
         if row.mark:
             line.addWidget(IconLabel(theme, row.mark, row.mark, 14))
         if row.target:
             line.addWidget(IconLabel(theme, "right", "text3", 12))
-            target = Elided(row.target, "dim")
-            target.setMinimumWidth(
-                min(96, target.fontMetrics().horizontalAdvance(target.text()) + 2)
-            )
+            target = Elided(row.target, "words")
+            target.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+            target.setMinimumWidth(min(80, target.sizeHint().width()))
             line.addWidget(target)
         self._remove = IconButton(theme, "close", self.tr("Remove"), "text3", 12)
         self._remove.setFixedSize(18, 18)
         self._remove.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._remove.clicked.connect(self.removed)
-        line.addWidget(self._remove)
+        # Over the end of the row, so that it takes no room while nobody points there.
+        self._remove.setParent(self)
+        self._remove.setProperty("role", "over")
         column.addLayout(line)
         if row.guard:
             column.addWidget(_guard(theme, row.guard))
@@ -98,11 +110,12 @@ class RowWidget(QFrame):
         self._show_remove(False)
 
     def _show_remove(self, shown: bool) -> None:
-        # Its place is kept, so that nothing jumps under the pointer.
-        policy = self._remove.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._remove.setSizePolicy(policy)
         self._remove.setVisible(shown)
+        self._remove.raise_()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._remove.move(self.width() - 24, 6)
 
     def enterEvent(self, event: QEnterEvent) -> None:
         self._show_remove(True)

@@ -605,6 +605,14 @@ class Twin(QWidget):
         self.tree.viewport().update()
         self.selection_changed.emit(self._selected)
 
+    def _empty(self, value: Any, attribute: str) -> Any:
+        """What an empty cell means; ValueError where it means nothing."""
+        kind = kinds.kind_of(value)
+        for field in kind.fields if kind is not None else ():
+            if field.attribute == attribute and not field.fixed:
+                return field.empty
+        raise ValueError(self.tr("This can not be left empty."))
+
     def _on_cell(self, place: Place, attribute: str, label: str, value: Any) -> None:
         document = self._document
         if document is None:
@@ -612,10 +620,10 @@ class Twin(QWidget):
         old = getattr(places.get(document, place), attribute)
         try:
             value = _read(attribute, value)
+            if value == "":
+                value = self._empty(places.get(document, place), attribute)
             if value == old:
                 return
-            if value in (None, "") and attribute in ("no", "tag", "id", "seconds"):
-                raise ValueError(self.tr("This can not be left empty."))
             after, moved = changes.set_field(document, place, attribute, value)
         except ValueError as error:
             self.status.emit(str(error))
@@ -645,5 +653,4 @@ def _read(attribute: str, value: Any) -> Any:
             raise ValueError("Write a whole number, or nothing.") from None
     if attribute in ("next", "extends"):
         return value
-    text = str(value or "").strip()
-    return None if not text and attribute == "name" and False else text
+    return str(value or "").strip()
