@@ -106,6 +106,12 @@ def _pattern(text: str) -> str:
     return f'<data type="string"><param name="pattern">{text}</param></data>'
 
 
+def _number(limit: str = "") -> str:
+    # Not xsd:decimal: libxml2 takes at most 24 digits of one.
+    pattern = r"[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)"
+    return f'<data type="double"><param name="pattern">{pattern}</param>{limit}</data>'
+
+
 def _tag_rule(value: str) -> str | None:
     if names.is_tag(value):
         return None
@@ -201,16 +207,16 @@ RESOURCES = Type(
     rule=_resources_rule,
     blank=(),
 )
-NUMBER = Type('<data type="decimal"/>', parse=number, write=write_number, blank=0.0)
+NUMBER = Type(_number(), parse=number, write=write_number, blank=0.0)
 SIZE = Type(
-    '<data type="decimal"><param name="minInclusive">0</param></data>',
+    _number('<param name="minInclusive">0</param>'),
     parse=number,
     write=write_number,
     rule=_size_rule,
     blank=0.0,
 )
 SECONDS = Type(
-    '<data type="decimal"><param name="minExclusive">0</param></data>',
+    _number('<param name="minExclusive">0</param>'),
     parse=number,
     write=write_number,
     rule=_seconds_rule,

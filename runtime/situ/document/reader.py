@@ -539,12 +539,10 @@ class _Foreign:
     def fragment(self, end: int) -> str:
         """The element as text that stands for itself: every prefix it uses is declared in it."""
         data = self.reading.data
-        if data.startswith(b"</", end):
-            stop = data.index(b">", end) + 1
-        else:
-            match = _START_TAG.match(data, self.at)
-            assert match is not None
-            stop = match.end()
+        match = _START_TAG.match(data, self.at)
+        assert match is not None
+        empty = match[0].endswith(b"/>")
+        stop = match.end() if empty else data.index(b">", end) + 1
         text = data[self.at : stop].decode().replace("\r\n", "\n").replace("\r", "\n")
         if not self.needed:
             return text
