@@ -305,6 +305,11 @@ class Robot:
         if event is not None:
             machine.raise_event(event, None, self._world.next_raise())
 
+    def _attend(self, given: inputs.Attend) -> None:
+        machine = self._shower()
+        if machine is not None:
+            machine.attend()
+
     def _use(self, given: inputs.Use) -> None:
         machine = self._shower()
         component = machine.component(given.component) if machine is not None else None
@@ -497,6 +502,7 @@ _ACCEPT: dict[type[inputs.Input], Callable[[Robot, Any], None]] = {
     inputs.Raise: Robot._raise,
     inputs.Touch: Robot._touch,
     inputs.Use: Robot._use,
+    inputs.Attend: Robot._attend,
     inputs.Acquire: Robot._acquire,
     inputs.Abandon: Robot._abandon,
     inputs.Command: Robot._command,
