@@ -220,7 +220,7 @@ def test_after_a_lost_optional_speech_the_next_takes_its_turn(play: Play) -> Non
     assert trace.lines("action", "cancelled") == [
         '0 action app 1 speech - text="A" <enter',
         "1 cancelled app speech - <authority",
-        "1 cancelled app sound - <authority",
+        "1 cancelled app sound - <cancelled",
     ]
 
 
