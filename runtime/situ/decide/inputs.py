@@ -46,6 +46,10 @@ class Touch(Input, frozen=True):
     """A touch on no component of the screen shown."""
 
 
+class Attend(Input, frozen=True):
+    """A person types on the screen shown: an ``idle`` timeout counts anew."""
+
+
 class Use(Input, frozen=True):
     """What a person does to a component of the screen shown.
 
@@ -105,5 +109,16 @@ class Finish(Input, frozen=True):
 
 
 AnyInput = (
-    Start | Set | Raise | Touch | Use | Acquire | Abandon | Command | Lost | Connected | Finish
+    Start
+    | Set
+    | Raise
+    | Touch
+    | Use
+    | Attend
+    | Acquire
+    | Abandon
+    | Command
+    | Lost
+    | Connected
+    | Finish
 )
