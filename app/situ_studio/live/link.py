@@ -75,7 +75,7 @@ class RobotLink(QObject):
         self._now = now
         self._link: Link | None = None
         self._notifiers: list[QSocketNotifier] = []
-        self._restarts = 0
+        self._restarts = self._backlog = 0
         self._runtime: str | None = None
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -141,7 +141,7 @@ class RobotLink(QObject):
             except BlackboardError as error:
                 told(str(error))
 
-        call.done = done
+        call.then(done)
         self._turn()
 
     # -- the loop ------------------------------------------------------------
@@ -175,6 +175,8 @@ class RobotLink(QObject):
         written = last.get("time")
         if self.state.kind != "live" or not isinstance(written, str):
             return
+        if last["seq"] <= self._backlog:
+            return
         behind = (self._now() - datetime.fromisoformat(written)).total_seconds()
         self._become(
             LinkState(
@@ -190,6 +192,8 @@ class RobotLink(QObject):
         at = self.state.endpoint
         if dialog.connected and dialog.welcome is not None:
             if self.state.kind != "live":
+                # What had happened before is no measure of how far behind we are.
+                self._backlog = dialog.welcome.seq
                 self._greeted(dialog.welcome.runtime)
                 project = dialog.welcome.project
                 self._become(LinkState("live", at, project, link.clock()))
@@ -206,7 +210,7 @@ class RobotLink(QObject):
             self._runtime = runtime
             self.log.clear()
         entries = link.dialog.entries(["**"])
-        entries.done = lambda: self._stand(entries)
+        entries.then(lambda: self._stand(entries))
         files = link.dialog.documents()
 
         def compared() -> None:
@@ -216,7 +220,7 @@ class RobotLink(QObject):
                 return
             self.documents_came.emit(self.files)
 
-        files.done = compared
+        files.then(compared)
 
     def _stand(self, call: Call[dict[str, Standing]]) -> None:
         try:

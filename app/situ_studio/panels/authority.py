@@ -17,20 +17,20 @@ class Authority(RowsTable):
         widths = (120, 140, 80, 220)
         super().__init__("Authority", [self.tr(t) for t in titles], widths, theme, parent)
 
-    def show_moment(self, moment: Moment) -> None:
-        """Every resource that is held, asked for or mapped, by name."""
+    def show_moment(self, moment: Moment, t: float) -> None:
+        """Every resource that is held, asked for or mapped, by name, at ``t`` seconds."""
         asked = {resource for wanted in moment.asking.values() for resource in wanted}
         every = sorted(asked | moment.holders.keys() | moment.robot.keys())
-        self.rows.show([self._row(resource, moment) for resource in every])
+        self.rows.show([self._row(resource, moment, t) for resource in every])
 
-    def _row(self, resource: str, moment: Moment) -> Row:
+    def _row(self, resource: str, moment: Moment, t: float) -> Row:
         holder, since = moment.holders.get(resource, (None, 0.0))
         others = [m for m, wanted in moment.asking.items() if resource in wanted and m != holder]
         does = moment.robot.get(resource)
         cells = (
             resource,
             holder or self.tr("nobody"),
-            ago(moment.t - since) if holder is not None else "",
+            ago(t - since) if holder is not None else "",
             ", ".join(others),
             in_text(does) if resource != "screen" else self.tr("shown") if does else "",
         )

@@ -22,16 +22,16 @@ class Blackboard(RowsTable):
         titles = ("Tag", "Value", "Set by", "Ago")
         super().__init__("Blackboard", [self.tr(t) for t in titles], (200, 320, 140), theme, parent)
 
-    def show_moment(self, moment: Moment, private: Sequence[str] = ()) -> None:
-        """The board at a moment. private: patterns of tags whose values are not shown."""
-        self.rows.show([_row(tag, moment, private) for tag in sorted(moment.board)])
+    def show_moment(self, moment: Moment, t: float, private: Sequence[str] = ()) -> None:
+        """The board at ``t`` seconds. private: patterns of tags whose values are not shown."""
+        self.rows.show([_row(tag, moment, t, private) for tag in sorted(moment.board)])
 
 
-def _row(tag: str, moment: Moment, private: Sequence[str]) -> Row:
+def _row(tag: str, moment: Moment, t: float, private: Sequence[str]) -> Row:
     entry = moment.board[tag]
     hidden = any(names.matches(pattern, tag) for pattern in private)
     value = HIDDEN if hidden else in_text(entry.value)
-    age = max(moment.t - entry.t, 0.0)
+    age = max(t - entry.t, 0.0)
     marked = age < FRESH and entry.t > 0
     return Row(tag, (tag, value, _writer(entry), ago(age)), marked, f"{tag} = {value}")
 

@@ -1,0 +1,101 @@
+"""The robot's side of a window: its link, what follows it, and the commands about it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from situ.errors import SituError
+from situ_studio.canvas.live import LiveScript, LiveView
+from situ_studio.edit import Document
+from situ_studio.live.follower import Follower
+from situ_studio.live.link import RobotLink
+from situ_studio.panels.authority import Authority
+from situ_studio.panels.blackboard import Blackboard
+from situ_studio.panels.trace import Trace
+from situ_studio.theme import Theme
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+PANELS = ("blackboard", "authority", "trace")
+USUAL = "tcp://127.0.0.1:5570"
+
+
+class RobotSide(QObject):
+    """One window's link to a robot; ``link`` is there from the start, connected or not."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self.link = RobotLink(self)
+        theme = window.theme
+        self.blackboard, self.authority, self.trace = (
+            Blackboard(theme),
+            Authority(theme),
+            Trace(theme),
+        )
+        titles = (self.tr("Blackboard"), self.tr("Authority"), self.tr("Trace"))
+        for name, title, panel in zip(PANELS, titles, self.panels, strict=True):
+            window.bottom.add(name, title, panel)
+            window.bottom.set_shown(name, False)
+        self.follower = Follower(self, self.link, self.blackboard, self.authority, self.trace, self)
+        self.link.state_changed.connect(self._on_state)
+        window.session.changed.connect(lambda _: self.follower.compare())
+        window.session.opened.connect(self.follower.compare)
+
+    @property
+    def panels(self) -> tuple[Blackboard, Authority, Trace]:
+        return self.blackboard, self.authority, self.trace
+
+    @property
+    def connected(self) -> bool:
+        """Whether there is a link, if only one that tries."""
+        return self.link.state.kind != "none"
+
+    def ask(self) -> None:
+        """Asks for an address and connects."""
+        project = self._window.session.project
+        usual = project.endpoint if project is not None else USUAL
+        window = self._window
+        endpoint = window.dialogs.name(self.tr("Connect to a robot"), self.tr("Address"), usual)
+        if endpoint is None:
+            return
+        try:
+            self.connect_robot(endpoint)
+        except SituError as error:
+            window.dialogs.tell(str(error))
+
+    def connect_robot(self, endpoint: str) -> None:
+        """Raises UsageError where ``endpoint`` is no address."""
+        self.link.connect_robot(endpoint)
+
+    def disconnect_robot(self) -> None:
+        self.link.disconnect_robot()
+
+    def set_theme(self, theme: Theme) -> None:
+        for panel in self.panels:
+            panel.set_theme(theme)
+
+    # -- what the follower needs ---------------------------------------------
+
+    def live_documents(self) -> dict[str, Document]:
+        session = self._window.session
+        found = {file: session.document(file) for file in session.files}
+        return {file: document for file, document in found.items() if document is not None}
+
+    def show_live(self, file: str, live: LiveView | LiveScript | None) -> None:
+        view = self._window.views.get(file)
+        if view is not None:
+            view.set_live(live)
+
+    def show_link(self, kind: str, words: str) -> None:
+        live = {"live": "true", "lost": "lost", "refused": "lost"}.get(kind, "")
+        icon = "unlink" if kind in ("none", "refused") else "link"
+        self._window.status.show_link(icon, words, live)
+
+    def _on_state(self) -> None:
+        for name in PANELS:
+            self._window.bottom.set_shown(name, self.connected)
+        self._window.actions_.refresh()
