@@ -479,7 +479,7 @@ class _Reading:
         if prefix == "ed":
             said += f': add xmlns:ed="{EDITOR}" to the first element'
         self.problem("malformed-xml", said)
-        return f"urn:situ:unknown:{prefix}"
+        raise _Stop
 
 
 class _Foreign:
