@@ -196,6 +196,8 @@ class _Reading:
         if len(self.data) > MAX_BYTES:
             self.problem("too-large", f"The file is larger than {MAX_BYTES // 1_000_000} MB", 0)
             return None, self.problems()
+        if not self.is_text():
+            return None, self.problems()
         parser = self.parser
         parser.buffer_text = True
         parser.StartElementHandler = self.start
@@ -223,31 +225,36 @@ class _Reading:
         aside = replace(aside, after=tuple(self.pending), attributes=(*aside.attributes, *declared))
         self.document = replace(self.document, aside=aside)
 
-    def malformed(self, error: expat.ExpatError) -> None:
-        line, column = error.lineno, error.offset + 1
-        words = expat.errors.messages.get(error.code, "not well-formed")
-        said = f"This is no well-formed XML here: {words}"
-        place = self.parser.ErrorByteIndex
+    def is_text(self) -> bool:
+        """Whether the bytes are UTF-8 without NUL; expat would take some others for UTF-16."""
         try:
             self.data.decode()
+            at = self.data.find(0)
+            said = "A NUL character stands here: no XML file may hold one"
         except UnicodeDecodeError as wrong:
-            before = self.data[: wrong.start]
-            if wrong.start <= max(place, 0) + 4:
-                line = before.count(b"\n") + 1
-                column = len(before[before.rfind(b"\n") + 1 :].decode()) + 1
-                said = "The file is not UTF-8 here: save it as UTF-8"
-        else:
-            if 0 <= place < len(self.data) and self.data[place] == 0:
-                said = "A NUL character stands here: no XML file may hold one"
-            elif not self.data.strip():
-                said = "The file is empty"
-            elif self.stack and "no element" in words:
-                said = f"The file ends inside <{self.stack[-1].rule.name}>: its end tag is missing"
-            elif self.stack and "mismatched" in words:
-                said = f"This end tag does not fit: <{self.stack[-1].rule.name}> is still open"
-            elif "undefined entity" in words:
-                said = "Only &amp; &lt; &gt; &quot; &apos; and numbers such as &#233; may follow &"
-        self.found.append((-1, line, column, "malformed-xml", said, self.place()))
+            at = wrong.start
+            said = "The file is not UTF-8 here: save it as UTF-8"
+        if at < 0:
+            return True
+        before = self.data[:at]
+        line = before.count(b"\n") + 1
+        column = len(before[before.rfind(b"\n") + 1 :].decode()) + 1
+        self.found.append((-1, line, column, "malformed-xml", said, ()))
+        return False
+
+    def malformed(self, error: expat.ExpatError) -> None:
+        words = expat.errors.messages.get(error.code, "not well-formed")
+        said = f"This is no well-formed XML here: {words}"
+        if not self.data.strip():
+            said = "The file is empty"
+        elif self.stack and "no element" in words:
+            said = f"The file ends inside <{self.stack[-1].rule.name}>: its end tag is missing"
+        elif self.stack and "mismatched" in words:
+            said = f"This end tag does not fit: <{self.stack[-1].rule.name}> is still open"
+        elif "undefined entity" in words:
+            said = "Only &amp; &lt; &gt; &quot; &apos; and numbers such as &#233; may follow &"
+        place = self.place()
+        self.found.append((-1, error.lineno, error.offset + 1, "malformed-xml", said, place))
 
     def declaration(self, _version: str, encoding: str | None, _standalone: int) -> None:
         if encoding is not None and encoding.lower() not in ("utf-8", "utf8", "us-ascii"):
@@ -416,6 +423,8 @@ class _Reading:
             known = rule.attributes.get(key)
             if len(text) > MAX_TEXT:
                 self.problem("too-long", f'The attribute "{_short(key)}" is too long')
+                if known is not None:
+                    frame.values[known[0]] = rule.blank[known[0]]
             elif known is not None:
                 field, parse = known
                 try:

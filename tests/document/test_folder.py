@@ -1,0 +1,440 @@
+"""A project as a folder: what its files say, what is wrong with them (formats.md, *A project*)."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from situ.document import folder
+from situ.document.check import check, merge
+from situ.document.problem import Problem
+from situ.document.project import Mqtt, Project, Setting
+from situ.errors import UsageError
+
+TOML = """\
+[project]
+name = "reception"
+applications = ["reception.rbd.xml"]
+spds = "reception.spds.xml"
+modules = "modules.xml"
+media = "media"
+scenarios = "scenarios"
+languages = ["en", "ja"]
+[robot]
+endpoint = "tcp://127.0.0.1:5571"
+adapter = "sim"
+[tags]
+"services.records" = "http://127.0.0.1:8080"
+[durable]
+tags = ["medication.*"]
+[places]
+lobby = [2.0, 1.5, 90]
+[mqtt]
+url = "mqtt://127.0.0.1:1883"
+in = { "zigbee/+/fall" = "event:fallDetected", "room/temp" = "tag:room.temperature" }
+[privacy]
+private = ["user.**", "bp.**"]
+[[setting]]
+tag = "medication.morning"
+label = "Morning round"
+type = "time"
+"""
+APPLICATION = """\
+<application name="reception"><state no="1"><backgroundactions><speech>Hello {user.name}</speech>
+<sound src="chime.ogg"/></backgroundactions></state></application>"""
+SCRIPT = """\
+<spds name="s"><modules><module name="reception" resources="speech"/></modules>
+<situation name="always"><module name="reception" priority="1"/></situation></spds>"""
+PO = """\
+msgid ""
+msgstr "Content-Type: text/plain; charset=UTF-8\\n"
+
+msgid "Hello {user.name}"
+msgstr "こんにちは、{user.name}さん"
+
+#, fuzzy
+msgid "unsure"
+msgstr "?"
+"""
+
+Write = Callable[..., Path]
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Write:
+    """Writes a whole project but for what is given, by path; None leaves a file out."""
+
+    def write(**changed: str | None) -> Path:
+        files: dict[str, str | None] = {
+            "situ.toml": TOML,
+            "reception.rbd.xml": APPLICATION,
+            "reception.spds.xml": SCRIPT,
+            "modules.xml": "<modules/>",
+            "media/chime.ogg": "",
+            "texts/ja.po": PO,
+        }
+        files.update({name.replace("__", "/").replace("_", "."): t for name, t in changed.items()})
+        for name, text in files.items():
+            if text is not None:
+                path = tmp_path / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+        return tmp_path
+
+    return write
+
+
+def found_in(path: Path) -> tuple[Project | None, list[Problem]]:
+    project, problems = folder.load(path)
+    return project, merge(problems, check(project) if project is not None else [])
+
+
+def told(path: Path) -> list[tuple[str, str, int]]:
+    return [(Path(p.file).name, p.code, p.line) for p in found_in(path)[1]]
+
+
+def test_a_whole_project_is_read(write: Write) -> None:
+    root = write()
+    project, problems = found_in(root)
+    assert problems == []
+    assert project is not None
+    assert (project.root, project.name, project.toml) == (str(root), "reception", "situ.toml")
+    assert list(project.applications) == ["reception.rbd.xml"]
+    assert project.spds is not None
+    assert project.spds.name == "s"
+    assert project.modules is not None
+    assert (project.media, project.scenarios) == ("media", "scenarios")
+    assert project.languages == ("en", "ja")
+    assert project.texts == {"ja": {"Hello {user.name}": "こんにちは、{user.name}さん"}}
+    assert (project.endpoint, project.adapter) == ("tcp://127.0.0.1:5571", "sim")
+    assert project.tags == {"services.records": "http://127.0.0.1:8080"}
+    assert project.durable == ("medication.*",)
+    assert project.places == {"lobby": (2.0, 1.5, 90.0)}
+    assert project.mqtt == Mqtt(
+        url="mqtt://127.0.0.1:1883",
+        incoming={"zigbee/+/fall": "event:fallDetected", "room/temp": "tag:room.temperature"},
+    )
+    assert project.private == ("user.**", "bp.**")
+    assert project.settings == (Setting("medication.morning", "Morning round", "time"),)
+
+
+def test_folder_and_its_situ_toml_are_the_same_project(write: Write) -> None:
+    root = write()
+    assert folder.load(root) == folder.load(root / "situ.toml")
+
+
+def test_an_almost_empty_situ_toml_is_a_project(tmp_path: Path) -> None:
+    (tmp_path / "situ.toml").write_text("")
+    project, problems = found_in(tmp_path)
+    assert problems == []
+    assert project is not None
+    assert (project.name, project.endpoint) == (tmp_path.name, "tcp://127.0.0.1:5570")
+
+
+def test_a_single_document_is_a_project(write: Write) -> None:
+    root = write()
+    project, problems = found_in(root / "reception.rbd.xml")
+    assert problems == []
+    assert project is not None
+    assert (project.name, list(project.applications)) == ("reception", ["reception.rbd.xml"])
+    script, problems = found_in(root / "reception.spds.xml")
+    assert problems == []
+    assert script is not None
+    assert script.spds is not None
+    modules, problems = found_in(root / "modules.xml")
+    assert problems == []
+    assert modules is not None
+    assert modules.modules is not None
+
+
+def test_robot_local_toml_overrides_what_is_per_robot(write: Write) -> None:
+    root = write(
+        robot_local_toml='[robot]\nendpoint = "tcp://127.0.0.1:6000"\n[tags]\nlanguage = "ja"\n'
+        '"services.records" = "http://10.0.0.2"\n[places]\nbed = [1, 2, 3]\n'
+    )
+    project, problems = found_in(root)
+    assert problems == []
+    assert project is not None
+    assert project.tags == {"services.records": "http://10.0.0.2", "language": "ja"}
+    assert (project.endpoint, project.adapter) == ("tcp://127.0.0.1:6000", "sim")
+    assert set(project.places) == {"lobby", "bed"}
+
+
+@pytest.mark.parametrize(
+    ("text", "file", "code", "line"),
+    [
+        ("[project\n", "situ.toml", "malformed-toml", 1),
+        ("[project]\nname = \n", "situ.toml", "malformed-toml", 2),
+        ("[project]\nname = 'a'\nname = 'b'\n", "situ.toml", "malformed-toml", 3),
+        ("[projekt]\nname = 'a'\n", "situ.toml", "unknown-key", 1),
+        ("[project]\nnam = 'a'\n", "situ.toml", "unknown-key", 2),
+        ("name = 'a'\n", "situ.toml", "unknown-key", 1),
+        ("[robot]\nport = 1\n[tags]\n", "situ.toml", "unknown-key", 2),
+        ("[project]\nname = 3\n", "situ.toml", "bad-value", 2),
+        ("[project]\napplications = 'a.rbd.xml'\n", "situ.toml", "bad-value", 2),
+        ("project = 3\n", "situ.toml", "bad-value", 1),
+        ("[setting]\ntag = 'a'\n", "situ.toml", "bad-value", 1),
+        ("[[setting]]\ntag = 'A'\n", "situ.toml", "bad-tag", 2),
+        ("[tags]\na = 1\n'B c' = 2\n", "situ.toml", "bad-tag", 3),
+        ("[tags]\na = nan\n", "situ.toml", "bad-value", 2),
+        ("[tags]\na = 2020-01-01\n", "situ.toml", "bad-value", 2),
+        ("[tags]\n'robot/head' = 1\n", "situ.toml", "reserved-tag", 2),
+        ("[durable]\ntags = ['a', 'b*']\n", "situ.toml", "bad-tag", 2),
+        ("[places]\nbed = [1, 2]\n", "situ.toml", "bad-value", 2),
+        ("[places]\nbed = ['1', 2, true]\n", "situ.toml", "bad-value", 2),
+        ("[mqtt]\nin = { 'a/b' = 'fall' }\n", "situ.toml", "bad-value", 2),
+        ("[project]\napplications = [\n 'a.rbd.xml',\n]\n", "situ.toml", "missing-file", 3),
+        ("[project]\nspds = '../a.spds.xml'\n", "situ.toml", "path-outside", 2),
+        ("[project]\nmodules = '/etc/passwd'\n", "situ.toml", "path-outside", 2),
+        ("[project]\nmedia = '..'\n", "situ.toml", "path-outside", 2),
+        ("[project]\nlanguages = ['en', '../x']\n", "situ.toml", "bad-value", 2),
+        ("[project]\nspds = 'modules.xml'\n", "situ.toml", "wrong-document", 2),
+        (
+            "[project]\napplications = ['reception.rbd.xml', 'reception.rbd.xml']\n",
+            "situ.toml",
+            "duplicate-file",
+            2,
+        ),
+        ("a = " + "[" * 3000, "situ.toml", "malformed-toml", 1),
+    ],
+)
+def test_what_is_wrong_in_situ_toml_is_told_with_its_line(
+    write: Write, text: str, file: str, code: str, line: int
+) -> None:
+    found = told(write(situ_toml=text))
+    assert (file, code, line) in found
+    assert {f for f, *_ in found} <= {"situ.toml", "reception.rbd.xml"}
+
+
+def test_unknown_keys_are_told_the_nearest_known_one(write: Write) -> None:
+    _, problems = found_in(write(situ_toml="[project]\nlanguage = ['en']\n"))
+    assert "did you mean languages?" in problems[0].message
+
+
+def test_robot_local_toml_may_not_change_the_project(write: Write) -> None:
+    assert told(write(robot_local_toml="[project]\nname = 'b'\n")) == [
+        ("robot.local.toml", "unknown-key", 1)
+    ]
+
+
+def test_malformed_toml_and_not_utf8_are_no_project(write: Write) -> None:
+    root = write()
+    (root / "situ.toml").write_bytes(b"[project]\nname = '\xff'\n")
+    project, problems = folder.load(root)
+    assert project is None
+    assert [(p.code, p.line) for p in problems] == [("malformed-toml", 2)]
+
+
+def test_a_document_that_cannot_be_read_leaves_the_rest(write: Write) -> None:
+    project, problems = folder.load(write(reception_rbd_xml="<application"))
+    assert [(Path(p.file).name, p.code) for p in problems] == [
+        ("reception.rbd.xml", "malformed-xml")
+    ]
+    assert project is not None
+    assert project.applications == {}
+    assert project.spds is not None
+
+
+def test_a_link_that_leads_out_of_the_project_is_refused(write: Write, tmp_path: Path) -> None:
+    root = write(reception_rbd_xml=None, media__chime_ogg=None)
+    outside = root.parent / f"{root.name}-outside"
+    outside.mkdir()
+    (outside / "a.xml").write_text(APPLICATION)
+    (root / "reception.rbd.xml").symlink_to(outside / "a.xml")
+    assert ("situ.toml", "path-outside", 3) in told(root)
+    (root / "reception.rbd.xml").unlink()
+    (root / "reception.rbd.xml").write_text(APPLICATION)
+    (root / "media").mkdir(exist_ok=True)
+    (root / "media" / "chime.ogg").symlink_to(outside / "a.xml")
+    assert told(root) == [("reception.rbd.xml", "path-outside", 2)]
+
+
+@pytest.mark.parametrize("name", ["nothing", "nothing/situ.toml", "", "a.txt", "\0"])
+def test_what_cannot_be_read_at_all_is_wrong_usage(tmp_path: Path, name: str) -> None:
+    (tmp_path / "a.txt").write_text("a")
+    with pytest.raises(UsageError) as raised:
+        folder.load(tmp_path / name)
+    assert "\n" not in str(raised.value)
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_a_file_without_permission_is_wrong_usage(write: Write) -> None:
+    root = write()
+    (root / "situ.toml").chmod(0)
+    with pytest.raises(UsageError, match="Permission denied"):
+        folder.load(root)
+
+
+# -- what only a whole project shows ------------------------------------------
+
+
+def test_media_must_be_there(write: Write) -> None:
+    assert told(write(media__chime_ogg=None)) == [("reception.rbd.xml", "missing-media", 2)]
+
+
+def test_several_applications_need_a_script(write: Write) -> None:
+    toml = '[project]\napplications = ["reception.rbd.xml", "b.rbd.xml"]\nmedia = "media"\n'
+    second = APPLICATION.replace('"reception"', '"b"')
+    assert told(write(situ_toml=toml, b_rbd_xml=second)) == [("situ.toml", "spds-needed", 2)]
+
+
+def test_applications_have_different_names(write: Write) -> None:
+    toml = TOML.replace('["reception.rbd.xml"]', '["reception.rbd.xml", "b.rbd.xml"]')
+    assert told(write(situ_toml=toml, b_rbd_xml=APPLICATION)) == [
+        ("b.rbd.xml", "double-application", 1)
+    ]
+
+
+def test_an_application_needs_a_priority_somewhere(write: Write) -> None:
+    none = SCRIPT.replace('priority="1"', 'priority="none"')
+    assert told(write(reception_spds_xml=none)) == [
+        ("reception.rbd.xml", "application-without-priority", 1)
+    ]
+
+
+def test_an_application_declares_the_resources_that_its_states_use(write: Write) -> None:
+    screen = SCRIPT.replace('resources="speech"', 'resources="screen"')
+    assert told(write(reception_spds_xml=screen)) == [
+        ("reception.rbd.xml", "undeclared-resource", 1)
+    ]
+    base = APPLICATION.replace(
+        "<sound", '<robot resource="base" command="stop" optional="true"/>\n<sound'
+    )
+    assert told(write(reception_rbd_xml=base)) == [("reception.rbd.xml", "undeclared-resource", 2)]
+    clears = APPLICATION.replace('<state no="1">', '<state no="1"><screen/>')
+    assert told(write(reception_rbd_xml=clears)) == []
+
+
+def test_a_module_may_be_declared_in_the_module_information(write: Write) -> None:
+    script = SCRIPT.replace("<modules>", "<!--").replace("</modules>", "-->")
+    known = '<modules><module name="reception" resources="speech"/></modules>'
+    assert told(write(reception_spds_xml=script, modules_xml=known)) == []
+
+
+def test_script_and_module_information_must_not_contradict(write: Write) -> None:
+    known = '<modules><module name="reception" resources="speech head"/></modules>'
+    assert told(write(modules_xml=known)) == [("reception.spds.xml", "contradiction", 1)]
+    observed = SCRIPT.replace(
+        "<modules>", '<observe>\n<data tag="a" type="text"/></observe><modules>'
+    )
+    known = '<modules><module name="m"><provides data="a" type="number"/></module></modules>'
+    assert told(write(reception_spds_xml=observed, modules_xml=known)) == [
+        ("reception.spds.xml", "contradiction", 2)
+    ]
+
+
+def test_a_text_without_translation_is_a_warning(write: Write) -> None:
+    more = APPLICATION.replace("</speech>", "</speech>\n<speech>Bye</speech><speech>{a} 5</speech>")
+    _project, problems = found_in(write(reception_rbd_xml=more))
+    assert [(p.severity, p.code, p.line) for p in problems] == [("warning", "missing-text", 2)]
+    assert '"Bye"' in problems[0].message
+    assert "ja" in problems[0].message
+
+
+def test_a_language_without_texts_is_one_warning(write: Write) -> None:
+    _, problems = found_in(write(texts__ja_po=None))
+    assert [(p.severity, p.code, p.line) for p in problems] == [("warning", "missing-texts", 8)]
+
+
+def test_malformed_texts_are_told_with_their_line(write: Write) -> None:
+    assert told(write(texts__ja_po='msgid "a"\nmsgstr "b"\n\nnonsense\n'))[0] == (
+        "ja.po",
+        "malformed-po",
+        4,
+    )
+
+
+def test_a_setting_that_is_lost_at_a_restart_is_a_warning(write: Write) -> None:
+    toml = TOML.replace('tags = ["medication.*"]', "tags = []")
+    assert told(write(situ_toml=toml)) == [("situ.toml", "setting-not-durable", 24)]
+
+
+def test_parts_are_read_and_checked_too(write: Write) -> None:
+    whole = APPLICATION.replace(
+        "</state>", '</state><state no="2"><flow src="part.rbd.xml"/></state>'
+    )
+    part = '<application name="p"><state no="1"><timeout next="2">5</timeout></state></application>'
+    project, problems = found_in(write(reception_rbd_xml=whole, part_rbd_xml=part))
+    assert project is not None
+    assert list(project.parts) == ["part.rbd.xml"]
+    assert [(Path(p.file).name, p.code) for p in problems] == [("part.rbd.xml", "dangling-next")]
+
+
+def test_a_state_with_a_flow_has_nothing_else(write: Write) -> None:
+    whole = APPLICATION.replace(
+        "</application>",
+        '<state no="2"><flow src="part.rbd.xml"/><timeout>5</timeout><screen/></state>'
+        "</application>",
+    )
+    part = '<application name="p"><state no="1"/></application>'
+    found = told(write(reception_rbd_xml=whole, part_rbd_xml=part))
+    assert found == [("reception.rbd.xml", "flow-with-content", 2)] * 2
+
+
+def test_parts_in_a_circle_are_an_error_in_each_file_of_it(write: Write) -> None:
+    whole = APPLICATION.replace("</state>", '</state><state no="2"><flow src="p.rbd.xml"/></state>')
+    part = (
+        '<application name="p"><state no="1"><flow src="reception.rbd.xml"/></state></application>'
+    )
+    assert told(write(reception_rbd_xml=whole, p_rbd_xml=part)) == [
+        ("reception.rbd.xml", "circular-parts", 2),
+        ("p.rbd.xml", "circular-parts", 1),
+    ]
+
+
+def test_what_a_part_uses_its_application_declares(write: Write) -> None:
+    whole = APPLICATION.replace("</state>", '</state><state no="2"><flow src="p.rbd.xml"/></state>')
+    part = (
+        '<application name="p"><state no="1"><backgroundactions>'
+        '<robot resource="base" command="stop"/></backgroundactions></state></application>'
+    )
+    assert told(write(reception_rbd_xml=whole, p_rbd_xml=part)) == [
+        ("reception.rbd.xml", "undeclared-resource", 1)
+    ]
+
+
+# -- writing -------------------------------------------------------------------
+
+
+def test_writing_replaces_the_whole_file_and_keeps_its_mode(tmp_path: Path) -> None:
+    file = tmp_path / "a.xml"
+    file.write_bytes(b"old")
+    file.chmod(0o640)
+    folder.write(file, b"new")
+    assert file.read_bytes() == b"new"
+    assert stat.S_IMODE(file.stat().st_mode) == 0o640
+    assert os.listdir(tmp_path) == ["a.xml"]
+
+
+def test_writing_through_a_link_keeps_the_link(tmp_path: Path) -> None:
+    (tmp_path / "real.xml").write_bytes(b"old")
+    link = tmp_path / "a.xml"
+    link.symlink_to("real.xml")
+    folder.write(link, b"new")
+    assert link.is_symlink()
+    assert (tmp_path / "real.xml").read_bytes() == b"new"
+
+
+def test_a_failed_write_leaves_the_old_file_and_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "a.xml"
+    file.write_bytes(b"old")
+
+    def full(_: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(UsageError, match="No space left"):
+        folder.write(file, b"new")
+    assert file.read_bytes() == b"old"
+    assert os.listdir(tmp_path) == ["a.xml"]
+
+
+def test_writing_where_there_is_no_folder_is_one_line(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="cannot be written"):
+        folder.write(tmp_path / "no" / "a.xml", b"new")
