@@ -1,0 +1,88 @@
+"""A robot to connect to: ``situ run`` in a process of its own."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEventLoop, QTimer, SignalInstance
+
+DEADLINE = 10_000
+
+
+class Running:
+    """One ``situ run``; ``endpoint`` is where its clients ask."""
+
+    def __init__(self, project: Path, state: Path, endpoint: str = "tcp://127.0.0.1:0") -> None:
+        self.project, self.state = project, state
+        command = [sys.executable, "-m", "situ", "run", str(project), "--endpoint", endpoint]
+        command += ["--http", "127.0.0.1:0", "--state", str(state), "--json"]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        assert self.process.stdout is not None
+        self.endpoint: str = json.loads(self.process.stdout.readline())["requests"]
+
+    def kill(self) -> None:
+        self.process.kill()
+        self._reap()
+
+    def stop(self) -> None:
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+        self._reap()
+
+    def _reap(self) -> None:
+        self.process.wait(10)
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Iterator[Callable[..., Running]]:
+    """``robot(project, endpoint=…)``: a running robot with that project."""
+    every: list[Running] = []
+
+    def start(project: Path, endpoint: str = "tcp://127.0.0.1:0") -> Running:
+        every.append(Running(project, tmp_path / "state", endpoint))
+        return every[-1]
+
+    yield start
+    for one in every:
+        if one.process.returncode is None:
+            one.stop()
+
+
+@pytest.fixture
+def until() -> Callable[[SignalInstance, Callable[[], bool]], None]:
+    """``until(signal, true)``: waits, judging at each coming of the signal; fails at a deadline."""
+
+    def wait(told: SignalInstance, true: Callable[[], bool]) -> None:
+        if true():
+            return
+        loop = QEventLoop()
+        over: list[bool] = []
+        deadline = QTimer()
+        deadline.setSingleShot(True)
+
+        def late() -> None:
+            over.append(True)
+            loop.quit()
+
+        deadline.timeout.connect(late)
+
+        def judge(*_: object) -> None:
+            if true():
+                loop.quit()
+
+        told.connect(judge)
+        deadline.start(DEADLINE)
+        loop.exec()
+        deadline.stop()
+        told.disconnect(judge)
+        assert not over, f"never came true after {told}"
+
+    return wait

@@ -1,0 +1,114 @@
+"""Connected to a real robot: a process of its own, over real sockets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+
+import situ
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+def connect(studio: Any, endpoint: str, until: Any) -> Any:
+    """By the keyboard, as a person would."""
+    link = studio.window.robot.link
+    studio.answers.put("name", endpoint)
+    studio.window.setFocus()
+    studio.key(Qt.Key.Key_R, CONTROL)
+    until(link.state_changed, lambda: link.connected)
+    return link
+
+
+def rows(table: Any) -> dict[str, tuple[str, ...]]:
+    return {row.key: row.cells for row in table.rows.rows}
+
+
+def test_graphs_and_tables_show_what_the_robot_does(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    assert it.window.status.link.text() == "no robot"
+    link = connect(it, there.endpoint, until)
+    until(link.moment_changed, lambda: link.log.now.situation == "conversation")
+    window = it.window
+    with (
+        situ.connect(there.endpoint, module="gaze-sound", resources=["head"]) as board,
+        board.authority("head") as head,
+    ):
+        board.set("sound.slap", 40)
+        until(link.moment_changed, lambda: link.log.now.robot.get("head") is None)
+        head.command({"yaw": 40}, valid=5)
+        until(link.moment_changed, lambda: link.log.now.robot.get("head") == {"yaw": 40})
+        assert link.log.now.situation == "sound"
+        window.robot.follower.refresh()
+        assert rows(window.robot.authority)["head"][1] == "gaze-sound"
+        assert rows(window.robot.blackboard)["sound.slap"][1:3] == ("40", "gaze-sound")
+    until(link.moment_changed, lambda: "head" not in link.log.now.holders)
+    window.robot.follower.refresh()
+    assert rows(window.robot.authority)["screen"][1] == "converse"
+    shown = window.views[window.current_file]
+    assert shown.canvas.look.live.active == {"1"}
+    assert "same as the robot" in window.status.link.text()
+    # The trace has begun with the robot's, not with us.
+    assert link.log.events[0]["seq"] == 1
+    # An edit here makes the documents differ, and says so; undone they are the same again.
+    file = window.current_file
+    script = it.session.document(file)
+    it.session.commit(file, replace(script, states=script.states[1:]), "Delete state 1")
+    assert "differs here" in window.status.link.text()
+    it.session.undo()
+    assert "same as the robot" in window.status.link.text()
+    it.window.disconnect_robot()
+    assert window.status.link.text() == "no robot"
+    assert shown.canvas.look.live is None
+
+
+def test_a_lost_robot_is_told_at_once_and_found_again(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("reception"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    until(link.moment_changed, lambda: "reception" in link.log.now.applications)
+    first = link.log.events[-1]["seq"]
+    there.kill()
+    until(link.state_changed, lambda: link.state.kind == "lost")
+    assert it.window.status.link.text().startswith("lost")
+    again = robot(there.project, there.endpoint)
+    until(link.state_changed, lambda: link.connected)
+    until(link.moment_changed, lambda: link.log.seq >= 1)
+    assert again.endpoint == there.endpoint
+    seqs = [event["seq"] for event in link.log.events]
+    assert seqs == list(range(1, len(seqs) + 1))
+    assert first >= 1
+    it.window.disconnect_robot()
+
+
+def test_an_address_where_nobody_answers_is_tried_and_can_be_given_up(
+    studio: Callable[..., Any], project: Callable[[str], Path]
+) -> None:
+    it = studio(project("reception"))
+    it.answers.put("name", "tcp://127.0.0.1:9")
+    it.window.setFocus()
+    it.key(Qt.Key.Key_R, CONTROL)
+    assert it.window.status.link.text() == "connecting to tcp://127.0.0.1:9"
+    it.window.disconnect_robot()
+    assert it.window.status.link.text() == "no robot"
+
+
+def test_what_is_no_address_gets_one_line(
+    studio: Callable[..., Any], project: Callable[[str], Path]
+) -> None:
+    it = studio(project("reception"))
+    it.answers.put("name", "the robot in the lobby")
+    it.window.setFocus()
+    it.key(Qt.Key.Key_R, CONTROL)
+    assert len(it.answers.told) == 1
+    assert "the robot in the lobby" in it.answers.told[0]
+    assert it.window.status.link.text() == "no robot"

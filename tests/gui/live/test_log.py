@@ -1,0 +1,122 @@
+"""The trace log: what it says of a moment is what the robot is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from situ.decide.robot import Robot
+from situ.decide.trace import TraceEvent, to_fields
+from situ.document.project import Project
+from situ.document.ready import load_ready
+from situ.rehearse import scenario
+from situ.rehearse.expect import Expect
+from situ.rehearse.scenario import End
+from situ.rehearse.simulate import Rehearsal
+from situ.resources import examples
+from situ_studio.live.log import TraceLog
+from situ_studio.live.views import exit_of, live_script, live_view
+
+SCENARIOS = [
+    (name, path.name)
+    for name, where in examples().items()
+    for path in sorted(Path(where, "scenarios").glob("*.jsonl"))
+]
+
+
+def played(name: str, script: str) -> tuple[Project, Robot, list[dict[str, Any]]]:
+    where = Path(examples()[name])
+    project = load_ready(where)
+    events: list[dict[str, Any]] = []
+
+    def tell(came: list[TraceEvent]) -> None:
+        events.extend(to_fields(event) for event in came)
+
+    rehearsal = Rehearsal(project, tell)
+    for line in scenario.load(where / "scenarios" / script):
+        rehearsal.advance(line.at)
+        if not isinstance(line.does, Expect | End):
+            rehearsal.give(line.does, line.at)
+    return project, rehearsal.robot, events
+
+
+@pytest.mark.parametrize(("name", "script"), SCENARIOS)
+def test_the_moment_is_what_the_robot_is(name: str, script: str) -> None:
+    project, robot, events = played(name, script)
+    log = TraceLog()
+    assert log.add(events) == events
+    now = log.now
+    for application in project.applications.values():
+        kept = robot.board.look(f"application/{application.name}")
+        moment = now.applications[application.name]
+        assert (moment.state, moment.suspended) == (kept["state"], kept["suspended"])
+        assert sum(moment.entered.values()) == sum(
+            e["kind"] == "enter" and e["application"] == application.name for e in events
+        )
+    assert now.situation == robot.board.look("situation.name")
+    traced = {tag for tag, entry in robot.board.entries() if entry.version} - {
+        tag for tag, _ in robot.board.entries() if "/" in tag or tag in ("situation", "listen")
+    }
+    assert {t: now.board[t].value for t in traced} == {t: robot.board.look(t) for t in traced}
+    for resource, value in now.robot.items():
+        assert value == robot.board.look(f"robot/{resource}")
+
+
+@pytest.mark.parametrize(("name", "script"), SCENARIOS)
+def test_every_transition_is_found_on_the_graph(name: str, script: str) -> None:
+    project, _, events = played(name, script)
+    log = TraceLog()
+    log.add(events)
+    for application in project.applications.values():
+        moment = log.now.applications[application.name]
+        view = live_view(application, moment, log.now.t)
+        assert view.active == {moment.state}
+        own = [c for c in moment.taken if exit_of(application, c) is not None]
+        assert [t.state for t in view.taken] == [c.source for c in reversed(own)]
+        always = application.always.events if application.always is not None else ()
+        shared = {event.name for event in always}
+        for crossed in moment.taken:
+            assert exit_of(application, crossed) is not None or crossed.event in shared
+    glow = live_script(log.now)
+    assert glow.situation == log.now.situation
+    assert set(glow.authority) == set(log.now.holders)
+
+
+def test_events_seen_before_are_passed_over() -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    log = TraceLog()
+    log.add(events[:40])
+    assert log.add(events[20:60]) == events[40:60]
+    assert log.seq == 60
+    log.clear()
+    assert log.add(events[:3]) == events[:3]
+
+
+def test_only_so_many_events_are_kept_but_all_are_known() -> None:
+    _, _, events = played("reception", "known-user.jsonl")
+    log = TraceLog(limit=10)
+    for event in events:
+        log.add([event])
+    assert len(log.events) <= 12
+    assert log.events[-1] == events[-1]
+    entered = log.now.applications["reception"].entered
+    assert sum(entered.values()) == sum(e["kind"] == "enter" for e in events)
+
+
+def test_what_stands_on_the_blackboard_fills_in_what_the_trace_does_not_tell() -> None:
+    log = TraceLog()
+    log.stand(
+        {
+            "situation": ({"name": "sound", "priorities": {}}, "situ", 3.0),
+            "application/converse": ({"state": "2", "name": "sleep", "suspended": True}, "situ", 2),
+            "face.visible": (True, "face-detector", 1.0),
+            "gone": (None, "face-detector", 1.0),
+        }
+    )
+    assert log.now.situation == "sound"
+    assert log.now.applications["converse"].state == "2"
+    assert log.now.applications["converse"].suspended
+    assert log.now.board["face.visible"].value is True
+    assert "gone" not in log.now.board
