@@ -30,6 +30,7 @@ from situ_studio.canvas.projection import (
 )
 from situ_studio.canvas.routes import Box, Pipe, Router
 from situ_studio.canvas.style import Label
+from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 
 MIME = "application/x-situ-states+xml"
@@ -41,7 +42,7 @@ class ApplicationCanvas(Canvas):
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(theme, parent)
-        self.document = Application(name="")
+        self.document: Application = Application(name="")
         self._projector = Projector()
         self._picture = Picture({}, {}, {})
         self._router = Router()
@@ -323,8 +324,19 @@ class ApplicationCanvas(Canvas):
             self.select([("state", no)])
             self.viewer.reveal(self.card_area(self._picture.uids["state", no]))
 
-    def add_part(self) -> None:
-        self.add_state()
+    def drop_kind(self, kind: Kind, spot: QPointF) -> None:
+        """A state goes where it was dropped, into a pipe if there is one; the rest into its card."""
+        if kind.name != "state":
+            super().drop_kind(kind, spot)
+            return
+        x, y = gestures.snap(spot.x() - 88), gestures.snap(spot.y() - 58)
+        place = self.place_at(spot)
+        if exit_of(place) is not None:
+            after, text = gestures.insert(self._pinned(), place, x, y)
+            self._edit(after, text)
+            self.select([("state", gestures.last_number(after))])
+        else:
+            self.add_state(at=QPointF(x, y))
 
     def delete_selection(self) -> None:
         self._edit(*gestures.delete(self.document, self.selection()))

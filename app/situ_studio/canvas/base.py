@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
+from situ_studio import kinds
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.overlay import MiniMap, NameEditor, ZoomBar
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.style import Look
 from situ_studio.canvas.viewer import Viewer
+from situ_studio.insert import NotHere, insert
 from situ_studio.theme import Theme
 
 Place = tuple[str, ...]
@@ -44,6 +46,7 @@ class Canvas(QWidget):
         self.graph = Graph(self.viewer, self.look, self._item_kind)
         self.viewer.straight_lines = self.graph.lines
         self.viewer.on_key = self._key
+        self.document: Any = None
         self._problems: tuple[Problem, ...] = ()
         self._told: tuple[Place, ...] = ()
         self._row: tuple[str, str] | None = None
@@ -70,6 +73,7 @@ class Canvas(QWidget):
         self.viewer.double_click.connect(self._on_double_click)
         self.viewer.clicked.connect(self._on_clicked)
         self.viewer.menu_wanted.connect(self._on_menu)
+        self.viewer.data_dropped.connect(self._on_data_dropped)
         self.viewer.scene().selectionChanged.connect(self._on_selection)
 
     # -- for subclasses --------------------------------------------------------------
@@ -157,7 +161,8 @@ class Canvas(QWidget):
         self.minimap.move(
             self.width() - self.minimap.width() - 8, self.height() - self.minimap.height() - 8
         )
-        self.minimap.setVisible(self.height() >= 560 and self.width() >= 500)
+        room = self.height() >= 560 and self.width() >= 500
+        self.minimap.setVisible(room and self.minimap.wanted)
 
     # -- zoom ---------------------------------------------------------------------------
 
@@ -338,15 +343,38 @@ class Canvas(QWidget):
         else:
             self.activated.emit(self._place(card.uid))
 
-    def _on_menu(self, item: Any, at: QPoint) -> None:
-        place: Place = ()
+    def place_at(self, spot: QPointF) -> Place:
+        """What lies at a spot of the scene, as a place; () for the ground."""
+        return self._place_of(self.viewer.hit(spot))
+
+    def _place_of(self, item: Any) -> Place:
         if isinstance(item, Spot):
-            place = self._place(item.node.uid, item.name)
-        elif isinstance(item, NodeFace):
-            place = self._place(item.uid)
-        elif isinstance(item, RoutedPipe) and item.link is not None:
-            place = self.link_place(item.link.id)
-        self.menu_requested.emit(place, at)
+            return self._place(item.node.uid, item.name)
+        if isinstance(item, NodeFace):
+            return self._place(item.uid)
+        if isinstance(item, RoutedPipe) and item.link is not None:
+            return self.link_place(item.link.id)
+        return ()
+
+    def _on_data_dropped(self, mime: QMimeData, spot: QPoint) -> None:
+        name = bytes(mime.data(kinds.MIME).data()).decode()
+        kind = next((k for k in kinds.KINDS if k.name == name), None)
+        if kind is not None:
+            self.drop_kind(kind, QPointF(spot))
+
+    def drop_kind(self, kind: kinds.Kind, spot: QPointF) -> None:
+        """Something was dragged here from the palette."""
+        place = self.place_at(spot)
+        try:
+            after, made, text = insert(self.document, kind, place)
+        except NotHere as error:
+            self.status.emit(str(error))
+            return
+        self.edited.emit(after, text)
+        self.select([made])
+
+    def _on_menu(self, item: Any, at: QPoint) -> None:
+        self.menu_requested.emit(self._place_of(item), at)
 
     def _key(self, event: QKeyEvent) -> bool:
         key, held = event.key(), event.modifiers()

@@ -237,6 +237,11 @@ def follow(
     return after, f"Add state {no} after {called(application, owner)}", no
 
 
+def last_number(application: Application) -> str:
+    """The number of the state that was added last."""
+    return application.states[-1].no
+
+
 def insert(application: Application, link: Place, x: float, y: float) -> Done:
     """A new state in the middle of a pipe: the exit leads to it, and it leads on."""
     leaving = places.get(application, link)

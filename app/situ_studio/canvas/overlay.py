@@ -76,6 +76,7 @@ class MiniMap(QWidget):
         self._viewer = viewer
         self._look = look
         self._canvas = parent
+        self.wanted = True
         self.setFixedSize(120, 66)
         self.setAccessibleName("Overview")
         self.hide()

@@ -14,6 +14,9 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import (
     QBrush,
     QContextMenuEvent,
+    QDragEnterEvent,
+    QDragMoveEvent,
+    QDropEvent,
     QKeyEvent,
     QMouseEvent,
     QNativeGestureEvent,
@@ -30,6 +33,7 @@ from situ_studio.canvas.library import AbstractNodeItem, NodeViewer
 from situ_studio.canvas.nodes import OUT, NodeFace, Spot
 from situ_studio.canvas.pipes import LivePipe, RoutedPipe
 from situ_studio.canvas.style import Look
+from situ_studio.kinds import MIME
 
 ZOOM_LEAST, ZOOM_MOST = 0.04, 4.0
 SLOP = 3.0
@@ -54,6 +58,8 @@ class Viewer(NodeViewer):
 
     held: modifiers of the latest mouse event. on_key: what to do with a key; True
     where it was for us. straight_lines: every pipe as a QLineF, and those just taken.
+    on_ground: draws on the ground, under everything. accepts: whether a pipe from
+    an exit to an input means something. pipe_kind: the items that pipes are.
     """
 
     settled = Signal()
@@ -84,6 +90,9 @@ class Viewer(NodeViewer):
         self.held = Qt.KeyboardModifier.NoModifier
         self.on_key: Callable[[QKeyEvent], bool] = lambda event: False
         self.straight_lines: Callable[[], tuple[list[Any], list[Any]]] = lambda: ([], [])
+        self.on_ground: Callable[[QPainter], None] | None = None
+        self.accepts: Callable[[Any, Any], bool] = lambda start, end: True
+        self.pipe_kind: type[RoutedPipe] = RoutedPipe
         self.layer: _Layer | None = None
         super().__init__(parent)
         # A top-level widget of the library's that nobody asked for.
@@ -123,7 +132,7 @@ class Viewer(NodeViewer):
     # -- gestures: what NodeGraphQt calls ----------------------------------------------
 
     def establish_connection(self, start_port: Any, end_port: Any) -> None:
-        pipe = RoutedPipe(self.look, self.layer)
+        pipe = self.pipe_kind(self.look, self.layer)
         pipe.set_connections(start_port, end_port)
         self.touched.add(start_port.node.uid)
         self.touched.add(end_port.node.uid)
@@ -213,10 +222,6 @@ class Viewer(NodeViewer):
             entry = next((s for s in node.inputs if self.accepts(start, s)), None)
             return entry if entry is not None else False
         return None
-
-    def accepts(self, start: Any, end: Any) -> bool:
-        """Whether a pipe from exit to input means something; the script canvas says more."""
-        return True
 
     def apply_live_connection(self, event: Any) -> None:
         if not self._LIVE_PIPE.isVisible() or self._start_port is None:
@@ -390,6 +395,21 @@ class Viewer(NodeViewer):
             return True
         return bool(super().viewportEvent(event))
 
+    # -- drops -----------------------------------------------------------------------
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        event.setAccepted(event.mimeData().hasFormat(MIME))
+
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
+        event.setAccepted(event.mimeData().hasFormat(MIME))
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        if event.mimeData().hasFormat(MIME):
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
+            spot = self.mapToScene(event.position().toPoint())
+            self.data_dropped.emit(event.mimeData(), spot.toPoint())
+
     # -- keys -------------------------------------------------------------------------
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -509,6 +529,8 @@ class Viewer(NodeViewer):
             painter.restore()
         if look.level in ("quarter", "tiny"):
             self._draw_straight(painter)
+        if self.on_ground is not None:
+            self.on_ground(painter)
 
     def _dotted(self) -> QPixmap:
         """One 16-unit tile with its dot, at the zoom of now."""

@@ -69,9 +69,7 @@ class Hand:
         held: Qt.KeyboardModifier = NONE,
     ) -> None:
         spot = QPointF(at)
-        event = QMouseEvent(
-            kind, spot, QPointF(self.port.mapToGlobal(at)), button, buttons, held
-        )
+        event = QMouseEvent(kind, spot, QPointF(self.port.mapToGlobal(at)), button, buttons, held)
         QApplication.sendEvent(self.port, event)
 
     def press(self, spot: QPointF, held: Qt.KeyboardModifier = NONE) -> None:

@@ -93,9 +93,7 @@ class Player:
     def connect(self) -> None:
         exits, cards = self.exits(), self.cards()
         if exits and cards:
-            self.hand.drag(
-                self.random.choice(exits), self.hand.body(self.random.choice(cards))
-            )
+            self.hand.drag(self.random.choice(exits), self.hand.body(self.random.choice(cards)))
 
     def follow(self) -> None:
         exits, spot = self.exits(), self.empty()
@@ -141,9 +139,7 @@ class Player:
         spots = [self.spot(), *self.exits(), *(self.hand.body(u) for u in self.cards())]
         spots += [self.hand.on_pipe(p) for p in self.pipes()]
         seen = [s for s in spots if self.hand.sees(s)]
-        self.hand.click(
-            self.random.choice(seen), self.random.choice([NONE, SHIFT, CONTROL, ALT])
-        )
+        self.hand.click(self.random.choice(seen), self.random.choice([NONE, SHIFT, CONTROL, ALT]))
 
     def escape(self) -> None:
         starts = self.exits() + [
@@ -194,9 +190,7 @@ class Player:
 
     def step(self) -> None:
         self.hand.key(
-            self.random.choice(
-                [Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Tab]
-            )
+            self.random.choice([Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Tab])
         )
 
     def align(self) -> None:

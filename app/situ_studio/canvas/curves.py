@@ -1,0 +1,194 @@
+"""Pipes of a script: cubic, with the priority in a pill; and the paler ones that are taken over."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, Qt
+from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QStyleOptionGraphicsItem
+from PySide6.QtWidgets import QWidget as Widget
+
+from situ_studio.canvas.cards import arrow
+from situ_studio.canvas.live import LiveScript
+from situ_studio.canvas.pipes import HIT, RoutedPipe
+from situ_studio.canvas.routes import Route
+from situ_studio.canvas.script_projection import Inherited, ScriptLink
+from situ_studio.canvas.style import Label, Look
+
+PILL = 18.0
+
+
+def curve(start: QPointF, end: QPointF) -> QPainterPath:
+    """A cubic with half the gap as handle; its end leaves room for the arrow."""
+    half = (end.x() - start.x()) / 2
+    tip = end - QPointF(5, 0)
+    path = QPainterPath(start)
+    path.cubicTo(start + QPointF(half, 0), QPointF(end.x() - half, end.y()), tip)
+    return path
+
+
+def pill_area(centre: QPointF, text: Label, mark: bool) -> QRectF:
+    wide = max(30.0, text.width + 16 + (18 if mark else 0))
+    return QRectF(centre.x() - wide / 2, centre.y() - PILL / 2, wide, PILL)
+
+
+class CurvedPipe(RoutedPipe):
+    """A pipe of a script; ``link`` is a ScriptLink. part: where along it the pill sits."""
+
+    link: ScriptLink
+
+    def __init__(self, look: Look, parent: QGraphicsItem) -> None:
+        super().__init__(look, parent)
+        self._part = 0.5
+        self._pill_text: Label | None = None
+
+    def set_curve(self, start: QPointF, end: QPointF, part: float = 0.5) -> None:
+        self.prepareGeometryChange()
+        self._part = part
+        link = self.link
+        self._pill_text = None
+        if link.kind == "priority":
+            said = "none" if link.priority is None else str(link.priority)
+            self._pill_text = Label(said, 12, 600)
+        self.route = Route(points=((start.x(), start.y()), (end.x(), end.y())))
+        path = curve(start, end)
+        self.setPath(path)
+        stroker = QPainterPathStroker()
+        stroker.setWidth(HIT)
+        self._hit = stroker.createStroke(path)
+        self._rect = path.boundingRect().adjusted(-8, -8, 8, 8)
+        if self._pill_text is not None:
+            box = self.pill()
+            self._hit.addRect(box)
+            self._rect = self._rect.united(box.adjusted(-3, -3, 3, 3))
+        self.update()
+
+    def pill(self) -> QRectF:
+        """Where the priority stands, in the scene; empty for pipes without."""
+        if self._pill_text is None:
+            return QRectF()
+        return pill_area(
+            self.path().pointAtPercent(self._part), self._pill_text, bool(self.link.mark)
+        )
+
+    def selected(self) -> bool:
+        if self.isSelected():
+            return True
+        if self._input_port is None or self._output_port is None:
+            return False
+        source, target = self._output_port.node, self._input_port.node
+        if source.isSelected() or target.isSelected():
+            return True
+        return bool(self.chosen)
+
+    chosen = False
+    """Belongs to what is selected, without touching it: the way to the selected situation and on."""
+
+    def _live(self) -> bool:
+        live, link = self.look.live, self.link
+        if not isinstance(live, LiveScript):
+            return False
+        source, target = self._output_port.node.face, self._input_port.node.face
+        match link.kind:
+            case "uses":
+                return live.authority.get(target.name) == source.name
+            case "priority":
+                return live.situation == source.name and target.name in live.authority.values()
+            case "holds":
+                return target.name in live.holds
+        return False
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
+    ) -> None:
+        look, link = self.look, self.link
+        if len(self.route.points) < 2:
+            return
+        strong, live = self.selected() or self.hovered, self._live()
+        color = look["live"] if live else look["accent"] if strong else look["pipe"]
+        thin = link.kind == "uses" and not (strong or live)
+        width = 2.75 if live else 2.0 if strong else 1.3 if thin else 1.6
+        painter.setOpacity(0.8 if thin else 1.0)
+        pen = QPen(color, width)
+        if link.none:
+            pen.setDashPattern([2, 3])
+        painter.setPen(pen)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPath(self.path())
+        x, y = self.route.points[-1]
+        arrow(painter, color, x, y)
+        painter.setOpacity(1.0)
+        if self._pill_text is None:
+            return
+        box = self.pill()
+        if link.mark:
+            painter.setPen(QPen(look[link.mark], 1.25))
+            painter.setBrush(look[f"{link.mark}_soft"])
+            ink = look[link.mark]
+        else:
+            ink = look["live"] if live else look["accent"] if strong else look["module"]
+            if link.none:
+                ink = look["text3"]
+            painter.setPen(QPen(ink, 1.25))
+            painter.setBrush(look["panel"])
+        painter.drawRoundedRect(box, PILL / 2, PILL / 2)
+        centre = box.center()
+        if link.mark:
+            self._pill_text.draw_middle(painter, centre.x() - 9, centre.y() + 4.5, ink)
+            look.icon(painter, link.mark, box.right() - 20, centre.y() - 7, 14, ink)
+        else:
+            self._pill_text.draw_middle(painter, centre.x(), centre.y() + 4.5, ink)
+
+
+class InheritedPipe(QGraphicsPathItem):
+    """A priority that the selected situation takes over: pale and dashed, not in the document."""
+
+    def __init__(self, look: Look, value: Inherited, parent: QGraphicsItem) -> None:
+        super().__init__(parent)
+        self.look = look
+        self.value = value
+        self._text = Label(str(value.priority), 11, 500)
+        self._end = QPointF()
+        self._part = 0.4
+        self.setZValue(-0.5)
+
+    def set_curve(self, start: QPointF, end: QPointF, part: float) -> None:
+        self.prepareGeometryChange()
+        self._end, self._part = end, part
+        self.setPath(curve(start, end))
+
+    def pill(self) -> QRectF:
+        return pill_area(self.path().pointAtPercent(self._part), self._text, False)
+
+    def boundingRect(self) -> QRectF:
+        return self.path().boundingRect().united(self.pill()).adjusted(-8, -8, 8, 8)
+
+    def shape(self) -> QPainterPath:
+        path = QPainterPath()
+        path.addRect(self.pill())
+        return path
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
+    ) -> None:
+        look = self.look
+        painter.setOpacity(0.65)
+        pen = QPen(look["accent"], 1.5)
+        pen.setDashPattern([4 / 1.5, 4 / 1.5])
+        painter.setPen(pen)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPath(self.path())
+        arrow(painter, look["accent"], self._end.x(), self._end.y())
+        painter.setOpacity(1.0)
+        box = self.pill()
+        pen = QPen(look["line_strong"], 1)
+        pen.setDashPattern([3, 2])
+        painter.setPen(pen)
+        painter.setBrush(look["canvas"])
+        painter.drawRoundedRect(box, PILL / 2, PILL / 2)
+        self._text.draw_middle(painter, box.center().x(), box.center().y() + 4, look["text2"])
+
+
+def is_pipe(item: Any) -> bool:
+    return isinstance(item, CurvedPipe)
