@@ -51,6 +51,7 @@ class DocumentView(QStackedWidget):
         self._live: Any = None
         self._mode = "graph"
         self._fresh: set[str] = set()
+        self._telling = False
 
     @property
     def mode(self) -> str:
@@ -94,10 +95,16 @@ class DocumentView(QStackedWidget):
             return
         shown = self.current_view()
         self.setCurrentWidget(shown)
-        if self._mode not in self._fresh:
-            self._fresh.add(self._mode)
+        if self._mode in self._fresh:
+            return
+        self._fresh.add(self._mode)
+        # What a view thinks to be selected while it takes a new value is not what a person chose.
+        self._telling = True
+        try:
             shown.show_document(self._document, self._problems)
             shown.select(self.selected)
+        finally:
+            self._telling = False
 
     def current_view(self) -> Any:
         """The view of the present mode, made at its first use."""
@@ -106,6 +113,7 @@ class DocumentView(QStackedWidget):
             if self._canvas is None:
                 self._canvas = make_canvas(self._document, self._theme, self)
                 self._add(self._canvas)
+                self._canvas.viewer.clicked.connect(lambda *_: self._on_clicked())
                 if self._live is not None:
                     self._canvas.set_live(self._live)
             return self._canvas
@@ -122,15 +130,28 @@ class DocumentView(QStackedWidget):
         self.addWidget(view)
 
     def _on_selection(self, chosen: Any) -> None:
+        if self._telling:
+            return
         self.selected = tuple(tuple(p) for p in chosen)
         self.selection_changed.emit(self.selected)
+
+    def _on_clicked(self) -> None:
+        """A click on the card of which a part is selected selects the card again."""
+        chosen = self._canvas.selection()
+        if chosen != self.selected and len(chosen) == 1 and len(self.selected) == 1:
+            self._on_selection(chosen)
 
     def select(self, chosen: tuple[Place, ...]) -> None:
         """Shows this selection in the present view, and in the other one when it is shown."""
         self.selected = chosen
-        if self._document is not None:
-            self._fresh &= {self._mode}
+        if self._document is None:
+            return
+        self._fresh &= {self._mode}
+        self._telling = True
+        try:
             self.current_view().select(chosen)
+        finally:
+            self._telling = False
 
     def can(self, method: str) -> bool:
         """Whether the present view knows a method of the contract."""

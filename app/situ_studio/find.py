@@ -183,7 +183,8 @@ class FindAnything(QFrame):
             if found is not None:
                 scored.append((found, position, one))
         self._model.clear()
-        for _, _, one in sorted(scored, key=lambda s: s[:2])[:MOST]:
+        # Of what fits equally well the shorter one is meant, and commands stand first.
+        for _, _, one in sorted(scored, key=lambda s: (s[0], len(s[2].text), s[1]))[:MOST]:
             item = QStandardItem(one.text)
             item.setData(one, FOUND)
             item.setAccessibleText(f"{one.text} {one.detail}".strip())
