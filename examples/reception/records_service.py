@@ -144,7 +144,10 @@ def _has_initials(resident: Resident, x: str, y: str) -> bool:
 
 
 def _shown(resident: Resident) -> dict[str, Any]:
-    name = f"{resident['first']} {resident['last']}"
+    names = resident["first"], resident["last"]
+    if any("\u3040" <= sign <= "\u9fff" for sign in "".join(names)):
+        names = names[::-1]  # written in Japanese or Chinese, the family comes first
+    name = " ".join(names)
     return {"id": resident["id"], "name": name, "room": resident["room"]}
 
 
@@ -204,12 +207,15 @@ class Handler(BaseHTTPRequestHandler):
             self._answer(200, {"residents": len(cast(Server, self.server).records)})
 
     def _body(self) -> dict[str, Any]:
-        length = self.headers.get("Content-Length", "")
-        if not length.isascii() or not length.isdigit() or int(length) > LONGEST_BODY:
-            self.close_connection = True  # what was sent has not been read
+        given = self.headers.get("Content-Length", "")
+        length = int(given) if given.isascii() and given.isdigit() and len(given) < 9 else -1
+        if not 0 <= length <= LONGEST_BODY:
+            # Who is still sending would not hear the answer: some more is read, and dropped.
+            self.rfile.read(min(max(length, 0), 16 * LONGEST_BODY))
+            self.close_connection = True
             raise Wrong(413, f"send a body of at most {LONGEST_BODY} bytes with its length")
         try:
-            body = json.loads(self.rfile.read(int(length)))
+            body = json.loads(self.rfile.read(length))
         except (ValueError, RecursionError):
             raise Wrong(400, "the body must be JSON") from None
         if not isinstance(body, dict):

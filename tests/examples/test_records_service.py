@@ -75,6 +75,11 @@ def test_who_registers_is_found_afterwards(ask: httpx.Client) -> None:
     assert ask.post("/saveProfile", json={"user": user}).json() == {"saved": True}
 
 
+def test_a_name_in_japanese_is_written_family_first(ask: httpx.Client) -> None:
+    learnt = ask.post("/regUsr", json={"usr": {"first": "太郎", "last": "山田"}})
+    assert learnt.json()["user"]["name"] == "山田 太郎"
+
+
 def test_registering_twice_is_registering_once(ask: httpx.Client) -> None:
     usr = {"usr": {"first": "Ana", "last": "Silva"}}
     first, again = ask.post("/regUsr", json=usr), ask.post("/regUsr", json=usr)

@@ -1,4 +1,4 @@
-"""transfer: turns to who called and waved, goes there, and says how far it is."""
+"""transfer: turns to whoever called and waved, goes there, and says how far it has come."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ TURN, SPEED, DISTANCE = 45.0, 0.4, 1.6  # degrees a second, metres a second, met
 
 def main(endpoint: str = "tcp://127.0.0.1:5570") -> None:
     with situ.connect(endpoint, module="transfer", resources=["base", "head"]) as board:
-        for waving in board.watch("hand.waving"):
-            if waving.value:
+        for calling in board.watch("person.calling"):
+            if calling.value:
+                # Asks at the call already, so that at the wave nobody is waited for.
                 with board.authority("base", "head") as body:
-                    if body.wait(1.0):
+                    if body.wait(6.0):
                         board.set("transfer.phase", "turning")
                         angle = board.get("person.direction") or 0.0
                         body.command({"yaw": 0, "pitch": 0}, resource="head")
