@@ -30,6 +30,8 @@ from situ_studio.window import MainWindow
 _log = logging.getLogger("situ.studio")
 
 WELCOME = "welcome"
+PATIENCE = 5000
+"""Milliseconds that a screenshot of a robot waits for it to answer."""
 
 
 def application() -> QApplication:
@@ -153,9 +155,11 @@ def run(options: argparse.Namespace) -> int:
         with tempfile.TemporaryDirectory() as fresh:
             # A picture shows the window as it is at the first start, and leaves no trace.
             settings = QSettings(f"{fresh}/settings.ini", QSettings.Format.IniFormat)
-            return screenshot(_window(options, settings), options.screenshot)
+            return screenshot(_window(options, settings), options.screenshot, options.connect)
     window = _window(options, QSettings())
     window.show()
+    if options.connect is not None:
+        window.robot.connect_robot(options.connect)
     sys.excepthook = Unexpected(window.dialogs.tell)
     with Interrupts(qt):
         return int(qt.exec())
@@ -197,10 +201,12 @@ def show_view(window: MainWindow, name: str) -> None:
         window.go_to(files[wanted], tuple(place))
 
 
-def screenshot(window: MainWindow, out: str) -> int:
-    """Shows the window and draws it into a PNG once it is laid out."""
+def screenshot(window: MainWindow, out: str, connect: str | None) -> int:
+    """Shows the window and draws it into a PNG once it is laid out, and the robot was heard."""
     window.show()
     settle(window)
+    if connect is not None:
+        catch_up(window, connect)
     view = window.current_view
     if view is not None and view.mode == "graph":
         view.call("zoom_to_fit")
@@ -211,6 +217,20 @@ def screenshot(window: MainWindow, out: str) -> int:
     window.session.blockSignals(True)
     window.close()
     return 0
+
+
+def catch_up(window: MainWindow, endpoint: str) -> None:
+    """Connects and waits until the robot was heard; UsageError where it is not in ``PATIENCE``."""
+    link = window.robot.link
+    loop = QEventLoop()
+    link.moment_changed.connect(loop.quit)
+    link.state_changed.connect(lambda: loop.quit() if link.state.kind == "refused" else None)
+    window.robot.connect_robot(endpoint)
+    QTimer.singleShot(PATIENCE, loop.quit)
+    loop.exec()
+    if not link.connected:
+        raise UsageError(link.state.why or f"{endpoint}: nobody answers; is situ run going there?")
+    window.robot.follower.refresh()
 
 
 def settle(window: MainWindow) -> None:

@@ -41,6 +41,7 @@ from situ_studio.panels.outline import Outline
 from situ_studio.panels.palette import Palette
 from situ_studio.panels.problems import Problems
 from situ_studio.panels.project_tree import ProjectTree, look, stem
+from situ_studio.robot import RobotSide
 from situ_studio.session import Session
 from situ_studio.status import Status
 from situ_studio.tabs import BottomPanels, DocumentTabs
@@ -80,7 +81,6 @@ class MainWindow(QMainWindow):
         self.dialogs: Dialogs = Dialogs(self)
         self.views: dict[str, DocumentView] = {}
         self.current_file: str | None = None
-        self.robot: Any = None
         self._placed = False
         self.setWindowTitle(self.tr("Situ Studio"))
         self.setMinimumSize(800, 500)
@@ -100,6 +100,7 @@ class MainWindow(QMainWindow):
         self._build_panels()
         self.status = Status(self.theme)
         self.setStatusBar(self.status)
+        self.robot = RobotSide(self)
         self.actions_.fill_menus(self.menuBar())
         self._fill_panels_menu()
         self._build_toolbar()
@@ -210,7 +211,7 @@ class MainWindow(QMainWindow):
         keys = QLabel("Ctrl K")
         keys.setProperty("role", "kbd")
         keys.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        line.addWidget(keys)
+        line.addWidget(keys, 0, Qt.AlignmentFlag.AlignVCenter)
         self.search.clicked.connect(self.commands.find)
         bar.addWidget(self.search)
         bar.addWidget(_spring())
@@ -253,7 +254,7 @@ class MainWindow(QMainWindow):
     @property
     def recent(self) -> list[str]:
         """The folders of the projects that were open lately, the last one first."""
-        found = self.settings.value("recent", [])
+        found: Any = self.settings.value("recent", [])
         every = [found] if isinstance(found, str) else list(found or [])
         return [p for p in every if Path(p).exists()]
 
@@ -286,6 +287,9 @@ class MainWindow(QMainWindow):
         else:
             self.show_file("")
         self._size_docks()
+        view = self.current_view
+        if view is not None:
+            view.current_view().setFocus()
 
     def _add_tab(self, file: str) -> None:
         document = self.session.document(file)
@@ -541,6 +545,7 @@ class MainWindow(QMainWindow):
         document, project = self.current_document, self.session.project
         self.palette_.show_document(document)
         self.status.show_counts(document)
+        self.status.show_project(document is not None)
         self._settle_outline()
         self._settle_selection()
         if project is not None and document is not None:
@@ -614,13 +619,14 @@ class MainWindow(QMainWindow):
     def set_theme(self, theme: Theme) -> None:
         """Every widget of the window takes the theme."""
         self.theme = theme
-        self.setPalette(_palette(theme))
+        QApplication.setPalette(_palette(theme))
         self.setStyleSheet(qss(theme))
         self.actions_.set_theme(theme)
         retheme(self, theme)
-        for kind in (Choice, Flag):
-            for one in self.findChildren(kind):
-                one.set_theme(theme)
+        for choice in self.findChildren(Choice):
+            choice.set_theme(theme)
+        for flag in self.findChildren(Flag):
+            flag.set_theme(theme)
         panels: tuple[Any, ...] = (
             self.project_tree,
             self.outline,
@@ -630,6 +636,7 @@ class MainWindow(QMainWindow):
             self.tabs,
             self.welcome,
             self.finder,
+            self.robot,
             *self.views.values(),
         )
         for panel in panels:
@@ -699,18 +706,20 @@ class MainWindow(QMainWindow):
 
     @property
     def can_connect(self) -> bool:
-        """Whether there is a link with which a robot can be followed."""
-        return self.robot is not None
+        """Whether a robot can be followed: none is yet."""
+        return not self.robot.connected
 
     @property
     def is_connected(self) -> bool:
-        return False
+        return self.robot.connected
 
     def ask_to_connect(self) -> None:
         """Asks for an address and connects."""
+        self.robot.ask()
 
     def disconnect_robot(self) -> None:
         """Ends the link, if there is one."""
+        self.robot.disconnect_robot()
 
 
 class Notice(QFrame):
