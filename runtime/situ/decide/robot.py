@@ -184,7 +184,7 @@ class Robot:
         """
         while not self._livelocked:
             self._observe()
-            follows = self._follows()
+            follows = None if self._livelocked else self._follows()
             if follows is None:
                 break
             if self._may_go_on():
