@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 from PySide6.QtCore import QMimeData, QPointF
@@ -155,23 +156,21 @@ class ApplicationCanvas(Canvas):
     def set_live(self, live: LiveView | None) -> None:
         """Highlights of the running robot; None for none. They live in the view only."""
         before, self.look.live = self.look.live, live
-        old, new = before or LiveView(), live or LiveView()
-        changed = old.active | new.active
-        changed |= {no for no in new.counts if old.counts.get(no) != new.counts[no]}
-        changed |= {no for no in old.counts if no not in new.counts}
-        if (before is None) != (live is None):
-            changed |= {card.no for card in self._picture.cards.values()}
+        old = before if isinstance(before, LiveView) else LiveView()
+        new = live or LiveView()
+        switched = (before is None) != (live is None)
+        changed = set(old.active | new.active)
+        changed |= {
+            no for no in {**old.counts, **new.counts} if _differ(old.counts, new.counts, no)
+        }
         for uid, card in self._picture.cards.items():
-            if card.no in changed:
+            if switched or card.no in changed:
                 self.graph.nodes[uid].view.update()
         exits = {(t.state, t.exit) for t in (*old.taken, *new.taken)}
-        exits |= set(old.transitions.items() ^ new.transitions.items()) and {
-            k
-            for k in {**old.transitions, **new.transitions}
-            if old.transitions.get(k) != new.transitions.get(k)
-        }
+        ways = {**old.transitions, **new.transitions}
+        exits |= {way for way in ways if _differ(old.transitions, new.transitions, way)}
         for id in self.graph.links:
-            if (id[0], id[1]) in exits or (before is None) != (live is None):
+            if switched or (id[0], id[1]) in exits:
                 pipe = self.graph.pipe(id)
                 if pipe is not None:
                     pipe.update()
@@ -243,7 +242,7 @@ class ApplicationCanvas(Canvas):
         return card.x, card.y
 
     def _unplaced(self) -> dict[Place, tuple[float, float]]:
-        """Cards that have no place in the file, where they are shown: they stay when one is moved."""
+        """Where cards without a place in the file are shown: they stay when one is moved."""
         return {
             self._picture.cards[uid].place: self._laid[uid]
             for uid, value in identified(self.document)
@@ -269,11 +268,11 @@ class ApplicationCanvas(Canvas):
             if (f.key != "" or leaving is None or leaving.next is not None)
             and not (f.key.startswith("#") and source.kind == "always" and f.key == "#again")
         ]
-        for card in self._picture.cards.values():
-            if card.no:
-                choices.append(
-                    gestures.Follow(card.no, f"{card.no}  {card.name}", "state", "existing state")
-                )
+        choices += [
+            gestures.Follow(card.no, f"{card.no}  {card.name}", "state", "existing state")
+            for card in self._picture.cards.values()
+            if card.no
+        ]
         menu = FollowMenu(choices, self.look.theme, self)
         menu.chosen.connect(lambda key: self._follow(uid, exit, key, spot))
         menu.closed.connect(self._menu_closed)
@@ -325,7 +324,7 @@ class ApplicationCanvas(Canvas):
             self.viewer.reveal(self.card_area(self._picture.uids["state", no]))
 
     def drop_kind(self, kind: Kind, spot: QPointF) -> None:
-        """A state goes where it was dropped, into a pipe if there is one; the rest into its card."""
+        """A state goes where it was dropped, into a pipe if one is there; the rest into a card."""
         if kind.name != "state":
             super().drop_kind(kind, spot)
             return
@@ -412,7 +411,7 @@ class ApplicationCanvas(Canvas):
             self.status.emit("Select two states to connect")
             return
         after, texts = self.document, []
-        for source, target in zip(numbers, numbers[1:], strict=False):
+        for source, target in pairwise(numbers):
             after, text = gestures.add_event(after, ("state", source), target)
             texts.append(text)
         self._edit(after, texts[0] if len(texts) == 1 else f"Connect {len(numbers)} states")
@@ -479,6 +478,10 @@ class ApplicationCanvas(Canvas):
             self.edit_name(card.uid)
         else:
             self.activated.emit(face.place)
+
+
+def _differ(old: Mapping[Any, Any], new: Mapping[Any, Any], key: Any) -> bool:
+    return bool(old.get(key) != new.get(key))
 
 
 def _number(text: str) -> int:

@@ -25,7 +25,7 @@ ZOOMS = (0.1, 0.15, 0.25, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0)
 
 
 class Canvas(QWidget):
-    """A drawing of one document. It never changes it: it emits ``edited`` and shows what it is given.
+    """A drawing of one document: never changes it, emits ``edited``, shows what it is given.
 
     Selections and problems are places, as ``Problem.place`` has them.
     """

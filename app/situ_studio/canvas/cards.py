@@ -1,6 +1,8 @@
-"""State cards, painted as mockups/tokens.md and card-anatomy measure them, at four levels of detail."""
+"""State cards, painted as mockups/tokens.md measures them, at four levels of detail."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
@@ -8,6 +10,7 @@ from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas import thumbnails, words
+from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.projection import FIRST, HEADER, NEW, PITCH, TIMEOUT, WIDTH, Card, Exit
 from situ_studio.canvas.style import Label, Look
@@ -143,7 +146,7 @@ class CardItem(NodeFace):
             self._paint_full(painter, look)
 
     def _live(self, look: Look) -> bool:
-        return look.live is not None and self.face.no in look.live.active
+        return isinstance(look.live, LiveView) and self.face.no in look.live.active
 
     def _border(self, look: Look) -> QColor:
         if self._live(look):
@@ -228,7 +231,7 @@ class CardItem(NodeFace):
     def _paint_counts(self, painter: QPainter, look: Look) -> None:
         """Live: how often the state was entered, and the time in it."""
         live, card = look.live, self.face
-        if live is None or not card.no:
+        if not isinstance(live, LiveView) or not card.no:
             return
         if card.no in live.active:
             said = words.seconds(round(live.entered.get(card.no, 0.0), 1))
@@ -322,8 +325,8 @@ class CardItem(NodeFace):
     def _paint_rings(self, painter: QPainter, look: Look, area: QRectF, unit: float) -> None:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._live(look):
-            for out, width, opacity in ((14, 8, 0.07), (8.5, 6, 0.16), (4, 4, 0.34)):
-                out, width = out * unit, width * unit
+            for far, wide, opacity in ((14.0, 8, 0.07), (8.5, 6, 0.16), (4.0, 4, 0.34)):
+                out, width = far * unit, wide * unit
                 painter.setPen(QPen(look.faint("live", opacity), width))
                 painter.drawRoundedRect(
                     area.adjusted(-out, -out, out, out), RADIUS + out, RADIUS + out
@@ -351,7 +354,7 @@ class CardItem(NodeFace):
             painter.setBrush(look["card"])
             unit = area.width() / 48
             boxes = [(6, 12), (19, 17), (32, 10)]
-            for (ax, ay), (bx, by) in zip(boxes, boxes[1:], strict=False):
+            for (ax, ay), (bx, by) in pairwise(boxes):
                 painter.drawLine(
                     QPointF(area.left() + (ax + 10) * unit, area.top() + (ay + 3) * unit),
                     QPointF(area.left() + bx * unit, area.top() + (by + 3) * unit),
@@ -445,7 +448,7 @@ class CardItem(NodeFace):
     def _paint_bar(self, painter: QPainter, look: Look) -> None:
         """Live: how much of the timeout has passed."""
         live, card = look.live, self.face
-        if live is None or card.no not in live.active:
+        if not isinstance(live, LiveView) or card.no not in live.active:
             return
         leaving = card.exit(TIMEOUT)
         if leaving is None or not leaving.seconds:

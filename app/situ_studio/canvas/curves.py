@@ -83,7 +83,7 @@ class CurvedPipe(RoutedPipe):
         return bool(self.chosen)
 
     chosen = False
-    """Belongs to what is selected, without touching it: the way to the selected situation and on."""
+    """On the way to the selected situation, or on from it, without touching it."""
 
     def _live(self) -> bool:
         live, link = self.look.live, self.link
@@ -92,11 +92,12 @@ class CurvedPipe(RoutedPipe):
         source, target = self._output_port.node.face, self._input_port.node.face
         match link.kind:
             case "uses":
-                return live.authority.get(target.name) == source.name
+                return bool(live.authority.get(target.name) == source.name)
             case "priority":
-                return live.situation == source.name and target.name in live.authority.values()
+                current = live.situation == source.name
+                return current and target.name in live.authority.values()
             case "holds":
-                return target.name in live.holds
+                return bool(target.name in live.holds)
         return False
 
     def paint(

@@ -102,7 +102,7 @@ def connect(application: Application, place: Place, target: str) -> Done:
 
 
 def disconnect(application: Application, place: Place) -> Done:
-    """The exit leads nowhere: its event becomes internal; an unnamed one, which needs a target, goes."""
+    """The exit leads nowhere: its event becomes internal; an unnamed one goes."""
     leaving = places.get(application, place)
     if leaving is None or leaving.next is None:
         return application, ""
@@ -116,13 +116,12 @@ def disconnect(application: Application, place: Place) -> Done:
 
 
 def event_name(owner: State | Always) -> str:
-    """A name for a new event: what the screen or an action raises and nobody expects yet, else a free one."""
+    """A name for a new event: one that is raised but not expected yet, else a free one."""
     expected = {e.name for e in owner.events}
     raised: list[str | None] = []
     screen = owner.screen
     if screen is not None:
-        for component in screen.components:
-            raised.append(getattr(component, "event", None) or getattr(component, "done", None))
+        raised += [getattr(c, "event", None) or getattr(c, "done", None) for c in screen.components]
         raised.append(screen.touched)
     if isinstance(owner, State):
         for action in owner.actions:
@@ -151,7 +150,7 @@ def add_event(
 
 
 def lead(application: Application, owner: Place, exit: str, target: str) -> Done:
-    """What dropping a pipe on a card does: connects the exit, or adds an event where it is the new one."""
+    """What dropping a pipe on a card does: connects the exit; the new one adds an event."""
     if exit == NEW:
         return add_event(application, owner, target)
     return connect(application, exit_place(owner, exit), target)

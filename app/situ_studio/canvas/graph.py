@@ -173,7 +173,7 @@ class Graph(NodeGraph):
         return self.pipe_between(*ends) if ends is not None else None
 
     def _mend(self, touched: Iterable[str]) -> None:
-        """The pipes of touched nodes as the model has them: gestures delete and make them in the view."""
+        """The pipes of touched nodes as the model has them; gestures delete and make some."""
         near = set(touched)
         wanted: set[tuple[int, int]] = set()
         for link in self.links.values():

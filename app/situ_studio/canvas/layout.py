@@ -1,4 +1,4 @@
-"""Where cards stand that nobody has placed: automatic layout, asked for or for files without positions.
+"""Automatic layout: asked for, or for files without positions.
 
 The usual way through an application runs from left to right on the grid of
 mockups/tokens.md (columns 230 apart, rows 228) and wraps into bands, as text
@@ -27,7 +27,7 @@ GAP = ROW - 116.0
 
 
 def arrange(application: Application, band: int = BAND) -> dict[str, tuple[float, float]]:
-    """A place for every card, by uid; no two overlap. Terminates for any graph, circles included."""
+    """A place for every card, by uid; no two overlap. Ends for any graph, circles included."""
     cards = list(identified(application))
     by_no: dict[str, str] = {}
     for uid, value in cards:
@@ -84,13 +84,13 @@ def _forward(value: object, every: list[str]) -> list[str]:
 
 
 def _ranks(states: list[str], leads: Mapping[str, list[str]], start: str | None) -> dict[str, int]:
-    """Steps from the start along the way, edges that close a circle left out; then what is unreached."""
+    """Steps from the start along the way, without what closes a circle; then the unreached."""
     inner: dict[str, list[str]] = {uid: [] for uid in states}
     seen: dict[str, int] = {}
     order: list[str] = []
-    roots = ([start] if start in inner else []) + states
+    roots = [start, *states] if start is not None and start in inner else states
     for root in roots:
-        if root is None or root in seen:
+        if root in seen:
             continue
         # Depth first without recursion: 1 while on the path, 2 when done.
         stack: list[tuple[str, int]] = [(root, 0)]

@@ -54,7 +54,8 @@ class FollowMenu(QFrame):
             f"QListWidget {{ background: {theme.panel}; color: {theme.text}; border: none;"
             " outline: none; }"
             "QListWidget::item { height: 26px; padding-left: 4px; border-radius: 4px; }"
-            f"QListWidget::item:selected {{ background: {theme.accent_soft}; color: {theme.text}; }}"
+            f"QListWidget::item:selected {{ background: {theme.accent_soft};"
+            f" color: {theme.text}; }}"
         )
         self._filter("")
         self.setFixedSize(280, 46 + 26 * min(11, len(self.choices)))

@@ -103,7 +103,7 @@ class MiniMap(QWidget):
         painter.scale(scale, scale)
         painter.translate(-area.topLeft())
         live = look.live
-        active = getattr(live, "active", frozenset())
+        active: frozenset[str] = getattr(live, "active", frozenset())
         for uid, card in self._canvas.graph.cards.items():
             kind = getattr(card, "kind", "")
             color = look[kind] if kind in ("start", "part") else look["far"]
@@ -135,7 +135,7 @@ class MiniMap(QWidget):
 
 
 class NameEditor(QLineEdit):
-    """A card's name while it is edited: Enter takes it, Esc leaves it, Tab goes on to the next card."""
+    """A card's name while it is edited: Enter takes it, Esc leaves it, Tab goes on."""
 
     finished = Signal(str, str, int)
     """uid, the new name (empty to leave it), and which card is next: 1, -1, or 0 for none."""

@@ -1,4 +1,4 @@
-"""Pipes: routed, labelled and folded as mockups/tokens.md says; and the one that follows the cursor."""
+"""Pipes: routed, labelled and folded as mockups/tokens.md says; and the one being drawn."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas.cards import STUB, arrow, chip_width, paint_chip
 from situ_studio.canvas.library import PipeItem
-from situ_studio.canvas.live import strength
+from situ_studio.canvas.live import LiveView, strength
 from situ_studio.canvas.routes import Point, Route
 from situ_studio.canvas.style import Label, Look
 
@@ -47,6 +47,9 @@ def _sign(value: float) -> int:
 
 class RoutedPipe(PipeItem):
     """One transition. ``link`` is what it stands for; ``set_route`` gives it its way."""
+
+    _input_port: Any
+    _output_port: Any
 
     def __init__(self, look: Look, parent: QGraphicsItem) -> None:
         # Not PipeItem's: it would make a child item for the arrow.
@@ -240,7 +243,7 @@ class RoutedPipe(PipeItem):
 
     def _taken(self) -> float:
         live, link = self.look.live, self.link
-        if live is None or link is None:
+        if not isinstance(live, LiveView) or link is None:
             return 0.0
         for rank, taken in enumerate(live.taken):
             if taken.state == link.source and taken.exit == link.exit:
@@ -249,7 +252,7 @@ class RoutedPipe(PipeItem):
 
     def _count(self) -> int:
         live, link = self.look.live, self.link
-        if live is None or link is None:
+        if not isinstance(live, LiveView) or link is None:
             return 0
         every = [link, *(p.link for p in self._siblings() if p.link is not None)]
         return sum(live.transitions.get((one.source, one.exit), 0) for one in every)
@@ -321,7 +324,7 @@ class LivePipe(PipeItem):
         return QPainterPath()
 
     def boundingRect(self) -> QRectF:
-        return self.path().boundingRect().adjusted(-16, -16, 16, 16)
+        return QRectF(self.path().boundingRect().adjusted(-16, -16, 16, 16))
 
     def draw_path(
         self, start_port: Any, end_port: Any = None, cursor_pos: Any = None, color: Any = None

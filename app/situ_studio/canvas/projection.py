@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from situ.document import rbd
 from situ.document.problem import Problem
@@ -161,32 +162,34 @@ def _exits(
     made = []
     for index, event in enumerate(events):
         made.append(
-            Exit(
-                id=str(index),
-                label=_label(event),
-                phrase=event.says[0].text if event.says else "",
-                guard=words.condition(event.when) if event.name else "",
-                next=event.next,
-                **_short(event.next, known),
+            _leading(
+                Exit(
+                    id=str(index),
+                    label=_label(event),
+                    phrase=event.says[0].text if event.says else "",
+                    guard=words.condition(event.when) if event.name else "",
+                    next=event.next,
+                ),
+                known,
             )
         )
     if timeout is not None:
-        made.append(
-            Exit(
-                id=TIMEOUT,
-                label=words.seconds(timeout.seconds),
-                seconds=timeout.seconds,
-                next=timeout.next,
-                **_short(timeout.next, known),
-            )
+        exit = Exit(
+            id=TIMEOUT,
+            label=words.seconds(timeout.seconds),
+            next=timeout.next,
+            seconds=timeout.seconds,
         )
+        made.append(_leading(exit, known))
     return tuple(made)
 
 
-def _short(target: str | None, known: frozenset[str] | set[str]) -> dict[str, object]:
-    if target is None or target in known:
-        return {}
-    return {"short": target, "missing": target not in (rbd.BACK, rbd.AGAIN)}
+def _leading(exit: Exit, known: frozenset[str] | set[str]) -> Exit:
+    """With what stands at the port where no pipe can."""
+    if exit.next is None or exit.next in known:
+        return exit
+    missing = exit.next not in (rbd.BACK, rbd.AGAIN)
+    return replace(exit, short=exit.next, missing=missing)
 
 
 def _line(state: State) -> tuple[str, str]:
@@ -204,7 +207,7 @@ def _line(state: State) -> tuple[str, str]:
 
 
 def _chips(application: Application) -> tuple[str, ...]:
-    """What each event of ``always`` is called: its button's text, else its phrase, else its name."""
+    """What each event of ``always`` is called: by its button, else its phrase, else its name."""
     always = application.always
     if always is None:
         return ()
@@ -230,7 +233,7 @@ def _marks(problems: Iterable[Problem]) -> dict[Place, Literal["warning", "error
 
 
 class Projector:
-    """Makes pictures of successive documents; cards whose state did not change are the same value."""
+    """Makes pictures of successive documents; cards that did not change are the same value."""
 
     def __init__(self) -> None:
         self._made: dict[str, tuple[State | rbd.Always, tuple[object, ...], Card]] = {}
@@ -256,6 +259,7 @@ class Projector:
                 n for n in targets(value) if n not in known and n not in (rbd.BACK, rbd.AGAIN)
             )
             kept = self._made.get(uid)
+            key: tuple[object, ...]
             if isinstance(value, State):
                 place: Place = ("state", value.no)
                 own = chips if value.always else ()

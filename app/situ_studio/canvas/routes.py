@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from msgspec import Struct
@@ -164,14 +165,12 @@ def simple(points: Sequence[Point]) -> tuple[Point, ...]:
 
 
 def length(points: Sequence[Point]) -> float:
-    return sum(
-        abs(bx - ax) + abs(by - ay) for (ax, ay), (bx, by) in zip(points, points[1:], strict=False)
-    )
+    return sum(abs(bx - ax) + abs(by - ay) for (ax, ay), (bx, by) in pairwise(points))
 
 
 def segments(points: Sequence[Point]) -> Iterable[tuple[bool, float, float, float]]:
     """(horizontal, at, low, high) of each segment."""
-    for (ax, ay), (bx, by) in zip(points, points[1:], strict=False):
+    for (ax, ay), (bx, by) in pairwise(points):
         if ay == by:
             yield True, ay, min(ax, bx), max(ax, bx)
         else:
@@ -479,7 +478,7 @@ class Router:
         return cost
 
     def _search(self, pipe: Pipe) -> tuple[Point, ...]:
-        """The shortest way on the lines around the cards; straight through where there is none at all."""
+        """The shortest way on the lines around the cards; straight through where there is none."""
         (x1, y1), (x2, y2) = pipe.start, pipe.end
         xa, xb = x1 + OUT, x2 - IN
         for margin in (400.0, 1600.0, FAR):
@@ -711,9 +710,7 @@ class Router:
     def _along(self, pipe: Pipe, points: Sequence[Point], width: float) -> Point | None:
         """The best of about 35 places on the longest horizontals, where one is free."""
         levels = [
-            (min(ax, bx), max(ax, bx), ay)
-            for (ax, ay), (bx, by) in zip(points, points[1:], strict=False)
-            if ay == by
+            (min(ax, bx), max(ax, bx), ay) for (ax, ay), (bx, by) in pairwise(points) if ay == by
         ]
         levels.sort(key=lambda s: s[0] - s[1])
         best: tuple[float, Point] | None = None
@@ -737,7 +734,7 @@ class Router:
     def _across(self, pipe: Pipe, points: Sequence[Point]) -> Point | None:
         """A place on a vertical that is long enough."""
         best: tuple[float, Point] | None = None
-        for (ax, ay), (bx, by) in zip(points, points[1:], strict=False):
+        for (ax, ay), (bx, by) in pairwise(points):
             if ax == bx and abs(by - ay) > pipe.height + 60:
                 for part in (0.5, 0.35, 0.65, 0.2, 0.8):
                     y = ay + (by - ay) * part

@@ -108,9 +108,8 @@ class ScriptCanvas(Canvas):
             if node is not None and node.kind == "situation":
                 chosen.add(uid("condition", key.removeprefix("situation ")))
                 situation = self.document.situation(node.name)
-                chosen |= (
-                    {uid("module", e.module) for e in situation.entries} if situation else set()
-                )
+                if situation is not None:
+                    chosen |= {uid("module", e.module) for e in situation.entries}
         for id, link in self._picture.links.items():
             pipe = self.graph.pipe(id)
             if pipe is None:
@@ -132,7 +131,11 @@ class ScriptCanvas(Canvas):
         if len(keys) != 1:
             return
         key = keys[0].removeprefix("situation ")
-        pairs = zip(self.document.situations, named(s.name for s in self.document.situations))
+        pairs = zip(
+            self.document.situations,
+            named(s.name for s in self.document.situations),
+            strict=True,
+        )
         situation = next((s for s, (_, k) in pairs if k == key), None)
         if situation is None:
             return

@@ -1,4 +1,4 @@
-"""What all items of one canvas share: colours and fonts of the theme, zoom, level of detail, live view.
+"""What all items of one canvas share: the theme, zoom, level of detail, live view.
 
 One ``Look`` belongs to one canvas and is handed to its items; nothing here is global.
 """
@@ -12,7 +12,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QStaticText, Qt
 
 from situ_studio import icons
-from situ_studio.canvas.live import LiveView
+from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.theme import Theme, font
 
 Level = Literal["full", "half", "quarter", "tiny"]
@@ -47,7 +47,7 @@ def text_width(text: str, pixels: int, weight: int) -> float:
 
 
 class Label:
-    """A text laid out once: fitted to a width, squeezed a little before it is cut with an ellipsis."""
+    """A text laid out once: fitted to a width, squeezed a little before it is cut with …"""
 
     __slots__ = ("_ascent", "_font", "_text", "cut", "width")
 
@@ -93,7 +93,7 @@ class Look:
         self.zoom = 1.0
         self.level: Level = "full"
         self.ratio = 1.0
-        self.live: LiveView | None = None
+        self.live: LiveView | LiveScript | None = None
         self.theme = theme
         self.colors: dict[str, QColor] = {}
         self.version = 0

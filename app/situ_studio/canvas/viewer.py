@@ -62,6 +62,12 @@ class Viewer(NodeViewer):
     an exit to an input means something. pipe_kind: the items that pipes are.
     """
 
+    # NodeGraphQt's own, untyped.
+    _LIVE_PIPE: Any
+    _scene_range: QRectF
+    _start_port: Any
+    _detached_port: Any
+
     settled = Signal()
     cancelled = Signal()
     """Esc in the middle of a gesture: nothing of it counts."""
@@ -93,14 +99,13 @@ class Viewer(NodeViewer):
         self.on_ground: Callable[[QPainter], None] | None = None
         self.accepts: Callable[[Any, Any], bool] = lambda start, end: True
         self.pipe_kind: type[RoutedPipe] = RoutedPipe
-        self.layer: _Layer | None = None
+        self.layer = _Layer()
         super().__init__(parent)
         # A top-level widget of the library's that nobody asked for.
         self._search_widget.setParent(self)
         self._search_widget.hide()
-        self.layer = _Layer()
         self.scene().addItem(self.layer)
-        stock = self._LIVE_PIPE
+        stock: Any = self._LIVE_PIPE
         self.scene().removeItem(stock)
         self._old = [stock]
         self._LIVE_PIPE = LivePipe(look)
@@ -122,7 +127,7 @@ class Viewer(NodeViewer):
     # -- keeping items alive ----------------------------------------------------------
 
     def bury(self, item: Any) -> None:
-        """Keeps a removed item alive until the show after the next: Qt may still hold it in an event."""
+        """Keeps a removed item alive until the show after the next: Qt may still hold it."""
         self._buried.append(item)
 
     def forget(self) -> None:
@@ -455,7 +460,7 @@ class Viewer(NodeViewer):
         if self.transform().m11() != zoom:
             self.setTransform(QTransform.fromScale(zoom, zoom))
         changed = self.look.zoom != zoom
-        if self.look.set_zoom(zoom, self.devicePixelRatioF()) and self.layer is not None:
+        if self.look.set_zoom(zoom, self.devicePixelRatioF()):
             self.layer.setVisible(self.look.level in ("full", "half"))
         if changed:
             self.zoomed.emit(zoom)

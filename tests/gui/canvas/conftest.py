@@ -58,7 +58,7 @@ class Hand:
         return found
 
     def sees(self, spot: QPointF) -> bool:
-        return self.port.rect().adjusted(4, 4, -4, -4).contains(self.pixel(spot))
+        return bool(self.port.rect().adjusted(4, 4, -4, -4).contains(self.pixel(spot)))
 
     def _send(
         self,
@@ -138,10 +138,10 @@ class Hand:
 
     def body(self, uid: str) -> QPointF:
         """A spot of the card with no port near."""
-        return self.card(uid).scenePos() + QPointF(20, 44)
+        return QPointF(self.card(uid).scenePos() + QPointF(20, 44))
 
     def header(self, uid: str) -> QPointF:
-        return self.card(uid).scenePos() + QPointF(60, 14)
+        return QPointF(self.card(uid).scenePos() + QPointF(60, 14))
 
     def exit(self, uid: str, name: str) -> QPointF:
         node = self.canvas.graph.nodes[uid]
@@ -159,7 +159,7 @@ class Hand:
     def on_pipe(self, pipe: RoutedPipe, part: float = 0.5) -> QPointF:
         if pipe.route.folded:
             return pipe.shape().boundingRect().center()
-        return pipe.path().pointAtPercent(part)
+        return QPointF(pipe.path().pointAtPercent(part))
 
 
 class Desk:
@@ -244,7 +244,7 @@ def place(column: int, row: int) -> Any:
 
 @pytest.fixture
 def small() -> Application:
-    """Five states in two rows: a way, two back edges, a loop, a guard, a join, a dangling ``next``."""
+    """Five states in two rows: a way, back edges, a loop, a guard, a join, a dangling ``next``."""
     guard = Condition((Test("patients.0", "exists", "true"),))
     return Application(
         name="small",

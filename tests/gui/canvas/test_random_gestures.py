@@ -247,11 +247,30 @@ class Player:
             self.desk.refuse = False
 
 
-GESTURES = (
-    "move move move_several band connect connect follow drag_pipe drag_pipe click click escape"
-    " slice delete add duplicate rename nudge step align wheel undo undo redo interrupted"
-    " interrupted refused"
-).split()
+WEIGHTS = {
+    "move": 3,
+    "move_several": 1,
+    "band": 1,
+    "connect": 2,
+    "follow": 1,
+    "drag_pipe": 2,
+    "click": 2,
+    "escape": 1,
+    "slice": 1,
+    "delete": 1,
+    "add": 1,
+    "duplicate": 1,
+    "rename": 1,
+    "nudge": 1,
+    "step": 1,
+    "align": 1,
+    "wheel": 1,
+    "undo": 2,
+    "redo": 1,
+    "interrupted": 2,
+    "refused": 1,
+}
+GESTURES = [name for name, weight in WEIGHTS.items() for _ in range(weight)]
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3, 4, 5, 6])
