@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -61,10 +60,7 @@ class DocumentView(QStackedWidget):
     @property
     def has_graph(self) -> bool:
         """Whether documents of this kind have a graph."""
-        if isinstance(self._document, Spds):
-            # Until the script's canvas is there.
-            return importlib.util.find_spec("situ_studio.canvas.script") is not None
-        return isinstance(self._document, Application)
+        return isinstance(self._document, Application | Spds)
 
     @property
     def canvas(self) -> Any:

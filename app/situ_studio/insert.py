@@ -79,6 +79,16 @@ def _into_script(document: spds.Spds, kind: Kind, at: Place) -> tuple[Document, 
         name = _free("module", {m.name for m in document.modules})
         after = places.change(document, (), modules=(*document.modules, kind.make(name)))
         return after, ("module", name), f"Add module {name}"
+    if kind is kinds.CONDITION:
+        owner = places.get(document, at[:2])
+        if not isinstance(owner, spds.Situation):
+            raise NotHere("Select a situation first, then add the condition.")
+        test = kind.make(document.observe[0].tag if document.observe else "data")
+        old = owner.condition or Condition()
+        new = replace(old, children=(*old.children, test))
+        after = places.change(document, at[:2], condition=new)
+        place = (*at[:2], "condition", str(len(old.children)))
+        return after, place, f"Add condition to {words.place_words(document, at[:2])}"
     name = _free("situation", {s.name for s in document.situations})
     every = list(document.situations)
     index = max(0, len(every) - 1)

@@ -20,6 +20,7 @@ Editor = Literal[
     "text",  # one line
     "long",  # several lines
     "number",  # a number; with `unit` behind it
+    "seconds",  # a number above 0
     "whole",  # a whole number
     "flag",  # yes or no
     "choice",  # one of `choices`
@@ -100,6 +101,23 @@ class Kind(Struct, frozen=True, kw_only=True):
     make: Callable[[str], Any] = str
     summary: Callable[[Any], str] = str
     palette: Literal["", "application", "action", "screen", "script", "modules"] = ""
+
+
+TESTS: tuple[tuple[str, str], ...] = (
+    ("is", "is"),
+    ("isnot", "is not"),
+    ("above", "above"),
+    ("below", "below"),
+    ("atleast", "at least"),
+    ("atmost", "at most"),
+    ("in", "is one of"),
+    ("exists", "exists"),
+)
+GROUPS: tuple[tuple[str, str], ...] = (
+    ("all", "all of these"),
+    ("any", "any of these"),
+    ("none", "none of these"),
+)
 
 
 def _params(value: Any) -> str:
@@ -729,7 +747,7 @@ TIMEOUT = Kind(
     icon="timeout",
     help="What happens when nothing happens.",
     fields=(
-        Field(attribute="seconds", label="After", editor="number", unit="s", fixed=True),
+        Field(attribute="seconds", label="After", editor="seconds", unit="s", fixed=True),
         Field(
             attribute="next",
             label="Leads to",
@@ -768,6 +786,21 @@ APPLICATION = Kind(
 
 # -- script ------------------------------------------------------------------
 
+TYPES: tuple[tuple[str, str], ...] = (
+    ("boolean", "yes or no"),
+    ("number", "number"),
+    ("text", "text"),
+    ("list", "list"),
+    ("object", "object"),
+)
+"""Types of data, and what a designer reads."""
+
+
+def type_words(kind: str | None, unit: str | None) -> str:
+    """``yes or no``, ``number, deg``."""
+    return ", ".join(part for part in (dict(TYPES).get(kind or ""), unit) if part)
+
+
 SITUATION = Kind(
     name="situation",
     value=spds.Situation,
@@ -787,14 +820,14 @@ SITUATION = Kind(
         Field(
             attribute="dwell",
             label="Stays",
-            editor="number",
+            editor="seconds",
             unit="s at least",
             help="Once current it holds at least so long.",
         ),
         Field(
             attribute="limit",
             label="Ends",
-            editor="number",
+            editor="seconds",
             unit="s at most",
             help="Once current it ends then at the latest.",
         ),
@@ -862,14 +895,7 @@ _TYPE = Field(
     attribute="type",
     label="Type",
     editor="choice",
-    choices=(
-        ("", "not said"),
-        ("boolean", "yes or no"),
-        ("number", "number"),
-        ("text", "text"),
-        ("list", "list"),
-        ("object", "object"),
-    ),
+    choices=(("", "not said"), *TYPES),
 )
 DATA = Kind(
     name="data",
@@ -884,7 +910,37 @@ DATA = Kind(
         Field(attribute="unit", label="Unit", help="Such as deg or m."),
     ),
     make=lambda name: spds.Observed(tag=name, type="boolean"),
-    summary=lambda v: " ".join(part for part in (v.type, v.unit) if part),
+    summary=lambda v: type_words(v.type, v.unit),
+    palette="script",
+)
+CONDITION = Kind(
+    name="condition",
+    value=Test,
+    title="Condition",
+    icon="condition",
+    tint="condition",
+    help="One test of a value on the blackboard; a situation holds while all of its tests do.",
+    fields=(
+        Field(attribute="tag", label="Tag", editor="tag", fixed=True),
+        Field(attribute="test", label="Test", editor="choice", choices=TESTS, fixed=True),
+        Field(attribute="value", label="Value", help="Of exists: true or false.", fixed=True),
+        Field(
+            attribute="within",
+            label="Within",
+            editor="seconds",
+            unit="s",
+            help="The tag was set less than so many seconds ago.",
+        ),
+        Field(
+            attribute="hold",
+            label="For",
+            editor="seconds",
+            unit="s",
+            help="It has held without a break for so many seconds.",
+        ),
+    ),
+    make=lambda name: Test(name, "exists", "true"),
+    summary=lambda v: condition_words(v),
     palette="script",
 )
 SCRIPT = Kind(
@@ -938,22 +994,6 @@ MODULES = Kind(
 
 # -- conditions ----------------------------------------------------------------
 
-TESTS: tuple[tuple[str, str], ...] = (
-    ("is", "is"),
-    ("isnot", "is not"),
-    ("above", "above"),
-    ("below", "below"),
-    ("atleast", "at least"),
-    ("atmost", "at most"),
-    ("in", "is one of"),
-    ("exists", "exists"),
-)
-GROUPS: tuple[tuple[str, str], ...] = (
-    ("all", "all of these"),
-    ("any", "any of these"),
-    ("none", "none of these"),
-)
-
 
 def test_words(test: Test) -> str:
     """A test without its tag: ``is true, within 2 s``."""
@@ -993,6 +1033,7 @@ KINDS: tuple[Kind, ...] = (
     ENTRY,
     MODULE,
     DATA,
+    CONDITION,
     MODULES,
     INFORMATION,
 )

@@ -38,7 +38,7 @@ QToolBar QToolButton:pressed, QToolBar QToolButton:checked {{ background: {accen
   color: {accent}; }}
 QToolBar QToolButton:disabled {{ color: {text3}; }}
 QToolBar QToolButton[role="outlined"] {{ border: 1px solid {line_strong}; color: {text};
-  padding: 0 10px; min-height: 26px; max-height: 26px; }}
+  padding: 0 2px 0 10px; min-height: 26px; max-height: 26px; }}
 QToolBar QToolButton:focus {{ border: 1px solid {accent}; }}
 
 QPushButton {{ border: 1px solid {line_strong}; border-radius: 6px; background: {panel};
@@ -65,6 +65,7 @@ QPushButton[role="search"]:hover {{ border-color: {line_strong}; background: {ho
 QPushButton[role="search"]:focus {{ border-color: {accent}; }}
 QPushButton[role="palette"] {{ border: 1px solid {line}; color: {text}; font-size: 12px;
   font-weight: 400; text-align: left; padding: 0 7px; min-height: 26px; max-height: 26px; }}
+QPushButton[role="palette"][dense="true"] {{ min-height: 22px; max-height: 22px; }}
 QPushButton[role="palette"]:hover {{ border-color: {line_strong}; background: {hover}; }}
 QPushButton[role="palette"]:focus {{ border-color: {accent}; }}
 
@@ -79,6 +80,7 @@ QLabel[role="medium"] {{ font-weight: 500; }}
 QLabel[role="label"] {{ font-size: 12px; color: {text2}; }}
 QLabel[role="dim"] {{ color: {text2}; }}
 QLabel[role="hint"] {{ font-size: 11px; color: {text3}; }}
+QLabel[role="under"] {{ font-size: 12px; }}
 QLabel[role="rowtitle"] {{ font-size: 12px; font-weight: 500; }}
 QToolButton[role="over"] {{ border: 0; border-radius: 4px; background: {hover}; }}
 QToolButton[role="over"]:hover {{ background: {line}; }}

@@ -53,6 +53,8 @@ from situ_studio.welcome import Example, Welcome
 RECENT = 8
 LEFT, RIGHT, BOTTOM = 224, 280, 132
 LEFT_SMALL, RIGHT_SMALL = 208, 264
+LOW = 860
+"""Px of the window's height below which rows are denser."""
 
 
 class MainWindow(QMainWindow):
@@ -287,9 +289,9 @@ class MainWindow(QMainWindow):
         else:
             self.show_file("")
         self._size_docks()
-        view = self.current_view
-        if view is not None:
-            view.current_view().setFocus()
+        shown_view = self.current_view
+        if shown_view is not None:
+            shown_view.current_view().setFocus()
 
     def _add_tab(self, file: str) -> None:
         document = self.session.document(file)
@@ -668,6 +670,7 @@ class MainWindow(QMainWindow):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        self.palette_.set_dense(self.height() < LOW)
         if self.stack.currentIndex() == 1:
             self._size_docks()
 

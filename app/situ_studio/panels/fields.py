@@ -331,8 +331,8 @@ def make_field(
     editor: str, theme: Theme, label: str, unit: str = "", parent: QWidget | None = None
 ) -> FieldWidget:
     """The widget for an editor of the kinds' table."""
-    if editor == "number":
-        return Number(parent, unit)
+    if editor in ("number", "seconds"):
+        return Number(parent, unit, above=editor == "seconds")
     if editor == "whole":
         return Number(parent, unit, whole=True)
     if editor == "long":

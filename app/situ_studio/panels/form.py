@@ -25,7 +25,7 @@ from situ.document import rbd, spds
 from situ.document.problem import Problem
 from situ_studio import changes, kinds, places, words
 from situ_studio.edit import Document, Place
-from situ_studio.icon_widgets import IconButton
+from situ_studio.icon_widgets import Elided, IconButton
 from situ_studio.kinds import Field, Kind, Section
 from situ_studio.layouts import rule
 from situ_studio.panels.conditions import AddTest, ConditionEditor
@@ -350,10 +350,7 @@ class SectionEditor(QWidget):
         title.setFixedHeight(32)
         title.setToolTip(translated(section.help))
         head.addWidget(title)
-        hint = QLabel(translated(section.hint))
-        hint.setProperty("role", "hint")
-        head.addWidget(hint)
-        head.addStretch(1)
+        head.addWidget(Elided(translated(section.hint), "hint"), 1)
         self._head = head
         column.addLayout(head)
         self.rows: RowList | None = None

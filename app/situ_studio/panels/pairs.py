@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from situ.document import modules, rbd
 from situ_studio.icon_widgets import IconButton
+from situ_studio.kinds import TYPES
 from situ_studio.panels.fields import Choice, Line
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
@@ -36,14 +37,7 @@ class Pairs(Struct, frozen=True):
     between: str = ""
 
 
-_TYPES = (
-    (None, "–"),
-    ("boolean", "yes or no"),
-    ("number", "number"),
-    ("text", "text"),
-    ("list", "list"),
-    ("object", "object"),
-)
+_TYPES = ((None, "–"), *TYPES)
 
 
 def _first(words: tuple[str, ...], usual: str) -> str:

@@ -72,6 +72,7 @@ class Palette(QWidget):
         self.setProperty("role", "panel")
         self._theme = theme
         self._kinds: tuple[Kind, ...] = ()
+        self._dense = False
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 0, 8, 8)
         column.setSpacing(4)
@@ -83,6 +84,12 @@ class Palette(QWidget):
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
         self._fill()
+
+    def set_dense(self, dense: bool) -> None:
+        """Lower rows, where the window is low: the palette never scrolls."""
+        if dense != self._dense:
+            self._dense = dense
+            self._fill()
 
     def show_document(self, document: Document | None) -> None:
         """Offers what the document can take."""
@@ -102,8 +109,11 @@ class Palette(QWidget):
         clear(self._grid)
         for index, kind in enumerate(self._kinds):
             item = PaletteItem(self._theme, kind)
+            item.setProperty("dense", self._dense)
             item.clicked.connect(lambda _=False, k=kind: self.kind_asked.emit(k.name))
             self._grid.addWidget(item, index // 2, index % 2)
         self._grid.setColumnStretch(0, 1)
         self._grid.setColumnStretch(1, 1)
-        self.setFixedHeight(max(8, (len(self._kinds) + 1) // 2 * 32 + 4))
+        gap, row = (2, 24) if self._dense else (4, 28)
+        self._grid.setVerticalSpacing(gap)
+        self.setFixedHeight(max(8, (len(self._kinds) + 1) // 2 * (row + gap) + 8 - gap))

@@ -66,7 +66,7 @@ class RowWidget(QFrame):
         self._press: QPoint | None = None
         self._dragging = False
         column = QVBoxLayout(self)
-        column.setContentsMargins(4, 5, 6, 5)
+        column.setContentsMargins(4, 7, 6, 7)
         column.setSpacing(4)
         line = QHBoxLayout()
         line.setSpacing(7)
@@ -105,7 +105,7 @@ class RowWidget(QFrame):
             label = Elided(name, "label")
             label.setFixedWidth(56)
             under.addWidget(label)
-            under.addWidget(Elided(value, ""), 1)
+            under.addWidget(Elided(value, "under"), 1)
             column.addLayout(under)
         self._show_remove(False)
 
@@ -115,7 +115,7 @@ class RowWidget(QFrame):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._remove.move(self.width() - 24, 6)
+        self._remove.move(self.width() - 24, 8)
 
     def enterEvent(self, event: QEnterEvent) -> None:
         self._show_remove(True)

@@ -217,7 +217,7 @@ def _script(document: spds.Spds, old: dict[int, Node]) -> Iterator[Node]:
         )
     for data in document.observe:
         place = ("data", data.tag)
-        about = " ".join(w for w in (data.type, data.unit) if w)
+        about = kinds.type_words(data.type, data.unit)
         yield Node(
             place,
             data,
@@ -255,7 +255,7 @@ def _information(document: modules.Modules, old: dict[int, Node]) -> Iterator[No
                         (*p, "provides", str(i)),
                         o,
                         ("data", "data"),
-                        ("Provides", o.data, "", " ".join(w for w in (o.type, o.unit) if w)),
+                        ("Provides", o.data, "", kinds.type_words(o.type, o.unit)),
                     )
                     for i, o in enumerate(m.provides)
                 ),
