@@ -1,0 +1,138 @@
+"""Brings what a robot does into a window: graphs, panels and status bar.
+
+Everything live is drawn from the log's moment and the document; nothing live ever
+changes a document.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from PySide6.QtCore import QObject, QTimer
+
+from situ.document import codec
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+from situ_studio.canvas.live import LiveScript, LiveView
+from situ_studio.edit import Document
+from situ_studio.live.link import RobotLink
+from situ_studio.live.log import ApplicationMoment, TraceFields
+from situ_studio.live.views import live_script, live_view
+from situ_studio.panels.authority import Authority
+from situ_studio.panels.blackboard import Blackboard
+from situ_studio.panels.trace import Trace
+
+FRAME = 16
+"""Milliseconds in which events are gathered before they are drawn."""
+TICK = 250
+"""Milliseconds between redraws while nothing comes: times go on, a loss grows older."""
+
+
+class Followed(Protocol):
+    """What a follower needs of its window."""
+
+    def live_documents(self) -> dict[str, Document]:
+        """Every open document by file."""
+
+    def show_live(self, file: str, live: LiveView | LiveScript | None) -> None:
+        """Lets the graph of a document glow; None: it is as drawn."""
+
+    def show_link(self, kind: str, words: str) -> None:
+        """kind: as ``LinkState.kind``; words: as a designer reads them."""
+
+
+class Follower(QObject):
+    """Follows one link for one window. ``panels`` are its tables, to be put into tabs."""
+
+    def __init__(
+        self,
+        window: Followed,
+        link: RobotLink,
+        blackboard: Blackboard,
+        authority: Authority,
+        trace: Trace,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._window = window
+        self._link = link
+        self._blackboard = blackboard
+        self._authority = authority
+        self._trace = trace
+        self._at = 0.0
+        self._traced: list[TraceFields] = []
+        self.same: bool | None = None
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(FRAME)
+        self._soon.timeout.connect(self.refresh)
+        self._tick = QTimer(self)
+        self._tick.setInterval(TICK)
+        self._tick.timeout.connect(self.refresh)
+        link.state_changed.connect(self._on_state)
+        link.moment_changed.connect(self._on_moment)
+        link.came.connect(self._traced.extend)
+        link.documents_came.connect(lambda _: self.compare())
+
+    def compare(self) -> None:
+        """Whether the open documents are the robot's own, by meaning of the files."""
+        files = self._link.files
+        if files is None:
+            self.same = None
+            return
+        self.same = all(
+            file in files and _canonical(files[file], file) == codec.write(document)
+            for file, document in self._window.live_documents().items()
+        )
+        self._tell()
+
+    def refresh(self) -> None:
+        """Draws the moment as it is now."""
+        self._tell()
+        traced, self._traced[:] = list(self._traced), []
+        if self._link.state.kind == "none":
+            return
+        moment = self._link.log.now
+        t = moment.t
+        if self._link.connected:
+            t += max(self._link.clock() - self._at, 0.0)
+        for file, document in self._window.live_documents().items():
+            if isinstance(document, Application):
+                mine = moment.applications.get(document.name, ApplicationMoment())
+                self._window.show_live(file, live_view(document, mine, t))
+            elif isinstance(document, Spds):
+                self._window.show_live(file, live_script(moment))
+        self._blackboard.show_moment(moment, t)
+        self._authority.show_moment(moment, t)
+        if traced and traced[0]["seq"] == 1:
+            self._trace.show_all(traced)
+        else:
+            self._trace.add(traced)
+
+    def _on_moment(self) -> None:
+        self._at = self._link.clock()
+        if not self._soon.isActive():
+            self._soon.start()
+
+    def _on_state(self) -> None:
+        if self._link.state.kind == "none":
+            self._soon.stop()
+            self._tick.stop()
+            self.same = None
+            for file in self._window.live_documents():
+                self._window.show_live(file, None)
+        elif not self._tick.isActive():
+            self._tick.start()
+        self._tell()
+
+    def _tell(self) -> None:
+        state = self._link.state
+        words = state.words(self._link.clock())
+        if state.kind == "live" and self.same is not None:
+            words += self.tr(", same as the robot") if self.same else self.tr(", differs here")
+        self._window.show_link(state.kind, words)
+
+
+def _canonical(text: str, file: str) -> bytes | None:
+    document, _ = codec.read(text.encode(), file)
+    return None if document is None else codec.write(document)
