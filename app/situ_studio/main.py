@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import logging
+import os
 import re
 import signal
 import socket
@@ -150,6 +151,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def run(options: argparse.Namespace) -> int:
     """Opens the window and runs Qt's loop, or takes the screenshot."""
+    choose_platform(options.screenshot is not None)
     qt = application()
     if options.screenshot is not None:
         with tempfile.TemporaryDirectory() as fresh:
@@ -163,6 +165,22 @@ def run(options: argparse.Namespace) -> int:
     sys.excepthook = Unexpected(window.dialogs.tell)
     with Interrupts(qt):
         return int(qt.exec())
+
+
+def choose_platform(picture: bool) -> None:
+    """A picture needs no display; a window does, and Qt would end the process without one.
+
+    Raises UsageError for a window where there is none. ``QT_QPA_PLATFORM`` has the last word.
+    """
+    if sys.platform != "linux" or os.environ.get("QT_QPA_PLATFORM"):
+        return
+    if picture:
+        os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    elif not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        raise UsageError(
+            "there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set); "
+            "for a picture of the window use --screenshot OUT.png"
+        )
 
 
 def _window(options: argparse.Namespace, settings: QSettings) -> MainWindow:

@@ -1,0 +1,84 @@
+"""``python -m situ_studio``: screenshots and wrong usage, in a process of its own."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtGui import QImage
+
+from situ_studio import theme
+
+Copy = Callable[[str], Path]
+
+
+def run(*arguments: str | Path, bare: bool = False) -> subprocess.CompletedProcess[str]:
+    """bare: without a display, and without the platform that the tests choose."""
+    env = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
+    if bare:
+        for name in ("QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"):
+            env.pop(name, None)
+    return subprocess.run(
+        [sys.executable, "-m", "situ_studio", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        timeout=50,
+        env=env,
+        check=False,
+    )
+
+
+def test_a_screenshot_has_the_size_and_colours_asked_for(project: Copy, tmp_path: Path) -> None:
+    out = tmp_path / "dark.png"
+    done = run(project("reception"), "--screenshot", out, "--size", "1280x800", "--theme", "dark")
+    assert (done.returncode, done.stderr) == (0, "")
+    picture = QImage(str(out))
+    assert (picture.width(), picture.height()) == (1280, 800)
+    # The status bar, at its very left, is panel.
+    assert picture.pixelColor(2, 795).name().upper() == theme.DARK.panel
+
+
+def test_a_screenshot_shows_the_view_that_is_named(project: Copy, tmp_path: Path) -> None:
+    graph, outline = tmp_path / "graph.png", tmp_path / "outline.png"
+    folder = project("conversation")
+    for view, out in (("conversation", graph), ("outline:conversation", outline)):
+        done = run(folder, "--screenshot", out, "--size", "900x600", "--view", view)
+        assert (done.returncode, done.stderr) == (0, "")
+    assert QImage(str(graph)) != QImage(str(outline))
+
+
+def test_a_screenshot_needs_no_display(project: Copy, tmp_path: Path) -> None:
+    out = tmp_path / "there.png"
+    done = run(project("conversation"), "--screenshot", out, bare=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert not QImage(str(out)).isNull()
+
+
+def test_a_window_without_a_display_is_refused_in_one_line(project: Copy) -> None:
+    done = run(project("conversation"), bare=True)
+    assert done.returncode == 2
+    assert done.stderr.count("\n") == 1
+    assert "DISPLAY" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["nowhere"], "nowhere"),
+        (["--size", "big"], "is no size"),
+        (["--view", "reception"], "no view"),
+        (["--colour", "red"], "unrecognized"),
+    ],
+)
+def test_wrong_usage_is_one_line_and_status_2(
+    arguments: list[str], words: str, tmp_path: Path
+) -> None:
+    done = run(*arguments, "--screenshot", tmp_path / "no.png")
+    assert done.returncode == 2
+    assert words in done.stderr.strip().splitlines()[-1]
+    assert "Traceback" not in done.stderr
+    assert not (tmp_path / "no.png").exists()
