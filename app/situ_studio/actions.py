@@ -78,7 +78,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="save",
         shortcut="Ctrl+S",
         menu="File",
-        when="is_dirty",
+        when="has_project",
         rule=True,
     ),
     _c(

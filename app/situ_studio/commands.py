@@ -32,8 +32,8 @@ class Commands(QObject):
     def has_document(self) -> bool:
         return self._window.current_view is not None
 
-    def is_dirty(self) -> bool:
-        return bool(self._session.dirty)
+    def has_project(self) -> bool:
+        return self._session.project is not None and self._window.stack.currentIndex() == 1
 
     def can_undo(self) -> bool:
         return self._session.undo_text is not None
@@ -146,6 +146,7 @@ class Commands(QObject):
 
     def save(self) -> bool:
         """Saves every changed document; False where a person or the disk said no."""
+        self._window.finish_fields()
         for file in self._session.conflicts():
             answer = self._window.dialogs.conflict(file)
             if answer == "cancel":

@@ -108,7 +108,7 @@ QComboBox:focus {{ padding-left: 8px; padding-right: 21px; }}
 QPlainTextEdit:focus {{ padding: 1px 3px; }}
 QLineEdit[role="refused"] {{ border-color: {error}; }}
 QLineEdit:read-only {{ color: {text2}; }}
-QComboBox::drop-down {{ width: 20px; border: 0; }}
+QComboBox::drop-down {{ width: 0; border: 0; }}
 QComboBox::down-arrow {{ image: none; width: 0; height: 0; }}
 QComboBox QLineEdit, QComboBox QLineEdit:focus {{ border: 0; background: transparent;
   padding: 0; margin: 0; min-height: 24px; max-height: 24px; }}

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
-    QLineEdit,
     QMainWindow,
     QPushButton,
     QSizePolicy,
@@ -34,7 +33,7 @@ from situ_studio.document_view import DocumentView
 from situ_studio.edit import Document, Place
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, IconLabel, ThemedButton, retheme
-from situ_studio.panels.fields import Choice, Flag
+from situ_studio.panels.fields import Choice, Flag, Line, Paragraph
 from situ_studio.panels.header import PanelHeader
 from situ_studio.panels.inspector import Inspector
 from situ_studio.panels.outline import Outline
@@ -402,8 +401,10 @@ class MainWindow(QMainWindow):
     def finish_fields(self) -> None:
         """Lets a field that is being typed into become an edit."""
         focus = QApplication.focusWidget()
-        if isinstance(focus, QLineEdit) and self.inspector.isAncestorOf(focus):
-            focus.editingFinished.emit()
+        if isinstance(focus, Line):
+            focus.on_finished()
+        elif isinstance(focus, Paragraph):
+            focus.finish()
 
     # -- changes -----------------------------------------------------------------------
 

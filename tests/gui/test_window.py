@@ -115,6 +115,19 @@ def test_undo_and_redo_bring_document_and_selection_back(studio: Start, project:
     assert used.window.current_view.selected == (("state", "hello"),)
 
 
+def test_undo_in_a_field_takes_the_edit_back_once_it_is_one(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.window.select(("state", "2"))
+    field = used.window.inspector.form.field("name")
+    used.fill(field, "hello")
+    assert field.hasFocus()
+    used.key(Qt.Key.Key_Z, CONTROL)
+    assert used.session.document("reception.rbd.xml").state("2").name == "intro"
+    assert field.text() == "intro"
+
+
 def test_saving_an_unchanged_example_changes_no_byte(studio: Start, project: Copy) -> None:
     for name in ("reception", "conversation"):
         folder = project(name)

@@ -70,6 +70,8 @@ class RowDelegate(QStyledItemDelegate):
             x += width + 10
         icon = index.data(ICON)
         if icon is not None:
+            # In line with the panels' headings; trees are indented already.
+            x += 6 if rect.x() == 0 else 0
             box = QRectF(x + 2, line.center().y() - 7.5, 15, 15)
             icons.paint(painter, icon[0], box, theme.color(icon[1]))
             x += 23

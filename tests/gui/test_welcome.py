@@ -1,0 +1,106 @@
+"""The welcome page: examples, new projects, recent ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontInfo
+
+from situ.document import folder
+from situ.document.check import check
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+Start = Callable[..., Any]
+Copy = Callable[[str], Path]
+
+
+def test_without_a_project_the_welcome_page_is_shown(studio: Start) -> None:
+    used = studio()
+    assert used.window.welcome.isVisible()
+    assert not used.window.toolbar.isVisible()
+    assert used.window.windowTitle() == "Situ Studio"
+    assert not used.window.actions_.actions["save"].isEnabled()
+
+
+def test_an_example_opens_as_a_copy_in_a_folder_that_is_asked_for(
+    studio: Start, tmp_path: Path
+) -> None:
+    used = studio()
+    used.answers.put("new_folder", str(tmp_path))
+    used.click(used.window.welcome.example("reception"))
+    assert used.session.root == tmp_path / "reception"
+    assert (tmp_path / "reception" / "situ.toml").is_file()
+    assert used.window.current_file == "reception.rbd.xml"
+    assert used.window.toolbar.isVisible()
+    assert used.session.problems == []
+
+
+def test_a_second_copy_gets_a_name_that_is_free(studio: Start, tmp_path: Path) -> None:
+    used = studio()
+    for _ in range(2):
+        used.answers.put("new_folder", str(tmp_path))
+        used.window.commands.open_example("conversation")
+    assert used.session.root == tmp_path / "conversation-2"
+
+
+def test_cards_answer_to_the_keyboard(studio: Start, tmp_path: Path) -> None:
+    used = studio()
+    used.answers.put("new_folder", str(tmp_path))
+    used.window.welcome.example("conversation").setFocus()
+    used.key(Qt.Key.Key_Return)
+    assert used.session.root == tmp_path / "conversation"
+
+
+def test_a_new_project_is_whole_and_without_problems(studio: Start, tmp_path: Path) -> None:
+    used = studio()
+    used.answers.put("name", "my-robot")
+    used.answers.put("new_folder", str(tmp_path))
+    used.key(Qt.Key.Key_N, CONTROL)
+    assert used.window.current_file == "my-robot.rbd.xml"
+    project, problems = folder.load(tmp_path / "my-robot")
+    assert project is not None
+    assert [*problems, *check(project)] == []
+
+
+def test_a_name_that_is_none_is_told_in_one_line(studio: Start, tmp_path: Path) -> None:
+    used = studio()
+    used.answers.put("name", "My Robot!")
+    used.answers.put("new_folder", str(tmp_path))
+    used.click(used.window.welcome.new)
+    assert len(used.answers.told) == 1
+    assert "is no name for a project" in used.answers.told[0]
+    assert used.window.welcome.isVisible()
+
+
+def test_a_folder_without_a_project_is_told_in_one_line(studio: Start, tmp_path: Path) -> None:
+    used = studio()
+    used.answers.put("project", str(tmp_path))
+    used.key(Qt.Key.Key_O, CONTROL)
+    assert "situ.toml" in used.answers.told[0]
+    assert used.window.welcome.isVisible()
+
+
+def test_projects_that_were_open_are_listed_and_open_again(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    studio(project("reception")).window.close()
+    used = studio()
+    assert used.window.recent == [str(tmp_path / "reception")]
+    used.window.welcome.recent_asked.emit(used.window.recent[0])
+    assert used.window.current_file == "reception.rbd.xml"
+
+
+def test_a_recent_project_that_is_gone_is_not_listed(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    studio(project("reception")).window.close()
+    (tmp_path / "reception").rename(tmp_path / "moved")
+    assert studio().window.recent == []
+
+
+def test_the_bundled_typeface_is_used(studio: Start) -> None:
+    assert QFontInfo(studio().window.welcome.font()).family() == "Inter"
