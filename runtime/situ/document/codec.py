@@ -11,10 +11,10 @@ taken off; inside it is kept as written. A comment inside a text survives behind
 
 from __future__ import annotations
 
+from situ.document.locate import locate_all
 from situ.document.modules import Modules
 from situ.document.problem import Problem
 from situ.document.rbd import Application
-from situ.document.reader import locate_all
 from situ.document.reader import read as _read
 from situ.document.spds import Spds
 from situ.document.writer import write

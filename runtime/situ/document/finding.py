@@ -8,8 +8,8 @@ from msgspec import Struct
 
 from situ.document.aside import NOTHING, Aside
 from situ.document.folder import called, resolve
+from situ.document.locate import locate_all
 from situ.document.problem import Problem, Severity
-from situ.document.reader import locate_all
 
 Place = tuple[str, ...]
 
@@ -32,6 +32,8 @@ class Disk:
 
     def __init__(self, root: str) -> None:
         self._root = root
+        # The same few pictures stand on many screens; the folder is asked once for each.
+        self._inside: dict[str, bool] = {}
         self._there: dict[str, bool] = {}
 
     def read(self, file: str) -> bytes | None:
@@ -42,7 +44,10 @@ class Disk:
             return None
 
     def inside(self, file: str) -> bool:
-        return resolve(self._root, file) is not None
+        found = self._inside.get(file)
+        if found is None:
+            found = self._inside[file] = resolve(self._root, file) is not None
+        return found
 
     def has(self, file: str) -> bool:
         found = self._there.get(file)

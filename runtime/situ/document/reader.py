@@ -2,14 +2,16 @@
 
 A file is data from anywhere: no DOCTYPE, no entities, nothing is fetched, and
 depth, number and size of what it holds are bounded. Whatever is wrong becomes a
-problem with its place. The table (``situ.document.elements``) is compiled into
-one ``_Rule`` an element, so that the loop looks up nothing twice.
+problem with its place.
+
+``start`` and ``end`` in ``_Reading.parse`` are the loop, written for speed: what
+is plain they do themselves, everything else is a method behind them.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Mapping
+import gc
+from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any
 from xml.parsers import expat
@@ -17,108 +19,40 @@ from xml.parsers import expat
 from msgspec.structs import replace
 
 from situ.document.aside import EDITOR, Aside
+from situ.document.compiled import PARENTS, ROOT_RULES, Plan, Rule
 from situ.document.datatypes import WHITE, shown
-from situ.document.elements import ROOTS, Element, Misfit, every
+from situ.document.elements import Element, Misfit
+from situ.document.foreign import Foreign, declared
+from situ.document.locate import locate_all
 from situ.document.problem import Problem
-from situ.document.writer import ATTRIBUTE, XML, XMLNS
+from situ.document.writer import XML, XMLNS
 
 MAX_BYTES = 64_000_000
 MAX_DEPTH = 200
-MAX_ELEMENTS = 400_000
+MAX_ELEMENTS = 300_000
 MAX_TEXT = 1_000_000
 MAX_PROBLEMS = 100
 
-_START_TAG = re.compile(rb"<[^\s/>]+(?:\s+[^\s=]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*\s*/?>")
-
-
-class _Rule:
-    """An element, compiled: what to look up while reading it."""
-
-    __slots__ = (
-        "attributes",
-        "blank",
-        "children",
-        "element",
-        "make",
-        "many",
-        "name",
-        "parse_text",
-        "part",
-        "required",
-        "text",
-    )
-
-    def __init__(self, element: Element) -> None:
-        self.element = element
-        self.name = element.name
-        self.make = element.make
-        self.part = element.part
-        self.attributes: dict[str, tuple[str, Callable[[str], Any] | None]] = {
-            one.name: (one.field, one.type.parse) for one in element.attributes
-        }
-        self.required = frozenset(one.field for one in element.attributes if one.required)
-        self.blank = {one.field: one.type.blank for one in element.attributes}
-        self.text = element.text[0] if element.text else None
-        self.parse_text = element.text[1].parse if element.text else None
-        self.children: dict[str, tuple[_Rule, str, bool]] = {}
-        self.many: tuple[str, ...] = ()
-
-
-def _compile() -> dict[str, _Rule]:
-    rules: dict[int, _Rule] = {}
-
-    def rule(element: Element) -> _Rule:
-        found = rules.get(id(element))
-        if found is None:
-            found = rules[id(element)] = _Rule(element)
-            for slot in element.slots:
-                for child in (*slot.elements, *slot.misplaced):
-                    found.children[child.name] = (rule(child), slot.field, slot.many)
-            found.many = tuple(slot.field for slot in element.slots if slot.many)
-        return found
-
-    return {root.name: rule(root) for root in ROOTS}
-
-
-_ROOTS = _compile()
-_PARENTS: dict[str, dict[str, str]] = {
-    root.name: {child.name: parent.name for child, parent in every(root)} for root in ROOTS
-}
+_Frame = tuple[Rule, str, bool, int, dict[str, Any]]
+"""An open element: its rule, the parent's field that holds it and whether that holds
+many, its place in the file, and the fields of its value so far."""
 
 
 class _Stop(Exception):
     """Reading ends here; the problem is noted."""
 
 
-class _Frame:
-    """An element whose end has not been read yet."""
+class _Rest:
+    """What an open element has that most have not."""
 
-    __slots__ = (
-        "attributes",
-        "before",
-        "bound",
-        "field",
-        "index",
-        "many",
-        "parts",
-        "rule",
-        "texts",
-        "values",
-    )
+    __slots__ = ("attributes", "before", "bound", "parts", "texts")
 
-    def __init__(
-        self, rule: _Rule, field: str, many: bool, index: int, before: tuple[str, ...]
-    ) -> None:
-        self.rule = rule
-        self.field = field
-        self.many = many
-        self.index = index
-        self.before = before
-        self.values: dict[str, Any] = {}
-        self.texts: list[str] = []
+    def __init__(self) -> None:
+        self.before: tuple[str, ...] = ()
         self.attributes: tuple[tuple[str, str], ...] = ()
-        self.bound: dict[str, str] | None = None
         self.parts: tuple[tuple[str, Aside], ...] = ()
+        self.texts: list[str] = []
+        self.bound: dict[str, str] = {}
 
 
 def read(data: bytes, file: str) -> tuple[Any, list[Problem]]:
@@ -129,55 +63,165 @@ def read(data: bytes, file: str) -> tuple[Any, list[Problem]]:
     is what problems call it.
     """
     reading = _Reading(data, file)
-    return reading.run()
+    if reading.is_text():
+        # Everything made here stays: looking for what could be freed costs as much again.
+        collecting = gc.isenabled()
+        gc.disable()
+        try:
+            reading.parse()
+        finally:
+            if collecting:
+                gc.enable()
+    return reading.document, reading.problems()
 
 
 class _Reading:
     def __init__(self, data: bytes, file: str) -> None:
         self.data = data
         self.file = file
-        self.found: list[tuple[int, int, int, str, str, tuple[str, ...]]] = []
-        self.index = -1
-        self.stack: list[_Frame] = []
-        self.pending: list[str] = []
         self.document: Any = None
-        self.declared: list[tuple[str, str]] = []
-        self.root_name = ""
         self.parser = expat.ParserCreate("utf-8")
+        self._found: list[tuple[int, int, int, str, str, tuple[str, ...]]] = []
+        top = Rule(Element("", make=dict))
+        top.children = {name: (rule, "document", False) for name, rule in ROOT_RULES.items()}
+        self._stack: list[_Frame] = [(top, "", False, -1, {})]
+        self._rests: dict[int, _Rest] = {}
+        self._texts: list[str] = []
+        self._pending: list[str] = []
+        self._index = -1
+        self._declared: list[tuple[str, str]] = []
+        self._root_name = ""
+        self._foreign: Foreign | None = None
+        self._foreign_plans: dict[tuple[Rule, tuple[str, ...]], tuple[Plan, _Plain]] = {}
 
-    # -- problems ------------------------------------------------------------
+    # -- the loop ----------------------------------------------------------------
 
-    def problem(self, code: str, message: str, index: int | None = None) -> None:
-        """Notes a problem; its place is the element ``index``, or where the parser stands."""
-        line = column = 0
-        if index is None:
-            line = self.parser.CurrentLineNumber
-            column = self.parser.CurrentColumnNumber + 1
-        self.found.append(
-            (-1 if index is None else index, line, column, code, message, self.place())
-        )
-        if len(self.found) >= MAX_PROBLEMS:
-            raise _Stop
+    def parse(self) -> None:
+        """Reads all of the data; what comes of it is in ``document`` and ``problems``."""
+        parser, stack, rests = self.parser, self._stack, self._rests
+        texts, pending = self._texts, self._pending
+        long = self._has_long()
 
-    def place(self) -> tuple[str, ...]:
-        for frame in self.stack:
-            name, values = frame.rule.name, frame.values
-            if name == "state":
-                return ("state", str(values.get("no", "")))
-            if name == "always" and len(self.stack) > 1:
-                return ("always",)
-            if name == "situation":
-                return ("situation", str(values.get("name", "")))
-            if name == "module" and frame.rule.make is not None:
-                return ("module", str(values.get("name", "")))
-        return ()
+        def start(name: str, given: dict[str, Any]) -> None:
+            self._index = index = self._index + 1
+            parent, _, _, _, held = stack[-1]
+            if texts:
+                self._text_before_child()
+            known = parent.children.get(name)
+            if known is None or index >= MAX_ELEMENTS or len(stack) > MAX_DEPTH:
+                self._stranger(name, given)
+                return
+            rule, field, many = known
+            if not many and (field in held or (rule.part and self._has_part(name))):
+                self._duplicate(name)
+            stack.append((rule, field, many, index, given))
+            if pending:
+                self._rest(index).before = tuple(pending)
+                pending.clear()
+            names = tuple(given)
+            plan = rule.plans.get(names)
+            if plan is None:
+                plan = rule.plan(names)
+                if plan is None:
+                    self._irregular(rule, given, index)
+                    return
+            if long:
+                self._shorten(rule, given)
+            for key, at, parse in plan:
+                value = given[key]
+                if parse is not None:
+                    try:
+                        value = parse(value)
+                    except ValueError as wrong:
+                        value = self._bad_attribute(rule, key, wrong)
+                if at is not key:
+                    del given[key]
+                given[at] = value
+
+        def end(_name: str) -> None:
+            rule, field, many, index, values = stack[-1]
+            if rule.text is not None:
+                if rule.parse_text is None and len(texts) == 1 and not long and index not in rests:
+                    values[rule.text] = texts.pop().strip(WHITE)
+                else:
+                    self._take_text(rule, index, values)
+            elif texts:
+                self._text_before_child()
+            for one in rule.many:
+                if one in values:
+                    values[one] = tuple(values[one])
+            aside = self._aside(index) if pending or index in rests else Aside(index)
+            if rule.part:
+                stack.pop()
+                _, _, _, above, held = stack[-1]
+                held.update(values)
+                rest = self._rest(above)
+                rest.parts = (*rest.parts, (rule.name, aside))
+                return
+            values["aside"] = aside
+            try:
+                value = rule.make(**values)  # type: ignore[misc]
+            except Misfit as wrong:
+                self._problem(wrong.code, str(wrong), index)
+                value = wrong.instead
+            stack.pop()
+            held = stack[-1][4]
+            if not many:
+                held[field] = value
+            elif field in held:
+                held[field].append(value)
+            else:
+                held[field] = [value]
+
+        def foreign_start(name: str, given: dict[str, str]) -> None:
+            self._index += 1
+            assert self._foreign is not None
+            self._limit(len(stack) + self._foreign.depth)
+            self._foreign.start(name, given)
+
+        def foreign_end(_name: str) -> None:
+            assert self._foreign is not None
+            if self._foreign.end():
+                text = self._foreign.text(parser.CurrentByteIndex)
+                if text is not None:
+                    pending.append(text)
+                self._foreign = None
+                texts.clear()
+                listen()
+
+        def listen() -> None:
+            foreign = self._foreign is not None
+            parser.StartElementHandler = foreign_start if foreign else start
+            parser.EndElementHandler = foreign_end if foreign else end
+
+        self._listen = listen
+        parser.buffer_text = True
+        parser.CharacterDataHandler = texts.append
+        parser.CommentHandler = self._comment
+        parser.ProcessingInstructionHandler = self._instruction
+        parser.XmlDeclHandler = self._xml_declaration
+        parser.StartDoctypeDeclHandler = self._doctype
+        listen()
+        try:
+            parser.Parse(self.data, True)
+            self.document = self._complete(stack[0][4]["document"])
+        except _Stop:
+            pass
+        except expat.ExpatError as error:
+            self._malformed(error)
+        # The functions above and the parser hold each other: let go of the file at once.
+        self._listen = _nothing
+        del self.parser
+
+    # -- problems ----------------------------------------------------------------
 
     def problems(self) -> list[Problem]:
-        places = locate_all(self.data, {index for index, *_ in self.found if index >= 0})
+        """What is wrong, in the order of the file."""
+        places = locate_all(self.data, {index for index, *_ in self._found if index >= 0})
         made = []
-        for index, line, column, code, message, place in self.found:
+        for index, line, column, code, message, place in self._found:
             if index >= 0:
-                line, column = places.get(index, (0, 0))
+                line, column = places.get(index, (1, 1))
             made.append(
                 Problem(
                     file=self.file,
@@ -190,43 +234,33 @@ class _Reading:
             )
         return sorted(made, key=lambda p: (p.line, p.column))
 
-    # -- the pass ------------------------------------------------------------
+    def _problem(self, code: str, message: str, index: int | None = None) -> None:
+        """Notes a problem; its place is the element ``index``, or where the parser stands."""
+        line = column = 0
+        if index is None:
+            line = self.parser.CurrentLineNumber
+            column = self.parser.CurrentColumnNumber + 1
+        at = -1 if index is None else index
+        self._found.append((at, line, column, code, message, self._place()))
+        if len(self._found) >= MAX_PROBLEMS:
+            raise _Stop
 
-    def run(self) -> tuple[Any, list[Problem]]:
-        if len(self.data) > MAX_BYTES:
-            self.problem("too-large", f"The file is larger than {MAX_BYTES // 1_000_000} MB", 0)
-            return None, self.problems()
-        if not self.is_text():
-            return None, self.problems()
-        parser = self.parser
-        parser.buffer_text = True
-        parser.StartElementHandler = self.start
-        parser.EndElementHandler = self.end
-        parser.CharacterDataHandler = self.text
-        parser.CommentHandler = self.comment
-        parser.ProcessingInstructionHandler = self.instruction
-        parser.XmlDeclHandler = self.declaration
-        parser.StartDoctypeDeclHandler = self.doctype
-        try:
-            parser.Parse(self.data, True)
-        except _Stop:
-            self.document = None
-        except expat.ExpatError as error:
-            self.document = None
-            self.malformed(error)
-        if self.document is not None and (self.pending or self.declared):
-            self.complete()
-        return self.document, self.problems() if self.found else []
-
-    def complete(self) -> None:
-        """Gives the root what stands after it, and the namespaces declared anywhere."""
-        aside: Aside = self.document.aside
-        declared = tuple((f"{{{XMLNS}}}{prefix}", uri) for prefix, uri in self.declared)
-        aside = replace(aside, after=tuple(self.pending), attributes=(*aside.attributes, *declared))
-        self.document = replace(self.document, aside=aside)
+    def _place(self) -> tuple[str, ...]:
+        for rule, _, _, _, values in self._stack[2:]:
+            if rule.name == "state":
+                return ("state", str(values.get("no", "")))
+            if rule.name == "always":
+                return ("always",)
+            if rule.name == "situation" or (rule.name == "module" and not rule.part):
+                return (rule.name, str(values.get("name", "")))
+        return ()
 
     def is_text(self) -> bool:
         """Whether the bytes are UTF-8 without NUL; expat would take some others for UTF-16."""
+        if len(self.data) > MAX_BYTES:
+            said = f"The file is larger than {MAX_BYTES // 1_000_000} MB"
+            self._found.append((-1, 1, 1, "too-large", said, ()))
+            return False
         try:
             self.data.decode()
             at = self.data.find(0)
@@ -239,361 +273,261 @@ class _Reading:
         before = self.data[:at]
         line = before.count(b"\n") + 1
         column = len(before[before.rfind(b"\n") + 1 :].decode()) + 1
-        self.found.append((-1, line, column, "malformed-xml", said, ()))
+        self._found.append((-1, line, column, "malformed-xml", said, ()))
         return False
 
-    def malformed(self, error: expat.ExpatError) -> None:
+    def _malformed(self, error: expat.ExpatError) -> None:
         words = expat.errors.messages.get(error.code, "not well-formed")
         said = f"This is no well-formed XML here: {words}"
+        name = self._stack[-1][0].name
         if not self.data.strip():
             said = "The file is empty"
-        elif self.stack and "no element" in words:
-            said = f"The file ends inside <{self.stack[-1].rule.name}>: its end tag is missing"
-        elif self.stack and "mismatched" in words:
-            said = f"This end tag does not fit: <{self.stack[-1].rule.name}> is still open"
+        elif name and "no element" in words:
+            said = f"The file ends inside <{name}>: its end tag is missing"
+        elif name and "mismatched" in words:
+            said = f"This end tag does not fit: <{name}> is still open"
         elif "undefined entity" in words:
             said = "Only &amp; &lt; &gt; &quot; &apos; and numbers such as &#233; may follow &"
-        place = self.place()
-        self.found.append((-1, error.lineno, error.offset + 1, "malformed-xml", said, place))
+        place = self._place()
+        self._found.append((-1, error.lineno, error.offset + 1, "malformed-xml", said, place))
 
-    def declaration(self, _version: str, encoding: str | None, _standalone: int) -> None:
+    # -- what is not an element --------------------------------------------------
+
+    def _xml_declaration(self, _version: str, encoding: str | None, _alone: int) -> None:
         if encoding is not None and encoding.lower() not in ("utf-8", "utf8", "us-ascii"):
-            self.problem(
-                "not-utf-8", f"The file says that it is {shown(encoding)}: save it as UTF-8"
-            )
+            said = f"The file says that it is {shown(encoding)}: save it as UTF-8"
+            self._problem("not-utf-8", said)
             raise _Stop
 
-    def doctype(self, *_: object) -> None:
-        self.problem("doctype", "A DOCTYPE is not allowed: take it out")
+    def _doctype(self, *_: object) -> None:
+        self._problem("doctype", "A DOCTYPE is not allowed: take it out")
         raise _Stop
 
-    def comment(self, text: str) -> None:
-        self.pending.append(f"<!--{text}-->")
+    def _comment(self, text: str) -> None:
+        if self._foreign is None:
+            self._pending.append(f"<!--{text}-->")
 
-    def instruction(self, target: str, text: str) -> None:
-        self.pending.append(f"<?{target} {text}?>" if text else f"<?{target}?>")
+    def _instruction(self, target: str, text: str) -> None:
+        if self._foreign is None:
+            self._pending.append(f"<?{target} {text}?>" if text else f"<?{target}?>")
 
-    def text(self, text: str) -> None:
-        frame = self.stack[-1]
-        if frame.rule.text is not None:
-            frame.texts.append(text)
-        elif not text.isspace():
-            self.problem(
-                "unexpected-text",
-                f"Text cannot stand directly in <{frame.rule.name}>: {shown(text)}",
-                frame.index,
-            )
+    # -- text --------------------------------------------------------------------
 
-    def start(self, name: str, given: dict[str, str]) -> None:
-        self.index = index = self.index + 1
-        stack = self.stack
-        if stack:
-            parent = stack[-1]
-            known = parent.rule.children.get(name)
-            if known is None:
-                self.stranger(name, given)
-                return
-            rule, field, many = known
-            if not many and (field in parent.values or (rule.part and _has(parent, name))):
-                self.problem(
-                    "duplicate-element",
-                    f"<{parent.rule.name}> holds two <{name}>: only one may stand here",
-                )
-        else:
-            rule, field, many = self.root(name), "", False
-        pending = self.pending
-        before: tuple[str, ...] = ()
-        if pending:
-            before = tuple(pending)
-            pending.clear()
-        frame = _Frame(rule, field, many, index, before)
-        stack.append(frame)
-        values, attributes = frame.values, rule.attributes
-        try:
-            for key, text in given.items():
-                at, parse = attributes[key]
-                values[at] = text if parse is None else parse(text)
-                if len(text) > MAX_TEXT:
-                    raise ValueError("is too long")
-            if rule.required <= values.keys() and len(stack) <= MAX_DEPTH and index < MAX_ELEMENTS:
-                return
-        except (KeyError, ValueError):
-            pass
-        self.mend(frame, given)
-
-    def end(self, _name: str) -> None:
-        stack, pending = self.stack, self.pending
-        frame = stack.pop()
-        rule, values = frame.rule, frame.values
-        inside: tuple[str, ...] = ()
-        if pending:
-            inside = tuple(pending)
-            pending.clear()
+    def _text_before_child(self) -> None:
+        """Text before a child, or before the end of an element that has no text."""
+        rule, _, _, index, _ = self._stack[-1]
+        text = "".join(self._texts)
+        self._texts.clear()
         if rule.text is not None:
-            self.texts(frame)
-        for field in rule.many:
-            if field in values:
-                values[field] = tuple(values[field])
-        aside = Aside(frame.index, frame.before, inside, (), frame.attributes, frame.parts)
-        if rule.part:
-            parent = stack[-1]
-            parent.values.update(values)
-            parent.parts = (*parent.parts, (rule.name, aside))
-            return
-        make = rule.make
-        assert make is not None
-        try:
-            value = make(aside=aside, **values)
-        except Misfit as wrong:
-            stack.append(frame)
-            self.problem(wrong.code, str(wrong), frame.index)
-            stack.pop()
-            value = wrong.instead
-        if not stack:
-            self.document = value
-            return
-        parent_values = stack[-1].values
-        if frame.many:
-            if frame.field in parent_values:
-                parent_values[frame.field].append(value)
-            else:
-                parent_values[frame.field] = [value]
-        else:
-            parent_values[frame.field] = value
+            self._rest(index).texts.append(text)
+        elif not text.isspace():
+            said = f"Text cannot stand directly in <{rule.name}>: {shown(text)}"
+            self._problem("unexpected-text", said, index)
 
-    def texts(self, frame: _Frame) -> None:
-        rule = frame.rule
-        assert rule.text is not None
-        text = "".join(frame.texts).strip(WHITE)
-        if len(text) > MAX_TEXT:
-            self.problem("too-long", f"The text of <{rule.name}> is too long", frame.index)
-            text = ""
+    def _take_text(self, rule: Rule, index: int, values: dict[str, Any]) -> None:
+        rest = self._rests.get(index)
+        if rest is not None and rest.texts:
+            self._texts[:0] = rest.texts
+        text = "".join(self._texts).strip(WHITE)
+        self._texts.clear()
         if not text and not rule.element.text_required:
             return
+        if len(text) > MAX_TEXT:
+            self._problem("too-long", f"The text of <{rule.name}> is too long", index)
+            text = ""
+        assert rule.text is not None
         if rule.parse_text is None:
-            frame.values[rule.text] = text
+            values[rule.text] = text
             return
         try:
-            frame.values[rule.text] = rule.parse_text(text)
+            values[rule.text] = rule.parse_text(text)
         except ValueError as wrong:
             said = f"The text of <{rule.name}> {wrong}"
             if not text:
                 said = f"<{rule.name}> is empty: write a number"
-            self.stack.append(frame)
-            self.problem("bad-value", said, frame.index)
-            self.stack.pop()
+            self._problem("bad-value", said, index)
             assert rule.element.text is not None
-            frame.values[rule.text] = rule.element.text[1].blank
+            values[rule.text] = rule.element.text[1].blank
 
-    # -- what is seldom ------------------------------------------------------
+    # -- what rides along --------------------------------------------------------
 
-    def root(self, name: str) -> _Rule:
-        self.root_name = name
-        rule = _ROOTS.get(name)
-        if rule is None:
-            near = _nearest(name, _ROOTS)
-            self.problem(
-                "unknown-element",
-                f"<{_short(name)}> is no document of Situ; did you mean <{near}>?",
-            )
-            raise _Stop
-        return rule
+    def _rest(self, index: int) -> _Rest:
+        rest = self._rests.get(index)
+        if rest is None:
+            rest = self._rests[index] = _Rest()
+        return rest
 
-    def mend(self, frame: _Frame, given: Mapping[str, str]) -> None:
-        """The long way through a start tag that is not wholly plain."""
-        rule, stack = frame.rule, self.stack
-        if len(stack) > MAX_DEPTH:
-            self.problem("too-deep", f"Elements stand more than {MAX_DEPTH} deep")
+    def _has_part(self, name: str) -> bool:
+        rest = self._rests.get(self._stack[-1][3])
+        return rest is not None and any(part == name for part, _ in rest.parts)
+
+    def _aside(self, index: int) -> Aside:
+        inside = tuple(self._pending)
+        self._pending.clear()
+        rest = self._rests.pop(index, None)
+        if rest is None:
+            return Aside(index, (), inside)
+        return Aside(index, rest.before, inside, (), rest.attributes, rest.parts)
+
+    def _complete(self, document: Any) -> Any:
+        """The document with what stands after its root, and the namespaces declared anywhere."""
+        if not self._pending and not self._declared:
+            return document
+        aside: Aside = document.aside
+        spaces = tuple((f"{{{XMLNS}}}{prefix}", uri) for prefix, uri in self._declared)
+        after = tuple(self._pending)
+        aside = replace(aside, after=after, attributes=(*aside.attributes, *spaces))
+        return replace(document, aside=aside)
+
+    # -- start tags that are not wholly plain ------------------------------------
+
+    def _limit(self, depth: int) -> None:
+        if depth > MAX_DEPTH:
+            self._problem("too-deep", f"Elements stand more than {MAX_DEPTH} deep")
             raise _Stop
-        if frame.index >= MAX_ELEMENTS:
-            self.problem("too-many", f"The file holds more than {MAX_ELEMENTS} elements")
+        if self._index >= MAX_ELEMENTS:
+            self._problem("too-many", f"The file holds more than {MAX_ELEMENTS} elements")
             raise _Stop
-        frame.bound = self.declare(given)
-        if given.get("xmlns"):
-            self.problem(
-                "unknown-namespace",
-                f"<{rule.name}> must have no namespace: take the xmlns attribute out",
-            )
-            raise _Stop
-        frame.values.clear()
-        foreign: list[tuple[str, str]] = []
+
+    def _has_long(self) -> bool:
+        """Whether any attribute may be too long: somewhere no ``<`` stands for long."""
+        at, size = 0, len(self.data)
+        while at + MAX_TEXT < size:
+            found = self.data.rfind(b"<", at, at + MAX_TEXT)
+            if found < 0:
+                return True
+            at = found + 1
+        return False
+
+    def _shorten(self, rule: Rule, given: dict[str, Any]) -> None:
         for key, text in given.items():
-            if key == "xmlns" or key.startswith("xmlns:"):
-                continue
-            known = rule.attributes.get(key)
             if len(text) > MAX_TEXT:
-                self.problem("too-long", f'The attribute "{_short(key)}" is too long')
-                if known is not None:
-                    frame.values[known[0]] = rule.blank[known[0]]
-            elif known is not None:
-                field, parse = known
-                try:
-                    frame.values[field] = text if parse is None else parse(text)
-                except ValueError as wrong:
-                    self.problem("bad-value", f"The {key} of <{rule.name}> {wrong}")
-                    if field in rule.required:
-                        frame.values[field] = rule.blank[field]
+                self._problem("too-long", f"The {_short(key)} of <{rule.name}> is too long")
+                given[key] = ""
+
+    def _duplicate(self, name: str) -> None:
+        said = f"<{self._stack[-1][0].name}> holds two <{name}>: only one may stand here"
+        self._problem("duplicate-element", said)
+
+    def _bad_attribute(self, rule: Rule, key: str, wrong: ValueError) -> Any:
+        self._problem("bad-value", f"The {key} of <{rule.name}> {wrong}")
+        if key in rule.required:
+            return rule.blank[key]
+        field = rule.attributes[key][0]
+        return next(one.default for one in rule.element.attributes if one.field == field)
+
+    def _irregular(self, rule: Rule, given: dict[str, Any], index: int) -> None:
+        """Reads a start tag with attributes that are foreign, unknown or missing."""
+        names = tuple(given)
+        planned = self._foreign_plans.get((rule, names))
+        if planned is None:
+            planned = self._plan(rule, given, index)
+        plan, foreign = planned
+        self._shorten(rule, given)
+        if foreign:
+            self._rest(index).attributes = tuple((full, given.pop(key)) for key, full in foreign)
+        for key, at, parse in plan:
+            value = given.pop(key)
+            try:
+                given[at] = value if parse is None else parse(value)
+            except ValueError as wrong:
+                given[at] = self._bad_attribute(rule, key, wrong)
+        for key in rule.required:
+            field = rule.attributes[key][0]
+            if field not in given:
+                said = f'<{rule.name}> needs the attribute "{key}"'
+                self._problem("missing-attribute", said)
+                given[field] = rule.blank[key]
+
+    def _plan(self, rule: Rule, given: dict[str, Any], index: int) -> tuple[Plan, _Plain]:
+        """How to read a start tag, and its foreign attributes with their full names.
+
+        Takes declarations and what is unknown out of ``given``. A plan is kept where
+        the same attributes always mean the same: with no declaration but the root's.
+        """
+        if given.get("xmlns"):
+            said = f"<{rule.name}> must have no namespace: take the xmlns attribute out"
+            self._problem("unknown-namespace", said)
+            raise _Stop
+        names = tuple(given)
+        bound = self._declare(given)
+        if bound:
+            self._rest(index).bound = bound
+        plain, foreign, keep = [], [], not bound and "xmlns" not in given
+        for key in names:
+            if key in rule.attributes:
+                plain.append((key, *rule.attributes[key]))
+            elif key == "xmlns" or key.startswith("xmlns:"):
+                del given[key]
             elif ":" in key:
                 prefix, _, local = key.partition(":")
-                foreign.append((f"{{{self.bound(prefix)}}}{local}", text))
+                foreign.append((key, f"{{{self._bound(prefix)}}}{local}"))
             else:
-                self.unknown_attribute(rule, key)
-        frame.attributes = tuple(foreign)
-        for one in rule.element.attributes:
-            if one.required and one.field not in frame.values:
-                self.problem("missing-attribute", f'<{rule.name}> needs the attribute "{one.name}"')
-                frame.values[one.field] = one.type.blank
+                keep = False
+                del given[key]
+                said = f'<{rule.name}> has no attribute "{_short(key)}"'
+                if rule.attributes:
+                    said += f'; did you mean "{_nearest(key, rule.attributes)}"?'
+                self._problem("unknown-attribute", said)
+        made = (tuple(plain), tuple(foreign))
+        if keep and not any(rest.bound for at, rest in self._rests.items() if at > 0):
+            self._foreign_plans[rule, names] = made
+        return made
 
-    def unknown_attribute(self, rule: _Rule, key: str) -> None:
-        said = f'<{rule.name}> has no attribute "{_short(key)}"'
-        if rule.attributes:
-            said += f'; did you mean "{_nearest(key, rule.attributes)}"?'
-        self.problem("unknown-attribute", said)
-
-    def stranger(self, name: str, given: dict[str, str]) -> None:
+    def _stranger(self, name: str, given: dict[str, Any]) -> None:
         """An element that has no place here: foreign, or unknown."""
-        parent = self.stack[-1].rule
+        self._limit(len(self._stack))
+        parent = self._stack[-1][0]
+        if not parent.name:
+            said = f"<{_short(name)}> is no document of Situ"
+            self._problem(
+                "unknown-element", f"{said}; did you mean <{_nearest(name, ROOT_RULES)}>?"
+            )
+            raise _Stop
         foreign = bool(given.get("xmlns")) or ":" in name
+        self._declare(given)
         if not foreign:
-            belongs = _PARENTS[self.root_name].get(name)
+            belongs = PARENTS[self._stack[1][0].name].get(name)
             if belongs is not None and belongs != parent.name:
-                code = "misplaced-element"
                 said = f"<{name}> has no place in <{parent.name}>: it belongs in <{belongs}>"
+                self._problem("misplaced-element", said)
             else:
-                code = "unknown-element"
                 said = f"<{_short(name)}> is not known in <{parent.name}>"
                 if parent.children:
                     said += f"; did you mean <{_nearest(name, parent.children)}>?"
                 else:
                     said += ": nothing can stand in it"
-            self.problem(code, said)
-        _Foreign(self, keep=foreign).start(name, given)
+                self._problem("unknown-element", said)
+        self._foreign = Foreign(self.data, self.parser.CurrentByteIndex, self._bound, keep=foreign)
+        self._foreign.start(name, given)
+        self._listen()
 
-    def declare(self, given: Mapping[str, str]) -> dict[str, str] | None:
+    def _declare(self, given: Mapping[str, str]) -> dict[str, str]:
         """The namespaces that a start tag declares, taken note of for the root."""
-        found = {key[6:]: uri for key, uri in given.items() if key.startswith("xmlns:")}
-        for one in found.items():
-            if one not in self.declared:
-                self.declared.append(one)
-        return found or None
+        found = declared(given)
+        self._declared += [one for one in found.items() if one not in self._declared]
+        return found
 
-    def bound(self, prefix: str) -> str:
-        """The namespace of a prefix where the parser stands."""
-        for frame in reversed(self.stack):
-            if frame.bound is not None and prefix in frame.bound:
-                return frame.bound[prefix]
+    def _bound(self, prefix: str) -> str:
+        """The namespace of a prefix where the parser stands; ends reading where there is none."""
+        for _, _, _, index, _ in reversed(self._stack):
+            rest = self._rests.get(index)
+            if rest is not None and prefix in rest.bound:
+                return rest.bound[prefix]
         if prefix == "xml":
             return XML
         said = f'The prefix "{_short(prefix)}" is not declared'
         if prefix == "ed":
             said += f': add xmlns:ed="{EDITOR}" to the first element'
-        self.problem("malformed-xml", said)
+        self._problem("malformed-xml", said)
         raise _Stop
 
 
-class _Foreign:
-    """Reads past an element that is not ours; keeps its text where it has a namespace."""
-
-    def __init__(self, reading: _Reading, *, keep: bool) -> None:
-        self.reading = reading
-        self.keep = keep
-        self.scopes: list[dict[str, str]] = []
-        self.own: dict[str, str] = {}
-        self.needed: dict[str, str] = {}
-        parser = reading.parser
-        self.at = parser.CurrentByteIndex
-        reading.index -= 1
-        parser.StartElementHandler = self.start
-        parser.EndElementHandler = self.end
-        parser.CharacterDataHandler = None
-        parser.CommentHandler = None
-        parser.ProcessingInstructionHandler = None
-
-    def start(self, name: str, given: dict[str, str]) -> None:
-        reading = self.reading
-        reading.index += 1
-        if len(self.scopes) + len(reading.stack) >= MAX_DEPTH:
-            reading.problem("too-deep", f"Elements stand more than {MAX_DEPTH} deep")
-            raise _Stop
-        if reading.index >= MAX_ELEMENTS:
-            reading.problem("too-many", f"The file holds more than {MAX_ELEMENTS} elements")
-            raise _Stop
-        scope = {key[6:]: uri for key, uri in given.items() if key.startswith("xmlns:")}
-        if not self.scopes:
-            self.own = scope
-        self.scopes.append(scope)
-        if self.keep:
-            for used in (name, *given):
-                prefix, colon, _ = used.partition(":")
-                if colon and prefix not in ("xml", "xmlns"):
-                    self.use(prefix)
-
-    def use(self, prefix: str) -> None:
-        if prefix not in self.needed and not any(prefix in scope for scope in self.scopes):
-            self.needed[prefix] = self.reading.bound(prefix)
-
-    def end(self, _name: str) -> None:
-        self.scopes.pop()
-        if self.scopes:
-            return
-        reading, parser = self.reading, self.reading.parser
-        if self.keep:
-            reading.pending.append(self.fragment(parser.CurrentByteIndex))
-        parser.StartElementHandler = reading.start
-        parser.EndElementHandler = reading.end
-        parser.CharacterDataHandler = reading.text
-        parser.CommentHandler = reading.comment
-        parser.ProcessingInstructionHandler = reading.instruction
-
-    def fragment(self, end: int) -> str:
-        """The element as text that stands for itself: every prefix it uses is declared in it."""
-        data = self.reading.data
-        match = _START_TAG.match(data, self.at)
-        assert match is not None
-        empty = match[0].endswith(b"/>")
-        stop = match.end() if empty else data.index(b">", end) + 1
-        text = data[self.at : stop].decode().replace("\r\n", "\n").replace("\r", "\n")
-        if not self.needed:
-            return text
-        name = re.match(r"<[^\s/>]+", text)
-        assert name is not None
-        added = "".join(
-            f' xmlns:{prefix}="{uri.translate(ATTRIBUTE)}"' for prefix, uri in self.needed.items()
-        )
-        return name[0] + added + text[name.end() :]
+_Plain = tuple[tuple[str, str], ...]
 
 
-def locate_all(data: bytes, indices: set[int]) -> dict[int, tuple[int, int]]:
-    """Line and column, from 1, of the elements with these places in the file (``Aside.index``)."""
-    found: dict[int, tuple[int, int]] = {}
-    if not indices:
-        return found
-    last = max(indices)
-    count = -1
-    parser = expat.ParserCreate("utf-8")
-
-    def start(_name: str, _given: dict[str, str]) -> None:
-        nonlocal count
-        count += 1
-        if count in indices:
-            found[count] = (parser.CurrentLineNumber, parser.CurrentColumnNumber + 1)
-        if count >= last:
-            raise _Stop
-
-    def doctype(*_: object) -> None:
-        raise _Stop
-
-    parser.StartElementHandler = start
-    parser.StartDoctypeDeclHandler = doctype
-    try:
-        parser.Parse(data, True)
-    except (_Stop, expat.ExpatError):
-        return found
-    return found
-
-
-def _has(frame: _Frame, part: str) -> bool:
-    return any(name == part for name, _ in frame.parts)
+def _nothing() -> None:
+    """Nobody listens any more."""
 
 
 def _short(name: str) -> str:
