@@ -286,8 +286,10 @@ class Machine:
 
     # -- authority -----------------------------------------------------------
 
-    def on_authority(self, changed: Mapping[str, int]) -> None:
-        """Who holds what has changed: resource to the seq of its ``authority`` event."""
+    def on_authority(self, changed: Mapping[str, int], cause: int | None) -> None:
+        """Who holds what has changed: resource to the seq of its ``authority`` event. ``cause``
+        changed it: what this application now asks for, if it misses nothing that it held.
+        """
         state = self.state
         if not state.no:
             return
@@ -297,7 +299,7 @@ class Machine:
                 state.granted = seq
         if not state.suspended and missing:
             causes = [changed[r] for r in missing if r in changed]
-            self._suspend(missing, causes[0] if causes else state.granted)
+            self._suspend(missing, causes[0] if causes else cause)
             return
         for resource, seq in changed.items():
             if not self._world.priorities.holds(self.name, resource):

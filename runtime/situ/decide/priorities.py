@@ -31,7 +31,8 @@ class Standing(Struct):
     """A module's command for a resource.
 
     until: µs, None for one that is good while the module holds the resource.
-    mapped: whether it may move the robot; token: its timer's. cause: what made it.
+    mapped: whether it may move the robot; token: its timer's. cause: what made it: an action,
+    or else the mapping by which it began to move the robot.
     """
 
     value: Any
@@ -202,12 +203,16 @@ class Priorities:
         holding = self.holds(module, resource)
         until = None if valid is None else self._step.now + duration(valid)
         standing = Standing(value, until, holding or until is not None, token, cause, actions)
-        self.state.commands.setdefault(module, {})[resource] = standing
+        commands = self.state.commands.setdefault(module, {})
+        before = commands.get(resource)
+        if cause is None and before is not None and equal(before.value, value):
+            standing.cause = before.cause
+        commands[resource] = standing
         self._write(f"module/{module}/{resource}", value, module, cause)
         if until is not None:
             self._step.at(until, VALIDITY, f"command:{module}/{resource}", token)
         if holding:
-            standing.cause = self._map(resource, cause) or cause
+            self._map(resource, cause)
 
     def end_command(self, module: str, resource: str, cause: int | None) -> None:
         """The module no longer commands the resource."""
@@ -232,7 +237,7 @@ class Priorities:
         if remap and self.holds(module, resource):
             self._map(resource, cause)
 
-    def _map(self, resource: str, cause: int | None) -> int | None:
+    def _map(self, resource: str, cause: int | None) -> None:
         """Puts the holder's valid command at ``robot/<resource>``; traced when it changes."""
         holder = self.state.holders.get(resource)
         standing = self.state.commands.get(holder or "", {}).get(resource)
@@ -245,10 +250,11 @@ class Priorities:
             if actions and actions != self.state.actions.get(resource):
                 self.state.actions[resource] = actions
                 self._step.effects.append(Map(resource, holder, value, actions))
-            return None
+            return
         self.state.robot[resource] = value
         self.state.actions[resource] = actions
         seq = self._step.trace(trace.Mapping, cause, resource, holder, value)
+        if standing is not None and standing.mapped and standing.cause is None:
+            standing.cause = seq
         self._write(f"robot/{resource}", value, holder or RUNTIME, seq)
         self._step.effects.append(Map(resource, holder, value, actions))
-        return seq

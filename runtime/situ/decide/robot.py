@@ -244,7 +244,7 @@ class Robot:
         changed = self._world.priorities.assign(cause)
         if changed:
             for machine in self._machines:
-                machine.on_authority(changed)
+                machine.on_authority(changed, cause)
 
     def _asked(self, module: str, seq: int) -> None:
         """A module, an application too, asks for authority: who it needs should be there."""
