@@ -10,7 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from situ.blackboard.client import AsyncBoard
     from situ.document.project import Project
+    from situ.engine.live import Live
+    from situ.engine.script import Script
 
 
 def add(commands: Any) -> None:
@@ -45,6 +48,13 @@ def add(commands: Any) -> None:
         default=1.0,
         metavar="N",
         help="how many times as fast the scenario is played",
+    )
+    parser.add_argument(
+        "--clients",
+        type=_count,
+        default=0,
+        metavar="N",
+        help="the scenario begins when so many clients are connected",
     )
     parser.add_argument("--trace", metavar="OUT", help="write the trace here; - is standard output")
     parser.add_argument(
@@ -129,13 +139,15 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any)
     )
     addresses = await live.start()
     try:
-        _say_ready(args.json, project.name, addresses)
+        # Standard output is the trace's where it was asked for there.
+        ready = _ready(args.json, project.name, addresses)
+        print(ready, file=sys.stderr if args.trace == "-" else sys.stdout, flush=True)
         if script is None:
             await stopped.wait()
             return 0
         board = AsyncBoard(Link(addresses.requests, Person(role="scenario")))
         async with board:
-            play = asyncio.create_task(script.play(live, board))
+            play = asyncio.create_task(_play(script, live, board, args.clients))
             stop = asyncio.create_task(stopped.wait())
             await asyncio.wait({play, stop}, return_when=asyncio.FIRST_COMPLETED)
             stop.cancel()
@@ -151,15 +163,19 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any)
     return 1 if script.verdict.failures else 0
 
 
-def _say_ready(as_json: bool, name: str, addresses: Any) -> None:
+async def _play(script: Script, live: Live, board: AsyncBoard, clients: int) -> None:
+    await live.clients(clients)
+    await script.play(live, board)
+
+
+def _ready(as_json: bool, name: str, addresses: Any) -> str:
     if as_json:
         import msgspec
 
         said = {"project": name, **msgspec.to_builtins(addresses)}
-        print(msgspec.json.encode(said).decode(), flush=True)
-        return
+        return msgspec.json.encode(said).decode()
     screen = f" screen {addresses.http}" if addresses.http is not None else ""
-    print(f"situ run: {name} ready at {addresses.requests}{screen}", flush=True)
+    return f"situ run: {name} ready at {addresses.requests}{screen}"
 
 
 def _files(project: Project) -> dict[str, str]:
@@ -193,6 +209,12 @@ def _host_and_port(text: str) -> tuple[str, int]:
     if not colon or not port.isdecimal() or int(port) > 65535:
         raise argparse.ArgumentTypeError("HOST:PORT is needed, as 127.0.0.1:5572")
     return host.strip("[]") or "127.0.0.1", int(port)
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError("a whole number is needed")
+    return int(text)
 
 
 def _seconds(text: str) -> float:

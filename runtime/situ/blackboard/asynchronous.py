@@ -81,10 +81,12 @@ class AsyncBoard:
         self, pattern: str, callback: Callable[[Change], None] | None = None
     ) -> AsyncFollowing[Change]:
         """Not awaited: ``async for change in board.watch("face.*")``. What is wrong with the
-        pattern is raised at the first change."""
+        pattern is raised at the first change. With ``async with`` it stands from there on."""
         watch = self._dialog.watch(pattern, callback)
         self._soon()
-        return AsyncFollowing(self, watch, self._dialog.unwatch, lambda: watch.error)
+        return AsyncFollowing(
+            self, watch, self._dialog.unwatch, lambda: watch.ready, lambda: watch.error
+        )
 
     def trace(
         self, since: int | None = None, callback: Callable[[dict[str, Any]], None] | None = None
@@ -92,7 +94,9 @@ class AsyncBoard:
         """Not awaited, as ``watch``."""
         feed = self._dialog.trace(since, callback)
         self._soon()
-        return AsyncFollowing(self, feed, self._dialog.untrace, lambda: None)
+        return AsyncFollowing(
+            self, feed, self._dialog.untrace, lambda: feed.next is not None, lambda: None
+        )
 
     # -- what happens --------------------------------------------------------
 
@@ -221,11 +225,13 @@ class AsyncFollowing(Generic[T]):
         board: AsyncBoard,
         feed: Any,
         stop: Callable[[Any], None],
+        ready: Callable[[], bool],
         error: Callable[[], Refused | None],
     ) -> None:
         self._board = board
         self._feed: Followed[T] = feed
         self._stop = stop
+        self._ready = ready
         self._error = error
 
     async def next(self, within: float | None = None) -> T | None:
@@ -238,6 +244,20 @@ class AsyncFollowing(Generic[T]):
             self.close()
             raise error
         return feed.take()
+
+    async def __aenter__(self) -> AsyncFollowing[T]:
+        """Waits until it is sure that nothing is missed from here on."""
+        board = self._board
+        heard = await board._until(
+            lambda: self._ready() or self._error() is not None, board._timeout
+        )
+        if not heard:
+            self.close()
+            raise board._unreachable(board.link.dialog.unreachable())
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        self.close()
 
     async def __aiter__(self) -> AsyncIterator[T]:
         while (item := await self.next()) is not None:
@@ -260,7 +280,11 @@ class AsyncAuthority:
 
     async def __aenter__(self) -> AsyncAuthority:
         dialog = self._board.link.dialog
-        await self._board._answer(dialog.acquire(self, self.resources, self.optional))
+        try:
+            await self._board._answer(dialog.acquire(self, self.resources, self.optional))
+        except Refused:
+            dialog.withdraw(self)
+            raise
         return self
 
     async def __aexit__(self, *_: object) -> None:

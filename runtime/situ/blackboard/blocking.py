@@ -16,7 +16,7 @@ from situ.blackboard.dialog import Dialog
 from situ.blackboard.feeds import Change, TraceFeed, Watch
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import Addresses, Entry, Files, ModuleStates, Need, Offer
-from situ.errors import BlackboardError, Unreachable
+from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
@@ -367,7 +367,11 @@ class Authority:
         self.optional = optional
 
     def __enter__(self) -> Authority:
-        self._board._ask(lambda d: d.acquire(self, self.resources, self.optional))
+        try:
+            self._board._ask(lambda d: d.acquire(self, self.resources, self.optional))
+        except Refused:
+            self._board._dialog.withdraw(self)
+            raise
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -390,6 +394,8 @@ class Authority:
     def command(self, value: Any, valid: float | None = None, resource: str | None = None) -> None:
         """Commands a resource. valid: seconds it is good for; None: until it is lost.
 
+        While the connection is away nothing is commanded, now or later, and nothing
+        raised: authority is lost with it (``held``) and comes back by itself.
         resource: which one; may be left out where only one was asked for.
         """
         self._board._ask(

@@ -27,7 +27,7 @@ class Person(Struct, frozen=True, kw_only=True):
 
 
 class Call(Generic[T]):
-    """One request and, later, what came of it: then ``done`` is called once.
+    """One request and, later, what came of it.
 
     body: the bytes it was last sent as. again: whether it may be asked once more when the
     connection was lost before an answer came, because twice is as good as once.
@@ -39,7 +39,7 @@ class Call(Generic[T]):
         self.finished = False
         self.body = b""
         self.error: BlackboardError | None = None
-        self.done: Callable[[], None] | None = None
+        self._then: Callable[[], None] | None = None
         self._read = read
         self._value: T | None = None
 
@@ -50,26 +50,36 @@ class Call(Generic[T]):
         assert self.finished, "not answered yet"
         return self._value  # type: ignore[return-value]
 
+    def then(self, callback: Callable[[], None]) -> None:
+        """Calls it once when this is finished; at once if it is."""
+        if self.finished:
+            callback()
+        else:
+            self._then = callback
+
     def answer(self, reply: protocol.AnyReply) -> None:
         if isinstance(reply, protocol.Refused):
             self.fail(Refused(reply.message))
             return
-        try:
-            self._value = self._read(reply)
-        except (AttributeError, TypeError, KeyError):
-            self.fail(BlackboardError(f"the blackboard answered {type(reply).__name__}"))
+        if type(reply) is not protocol.REPLIES[type(self.request)]:
+            self.fail(BlackboardError(f"the blackboard answered with {type(reply).__name__}"))
             return
+        self._value = self._read(reply)
         self._end()
 
     def fail(self, error: BlackboardError) -> None:
         self.error = error
         self._end()
 
+    def drop(self) -> None:
+        """Ends it without a value and without an error."""
+        self._end()
+
     def _end(self) -> None:
         if not self.finished:
             self.finished = True
-            if self.done is not None:
-                self.done()
+            if self._then is not None:
+                self._then()
 
 
 def which(resources: tuple[str, ...], named: str | None) -> str:

@@ -105,7 +105,7 @@ class Core:
         for effect in effects:
             if isinstance(effect, Changed):
                 if self.watching.changed(effect.tag):
-                    out.notices.append(_change(effect, self.watching.n))
+                    out.notices.append(_change(effect))
             elif isinstance(effect, Refuse):
                 refused = effect.message
             else:
@@ -153,14 +153,13 @@ class Core:
             self._out.notices.append(protocol.notice(protocol.TRACE, body))
 
 
-def _change(effect: Changed, n: int) -> bytes:
+def _change(effect: Changed) -> bytes:
     body = protocol.Change(
         tag=effect.tag,
         value=effect.value,
         version=effect.version,
         writer=effect.writer,
         time=effect.time,
-        n=n,
     )
     return protocol.notice(protocol.change_topic(effect.tag), body)
 

@@ -205,7 +205,9 @@ class Dialog:
         unsent = {id(body) for body in self.outgoing}
         for call in calls.values():
             undone = id(call.body) in unsent or (since is not None and call.request.id >= since)
-            if isinstance(call.request, _FLEETING):
+            if isinstance(call.request, protocol.Command):
+                call.drop()
+            elif isinstance(call.request, _FLEETING):
                 call.fail(self.unreachable())
             elif call.again or undone:
                 self._waiting.append(call)
@@ -262,7 +264,8 @@ class Dialog:
         """One write; gives the new version of each tag that changed."""
         wanted = None if versions is None else dict(versions)
         request = protocol.Set(id=self.next_id(), tags=dict(tags), versions=wanted)
-        return self.ask(request, _versions, again=False)
+        # Twice is as good as once, unless a version is to be met.
+        return self.ask(request, _versions, again=versions is None)
 
     def get(self, name: str) -> Call[Any]:
         """The value of a tag or of a name that reaches into one; None where it is missing."""
@@ -288,8 +291,15 @@ class Dialog:
         return self.ask(request, _nothing, again=False)
 
     def command(self, resource: str, value: Any, valid: float | None = None) -> Call[None]:
+        """A command. Without a connection there is no authority either: it is left out, for
+        later it would be stale."""
         request = protocol.Command(id=self.next_id(), resource=resource, value=value, valid=valid)
-        return self.ask(request, _nothing, again=False)
+        call: Call[None] = Call(request, _nothing, again=False)
+        if self.connected and not self.ended:
+            self._send(call)
+        else:
+            call.drop()
+        return call
 
     def use(self, component: str, *value: Any) -> Call[None]:
         """What a person does to a component; the value is left out for a button."""
@@ -359,6 +369,10 @@ class Dialog:
                 self.subscribing.append((protocol.authority_topic(resource), True))
         self._asked[key] = (resources, optional)
         return self._acquire(again=True)
+
+    def withdraw(self, key: object) -> None:
+        """What ``key`` asked for was refused."""
+        self._asked.pop(key, None)
 
     def abandon(self, key: object) -> Call[None]:
         """Gives back what only ``key`` asked for."""

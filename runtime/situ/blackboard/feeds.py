@@ -74,7 +74,6 @@ class Watch:
             if self.asking:
                 self._early.append(notice)
             return True
-        self._seen = max(self._seen, notice.n)
         before = self.known.get(notice.tag)
         last = before.version if before is not None else 0
         if notice.version <= last:
@@ -86,6 +85,7 @@ class Watch:
             notice.tag,
             protocol.Entry(notice.value, notice.version, notice.writer, notice.time),
         )
+        self._seen += 1
         return True
 
     def snapshot(self, reply: protocol.Snapshot) -> None:
@@ -109,10 +109,10 @@ class Watch:
         for notice in early:
             self.change(notice)
 
-    def behind(self, n: int) -> bool:
-        """Whether the change ``n``, told at the last heartbeat already, never came."""
+    def behind(self, changes: int) -> bool:
+        """Whether one of the changes counted at the last heartbeat already never came."""
         late = self._told > self._seen
-        self._told = n
+        self._told = changes
         return late
 
     def _known(self, tag: str, entry: protocol.Entry) -> None:

@@ -35,7 +35,7 @@ class Link:
 
     The descriptors stay the same for as long as it lives, over all reconnects. They
     tell of a change once, so every ``turn`` takes all there is. Asking for something
-    (``link.dialog.get("x")`` gives a ``Call``; its ``done`` is called from a ``turn``)
+    (``link.dialog.get("x")`` gives a ``Call``; ``call.then(…)`` is called from a ``turn``)
     is sent with the next ``turn``. One thread at a time.
 
     Raises UsageError where the endpoint is no address.

@@ -29,6 +29,9 @@ LEASE = 1.0
 MAXIMUM = 16_000_000
 """Bytes of one message; pictures and sound go by URL."""
 
+DEPTH = 100
+"""Levels of lists and objects in a value; what is deeper could not be worked with."""
+
 Role = Literal["viewer", "module", "operator", "scenario"]
 """viewer looks; module and operator also write; scenario plays a script (``situ run --script``)."""
 
@@ -288,8 +291,8 @@ class Welcome(Reply, frozen=True, kw_only=True):
 class Alive(Reply, frozen=True, kw_only=True):
     """To heartbeat: what the client can find losses by.
 
-    changes: for each pattern that this session watches, the number (``n``) of the
-    last change that fits. seq: the last trace event's. holds: this module's resources.
+    changes: for each pattern that this session watches, how many changes fitted it since
+    the core began to count. seq: the last trace event's. holds: this module's resources.
     """
 
     time: int
@@ -395,6 +398,28 @@ AnyReply = (
     | ModuleStates
 )
 
+REPLIES: dict[type[Request], type[Reply]] = {
+    Hello: Welcome,
+    Heartbeat: Alive,
+    Set: Written,
+    Get: Values,
+    Watch: Snapshot,
+    Unwatch: Done,
+    Publish: Done,
+    Acquire: Granted,
+    Abandon: Granted,
+    Command: Done,
+    Use: Done,
+    Touch: Done,
+    Finish: Done,
+    Trace: Traced,
+    Documents: Files,
+    Modules: ModuleStates,
+    Disclose: Done,
+    Bye: Done,
+}
+"""What each request is answered with, unless with ``Refused``."""
+
 # -- notices -----------------------------------------------------------------
 
 
@@ -403,14 +428,13 @@ class Notice(Struct, frozen=True, kw_only=True, tag_field="on", tag=str.lower):
 
 
 class Change(Notice, frozen=True, kw_only=True):
-    """Topic ``t:TAG``. n: counts all changes of the board; value None: deleted."""
+    """Topic ``t:TAG``. value None: deleted."""
 
     tag: str
     value: Any
     version: int
     writer: str
     time: int
-    n: int
 
 
 class Authority(Notice, frozen=True, kw_only=True):
@@ -480,6 +504,7 @@ def message_topic(topic: str) -> bytes:
 
 _encoder = msgspec.json.Encoder()
 _requests: msgspec.json.Decoder[AnyRequest] = msgspec.json.Decoder(AnyRequest)
+_requests_as_found = msgspec.json.Decoder()
 _replies: msgspec.json.Decoder[AnyReply] = msgspec.json.Decoder(AnyReply)
 _notices: msgspec.json.Decoder[AnyNotice] = msgspec.json.Decoder(AnyNotice)
 
@@ -502,7 +527,11 @@ def encode(message: Request | Reply | Notice) -> bytes:
 def read_request(body: bytes) -> AnyRequest:
     """Raises ``Malformed``, with the request's id where there is one, and nothing else."""
     try:
-        return _requests.decode(body)
+        request = _requests.decode(body)
+        # Most bodies are too short of brackets to be looked at.
+        if body.count(b"[") + body.count(b"{") > DEPTH and _deep(_requests_as_found.decode(body)):
+            raise RecursionError
+        return request
     except _BROKEN as error:
         try:
             number = _id.decode(body).id
@@ -532,6 +561,20 @@ def read_notice(frame: bytes) -> AnyNotice:
 def notice(topic: bytes, body: Notice) -> bytes:
     """One frame: topic (which ends with a newline) and body."""
     return topic + _encoder.encode(body)
+
+
+def _deep(value: Any) -> bool:
+    level: list[Any] = [value]
+    for _ in range(DEPTH + 3):
+        level = [
+            inner
+            for outer in level
+            for inner in (outer.values() if isinstance(outer, dict) else outer)
+            if isinstance(inner, dict | list)
+        ]
+        if not level:
+            return False
+    return True
 
 
 def _said(error: Exception) -> str:

@@ -15,6 +15,8 @@ from situ.document import names
 
 PAGE = 500
 """Trace events in one reply."""
+LONGEST = 500
+"""Characters of a tag, a name or a pattern; nobody means longer ones."""
 
 
 class Session(Struct):
@@ -48,13 +50,16 @@ def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> pro
         id=request.id,
         time=core.moment,
         seq=core.backlog.last,
-        changes=core.watching.last(session.patterns),
+        changes=core.watching.changes(session.patterns),
         holds=core.holds(session.module),
     )
 
 
 def _set(core: Core, session: Session, request: protocol.Set) -> protocol.Reply:
     _may_write(session)
+    for tag in request.tags:
+        if len(tag) > LONGEST:
+            raise No("invalid", f"{tag[:LONGEST]!r} and so on is too long for a tag")
     board = core.board
     for tag, wanted in (request.versions or {}).items():
         entry = board.get(tag)
@@ -76,11 +81,10 @@ def _get(core: Core, session: Session, request: protocol.Get) -> protocol.Reply:
     found: dict[str, protocol.Entry] = {}
     for name in request.names:
         if "*" in name:
-            _check_pattern(name)
+            _check(names.is_pattern, name)
             found.update((tag, _entry(entry)) for tag, entry in board.entries(name))
-        elif not names.is_name(name):
-            raise No("invalid", f"{name!r} is no tag and no pattern")
         else:
+            _check(names.is_name, name)
             entry = board.last_set(name)
             found[name] = protocol.Entry(
                 value=board.look(name),
@@ -93,7 +97,7 @@ def _get(core: Core, session: Session, request: protocol.Get) -> protocol.Reply:
 
 def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Reply:
     for pattern in request.patterns:
-        _check_pattern(pattern)
+        _check(names.is_pattern, pattern)
     found: dict[str, protocol.Entry] = {}
     state = core.board.state
     for pattern in request.patterns:
@@ -108,7 +112,7 @@ def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Re
         for tag in sorted(state):
             if names.matches(pattern, tag):
                 found[tag] = _entry(state[tag])
-    changes = dict.fromkeys(request.patterns, core.watching.n)
+    changes = core.watching.changes(request.patterns)
     return protocol.Snapshot(id=request.id, entries=found, changes=changes)
 
 
@@ -251,9 +255,9 @@ def _acting(session: Session, named: str | None) -> str:
     return session.module
 
 
-def _check_pattern(pattern: str) -> None:
-    if not names.is_pattern(pattern):
-        raise No("invalid", f"{pattern!r} is no tag and no pattern")
+def _check(is_one: Callable[[str], bool], name: str) -> None:
+    if len(name) > LONGEST or not is_one(name):
+        raise No("invalid", f"{name[:LONGEST]!r} is no tag and no pattern")
 
 
 def _version(board: Board, tag: str) -> int:

@@ -40,6 +40,11 @@ class Sessions:
 
     # -- for who drives it ---------------------------------------------------
 
+    @property
+    def clients(self) -> int:
+        """How many clients are connected, who plays the scenario not counted."""
+        return sum(session.role != "scenario" for session in self._sessions.values())
+
     def start(self, seed: int = 0, auto_finish: float | None = None) -> None:
         """The first step of the run, at 0."""
         # A scenario plays every module; alive, only those that are connected are there.

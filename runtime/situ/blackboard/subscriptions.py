@@ -8,6 +8,7 @@ version or seq that jumps, or at the next but one heartbeat.
 
 from __future__ import annotations
 
+import secrets
 from collections import deque
 from collections.abc import Callable, Iterable
 from typing import Any, Protocol, TypeVar
@@ -18,6 +19,10 @@ from situ.blackboard.feeds import Change, TraceFeed, Watch
 from situ.errors import Refused
 
 T = TypeVar("T")
+
+
+PATIENCE = 4
+"""Heartbeats for which an echo is waited for."""
 
 
 class Talk(Protocol):
@@ -40,7 +45,10 @@ class Subscriptions:
         self.watches: list[Watch] = []
         self.feeds: list[TraceFeed] = []
         self._talk = talk
-        self._echo: dict[bytes, list[Watch]] = {}
+        # Nobody else may ask for the same echo: only the first would get it.
+        self._token = secrets.token_hex(6)
+        self._echo: dict[bytes, tuple[list[Watch], int]] = {}
+        self._beats = 0
         self._up = False
         self._by_tag: dict[str, tuple[Watch, ...]] = {}
 
@@ -80,6 +88,13 @@ class Subscriptions:
 
     def check(self, alive: protocol.Alive) -> None:
         """What a heartbeat told: asks for what must have been lost."""
+        self._beats += 1
+        for topic, (watches, beat) in list(self._echo.items()):
+            if self._beats > beat + PATIENCE:
+                # It was lost, or came before anybody listened.
+                del self._echo[topic]
+                self.topics.append((topic, False))
+                self._ask_echo(watches)
         lost = [w for w in self.watches if w.ready and w.behind(alive.changes.get(w.pattern, 0))]
         self._sync([*lost, *(w for w in self.watches if not w.ready)])
         for feed in self.feeds:
@@ -95,7 +110,7 @@ class Subscriptions:
 
     # -- watches -------------------------------------------------------------
 
-    def watch(self, pattern: str, callback: Callable[[Change], None] | None) -> Watch:
+    def watch(self, pattern: str, callback: Callable[[Change], None] | None = None) -> Watch:
         """What stands there, then every change; kept up over losses of the connection."""
         watch = Watch(pattern, callback)
         if all(one.pattern != pattern for one in self.watches):
@@ -130,15 +145,15 @@ class Subscriptions:
         self._ask_echo(asked)
 
     def _ask_echo(self, asked: list[Watch]) -> None:
-        topic = protocol.ECHO + f"{self._talk.next_id()}:{id(self):x}".encode()
-        self._echo[topic] = asked
+        topic = protocol.ECHO + f"{self._token}:{self._talk.next_id()}".encode()
+        self._echo[topic] = asked, self._beats
         self.topics.append((topic, True))
 
     def _echoed(self, topic: bytes) -> None:
-        watches = self._echo.pop(topic, None)
-        self.topics.append((topic, False))
-        if watches is None or not self._talk.connected:
+        if topic not in self._echo or not self._talk.connected:
             return
+        watches, _ = self._echo.pop(topic)
+        self.topics.append((topic, False))
         if not self._up:
             # Topics subscribed to before the connection stood arrive in any order, those
             # after in theirs: only an echo of the second kind tells of those before it.
@@ -155,12 +170,14 @@ class Subscriptions:
 
         request = protocol.Watch(id=self._talk.next_id(), patterns=patterns)
         call = self._talk.ask(request, read, again=False)
-        call.done = lambda: _refused(watches, call)
+        call.then(lambda: _refused(watches, call))
 
     # -- trace ---------------------------------------------------------------
 
     def trace(
-        self, since: int | None, callback: Callable[[dict[str, Any]], None] | None
+        self,
+        since: int | None = None,
+        callback: Callable[[dict[str, Any]], None] | None = None,
     ) -> TraceFeed:
         """Trace events from seq ``since`` on (None: from now), without a gap."""
         feed = TraceFeed(since, callback)
@@ -190,7 +207,7 @@ class Subscriptions:
 
         request = protocol.Trace(id=self._talk.next_id(), since=feed.next)
         call = self._talk.ask(request, read, again=False)
-        call.done = lambda: _not_traced(feed, call)
+        call.then(lambda: _not_traced(feed, call))
 
 
 def _refused(watches: list[Watch], call: Call[None]) -> None:

@@ -1,4 +1,4 @@
-"""Which patterns are watched, by whom, and what last changed below each."""
+"""Which patterns are watched, by how many, and how many changes fitted each."""
 
 from __future__ import annotations
 
@@ -10,18 +10,17 @@ from situ.document import names
 
 
 class Watched(Struct):
-    """n: number of the last change that fits, or of the last before it was watched."""
+    """changes: how many fitted the pattern since somebody began to watch it."""
 
     pattern: str
-    n: int = 0
+    changes: int = 0
     watchers: int = 0
 
 
 class Watching:
-    """An index from tag to the patterns that fit it; ``n`` counts all changes of the board."""
+    """An index from tag to the patterns that fit it."""
 
     def __init__(self) -> None:
-        self.n = 0
         self._patterns: dict[str, Watched] = {}
         self._by_tag: dict[str, tuple[Watched, ...]] = {}
 
@@ -29,8 +28,7 @@ class Watching:
         """One more watches it."""
         watched = self._patterns.get(pattern)
         if watched is None:
-            # What changed before is in the snapshot, so the count may begin here.
-            watched = self._patterns[pattern] = Watched(pattern, self.n)
+            watched = self._patterns[pattern] = Watched(pattern)
             self._by_tag.clear()
         watched.watchers += 1
 
@@ -44,7 +42,6 @@ class Watching:
 
     def changed(self, tag: str) -> bool:
         """Counts a change; whether anybody watches the tag."""
-        self.n += 1
         fitting = self._by_tag.get(tag)
         if fitting is None:
             fitting = self._by_tag[tag] = tuple(
@@ -53,9 +50,9 @@ class Watching:
                 if names.matches(pattern, tag)
             )
         for watched in fitting:
-            watched.n = self.n
+            watched.changes += 1
         return bool(fitting)
 
-    def last(self, patterns: Iterable[str]) -> dict[str, int]:
-        """Pattern to the number of the last change that fits it."""
-        return {pattern: self._patterns[pattern].n for pattern in patterns}
+    def changes(self, patterns: Iterable[str]) -> dict[str, int]:
+        """Pattern to how many changes fitted it; all of them must be watched."""
+        return {pattern: self._patterns[pattern].changes for pattern in patterns}

@@ -85,6 +85,7 @@ class Live:
         self._performer: Performing | None = None
         self._timers: dict[str, asyncio.TimerHandle] = {}
         self._started = 0.0
+        self._came = asyncio.Event()
 
     async def start(self) -> Addresses:
         """Binds, opens the screen, takes the first step; the addresses that clients need.
@@ -144,6 +145,12 @@ class Live:
         self._server.close()
         self._context.term()
 
+    async def clients(self, count: int) -> None:
+        """Returns when at least so many clients are connected."""
+        while self._sessions.clients < count:
+            self._came.clear()
+            await self._came.wait()
+
     # -- scripted time -------------------------------------------------------
 
     @property
@@ -175,6 +182,7 @@ class Live:
 
     def _received(self, peer: bytes, body: bytes) -> None:
         self._sessions.receive(peer, body, self._now())
+        self._came.set()
 
     def _submit(self, given: inputs.AnyInput) -> None:
         if self._scripted and isinstance(given, (inputs.Finish, inputs.Set)):

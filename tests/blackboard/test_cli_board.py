@@ -1,0 +1,175 @@
+"""``situ get``, ``set``, ``watch``, ``event``, ``modules``, ``trace`` and ``run``."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import situ
+from situ import cli
+from situ.blackboard.server import Server, check_local
+from situ.errors import UsageError
+
+DEADLINE = 20.0
+LAB = Path(__file__).parent / "lab"
+
+
+@pytest.fixture
+def say(running: Any, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
+    """Runs a command at the running robot; its output."""
+
+    def run(*arguments: str) -> str:
+        capsys.readouterr()
+        assert cli.main([*arguments, "--at", running.endpoint]) == 0
+        return capsys.readouterr().out
+
+    return run
+
+
+def test_what_is_set_is_got(say: Callable[..., str]) -> None:
+    say("set", "face.visible", "true")
+    say("set", "face.name", "Ann")
+    assert say("get", "face.visible") == "true\n"
+    assert say("get", "face.*") == 'face.name "Ann"\nface.visible true\n'
+    entry = json.loads(say("get", "face.name", "--json"))["face.name"]
+    assert (entry["value"], entry["version"]) == ("Ann", 1)
+    assert entry["writer"].startswith("operator:")
+    say("set", "face.name", "null")
+    assert say("get", "face.name") == "null\n"
+
+
+def test_an_event_is_raised(say: Callable[..., str]) -> None:
+    say("event", "go", "--application", "desk")
+    assert json.loads(say("get", "application/desk"))["state"] == "2"
+    say("event", "asked")
+    assert json.loads(say("get", "application/desk"))["state"] == "1"
+
+
+def test_modules_are_listed(say: Callable[..., str]) -> None:
+    lines = say("modules").splitlines()
+    assert "chase  module  absent  head" in lines
+    assert "desk  application  present  screen  holds screen" in lines
+    assert "data face.direction  wanted by chase" in say("modules", "--wanted").splitlines()
+    assert json.loads(say("modules", "--json"))[0]["name"] == "carry"
+    assert json.loads(say("modules", "--wanted", "--json"))[0]["data"] == "camera.left"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        (["watch", "watched.*"], b"watched.x 1\n"),
+        (["trace", "--since", "1"], b'{"kind":"data","seq":1,'),
+    ],
+)
+def test_watch_and_trace_print_as_it_comes(running: Any, arguments: list[str], line: bytes) -> None:
+    with situ.connect(running.endpoint) as board:
+        board.set("watched.x", 1)
+    command = [sys.executable, "-m", "situ", *arguments, "--at", running.endpoint]
+    with subprocess.Popen(command, stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline().startswith(line)
+        process.terminate()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["get", "x"], ["set", "x", "1"], ["watch", "x"], ["event", "x"], ["modules"], ["trace"]],
+    ids=lambda arguments: arguments[0],
+)
+def test_nobody_there_is_one_line_and_status_2(
+    arguments: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    # A port of ours that takes connections and never answers.
+    assert cli.main([*arguments, "--at", "ipc://@nobody-is-here"]) == 2
+    error = capsys.readouterr().err
+    assert error == "situ: ipc://@nobody-is-here: nobody answers; is situ run going there?\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["set", "robot/head", "1"], "only the priority management writes there"),
+        (["get", "No Tag"], "is no tag and no pattern"),
+        (["event", "go", "--application", "none"], "there is no application none"),
+    ],
+    ids=["robot", "no-tag", "no-application"],
+)
+def test_what_is_refused_is_one_line_and_status_2(
+    running: Any, arguments: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main([*arguments, "--at", running.endpoint]) == 2
+    error = capsys.readouterr().err
+    assert said in error
+    assert error.count("\n") == 1
+
+
+# -- situ run ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--endpoint", "tcp://0.0.0.0:0"], "can be reached from other machines"),
+        (["--endpoint", "tcp://*:0"], "can be reached from other machines"),
+        (["--endpoint", "tcp://127.0.0.1:0", "--notify", "tcp://[::]:0"], "bind it to 127.0.0.1"),
+        (["--endpoint", "tcp://127.0.0.1:0", "--http", "0.0.0.0:0"], "bind it to 127.0.0.1"),
+        (["--endpoint", "nonsense"], "write it as tcp://127.0.0.1:5570"),
+        (["--endpoint", "tcp://127.0.0.1:0", "--auto-finish", "1"], "goes with --script"),
+        (["--endpoint", "tcp://127.0.0.1:0", "--script", "none.jsonl"], "none.jsonl"),
+    ],
+    ids=["any", "star", "notify", "http", "nonsense", "auto-finish", "no-script"],
+)
+def test_a_run_that_may_not_be_is_one_line_and_status_2(
+    arguments: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(["run", str(LAB), "--state", str(tmp_path), *arguments]) == 2
+    error = capsys.readouterr().err
+    assert said in error
+    assert error.count("\n") == 1
+
+
+def test_a_project_with_errors_is_not_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "a.rbd.xml").write_text('<application name="a"><state no="1" name=""/><x/>')
+    assert cli.main(["run", str(tmp_path / "a.rbd.xml")]) == 2
+    assert "a.rbd.xml" in capsys.readouterr().err
+
+
+def test_a_port_that_is_taken_is_told(running: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["run", str(LAB), "--endpoint", running.endpoint]) == 2
+    error = capsys.readouterr().err
+    assert "give another address or port 0" in error
+    assert error.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "address", ["tcp://127.0.0.1:5570", "tcp://127.1.2.3:0", "tcp://[::1]:0", "tcp://localhost:1"]
+)
+def test_loopback_is_open(address: str) -> None:
+    check_local(address)
+
+
+@pytest.mark.parametrize(
+    "address", ["tcp://192.168.1.2:0", "tcp://robot.example:0", "tcp://[2001:db8::1]:0", "tcp://"]
+)
+def test_all_else_is_refused_without_keys(address: str) -> None:
+    with pytest.raises(UsageError):
+        check_local(address)
+
+
+def test_a_server_that_can_not_bind_leaves_nothing_open() -> None:
+    import zmq
+
+    context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
+    first = Server("tcp://127.0.0.1:0", "tcp://127.0.0.1:0", context=context)
+    with pytest.raises(UsageError):
+        Server("tcp://127.0.0.1:0", first.notifications, context=context)
+    first.close()
+    context.term()
