@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from situ.document import folder
+from situ.document import folder, projectfile, reader, texts
 from situ.document.check import check, merge
 from situ.document.problem import Problem
 from situ.document.project import Mqtt, Project, Setting
@@ -261,12 +261,48 @@ def test_what_cannot_be_read_at_all_is_wrong_usage(tmp_path: Path, name: str) ->
     assert "\n" not in str(raised.value)
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
-def test_a_file_without_permission_is_wrong_usage(write: Write) -> None:
+def test_a_project_that_the_system_does_not_give_is_wrong_usage(
+    write: Write, monkeypatch: pytest.MonkeyPatch
+) -> None:
     root = write()
-    (root / "situ.toml").chmod(0)
-    with pytest.raises(UsageError, match="Permission denied"):
-        folder.load(root)
+
+    def refuse(_: Path) -> bytes:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "read_bytes", refuse)
+    for path in (root, root / "situ.toml", root / "reception.rbd.xml"):
+        with pytest.raises(UsageError, match="Permission denied"):
+            folder.load(path)
+
+
+def test_a_file_that_the_system_does_not_give_is_told(
+    write: Write, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = write()
+    read = Path.read_bytes
+
+    def refuse(path: Path) -> bytes:
+        if path.name in ("reception.rbd.xml", "ja.po"):
+            raise PermissionError(13, "Permission denied")
+        return read(path)
+
+    monkeypatch.setattr(Path, "read_bytes", refuse)
+    _, problems = folder.load(root)
+    assert [(Path(p.file).name, p.code) for p in problems] == [
+        ("reception.rbd.xml", "unreadable-file"),
+        ("ja.po", "unreadable-file"),
+    ]
+    assert "Permission denied" in problems[0].message
+
+
+def test_a_file_that_is_too_large_is_told(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
+    root = write()
+    for module in (reader, projectfile, texts):
+        monkeypatch.setattr(module, "MAX_BYTES", 10)
+    _, problems = folder.load(root / "reception.rbd.xml")
+    assert [(p.code, p.line, p.column) for p in problems] == [("too-large", 1, 1)]
+    _, problems = folder.load(root)
+    assert [p.code for p in problems] == ["too-large"]
 
 
 # -- what only a whole project shows ------------------------------------------

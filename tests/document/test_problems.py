@@ -5,13 +5,21 @@ A snippet marks with ``@`` where the problem must be; the mark itself is no part
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from situ.document.check import check, merge
 from situ.document.folder import load
 from situ.document.problem import Problem
+from situ.document.project import Project
+from situ.document.rbd import Application
+from situ.document.spds import Spds
 
 STATE = '<application name="a"><state no="1">{}</state></application>'
 ACTIONS = STATE.format("<backgroundactions>\n{}</backgroundactions>")
@@ -331,3 +339,21 @@ def test_a_problem_names_the_place_that_an_editor_selects(
 ) -> None:
     found, _, _ = problems_of(tmp_path, marked)
     assert [p.place for p in found if p.severity == "error"] == [place]
+
+
+@given(seed=st.integers(0, 2**64))
+@settings(max_examples=100, deadline=None)
+def test_checking_never_raises_whatever_the_document(
+    make_document: Callable[[int], Any], seed: int
+) -> None:
+    document = make_document(seed)
+    project = Project(root="nowhere", name="a", toml="situ.toml", languages=("en", "ja"))
+    if isinstance(document, Application):
+        project = replace(project, applications={"a.rbd.xml": document}, texts={"ja": {}})
+    elif isinstance(document, Spds):
+        project = replace(project, spds_file="a.spds.xml", spds=document)
+    else:
+        project = replace(project, modules_file="modules.xml", modules=document)
+    for problem in check(project):
+        assert (problem.line, problem.column) == (0, 0)
+        assert "\n" not in str(problem)
