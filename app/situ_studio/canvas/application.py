@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from PySide6.QtCore import QMimeData, QPointF
+from PySide6.QtCore import QMimeData, QPointF, QTimer
 from PySide6.QtGui import QCursor, QGuiApplication, Qt
 from PySide6.QtWidgets import QWidget
 
@@ -22,18 +23,24 @@ from situ_studio.canvas.pipes import GUARD_HEIGHT, LABEL_HEIGHT, RoutedPipe
 from situ_studio.canvas.projection import (
     ALWAYS,
     NEW,
+    TIMEOUT,
     Card,
+    Link,
     Picture,
     Projector,
     exit_of,
     identified,
     place_of,
 )
-from situ_studio.canvas.routes import Box, Pipe, Router
+from situ_studio.canvas.routes import Router
+from situ_studio.canvas.space import Box, PipeId
 from situ_studio.canvas.style import Label
+from situ_studio.canvas.ways import Pipe
 from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 
+SLICE = 0.008
+"""Seconds of routing at a time, where there are more."""
 MIME = "application/x-situ-states+xml"
 """Copied states on the clipboard: an application of their own, as a file has it."""
 
@@ -50,6 +57,11 @@ class ApplicationCanvas(Canvas):
         self._laid: dict[str, tuple[float, float]] = {}
         self._drop: tuple[str, str, QPointF] | None = None
         self._widths: dict[str, float] = {}
+        self._said: dict[PipeId, tuple[str, bool, str]] = {}
+        self._routing: Iterator[None] = iter(())
+        self._slices = QTimer(self)
+        self._slices.setInterval(0)
+        self._slices.timeout.connect(self._route_slice)
         self.menu: FollowMenu | None = None
         self.viewer.dropped.connect(self._on_dropped)
 
@@ -98,52 +110,100 @@ class ApplicationCanvas(Canvas):
     def _item_kind(self, card: Any) -> type[NodeFace]:
         return CardItem
 
-    def _route(self, moved: Iterable[str] = ()) -> None:
-        cards = self._picture.cards
-        boxes: dict[str, Box] = {}
+    def _route(self, moved: Iterable[str] | None = None) -> None:
+        """All pipes anew; or only what these cards, being dragged or changed, ask for."""
+        links = self._picture.links
+        if moved is None and len(links) <= self.few:
+            self._slices.stop()
+            self.look.unrouted = False
+            self._router.route(
+                self._boxes(self._picture.cards), self._pipes(links.values()).values()
+            )
+            self._show_routes(links)
+        elif moved is None or self._slices.isActive():
+            # Very many: a slice at a time, with the window usable; straight lines until then.
+            self._routing = self._router.routing(
+                self._boxes(self._picture.cards), list(self._pipes(links.values()).values())
+            )
+            self.look.unrouted = True
+            self._slices.start()
+        else:
+            self._reroute(moved)
+
+    def _reroute(self, moved: Iterable[str]) -> None:
+        """What changes when some cards are elsewhere, other or gone."""
+        links = self._picture.links
+        cards = set(moved)
+        boxes: dict[str, Box | None] = dict.fromkeys(cards)
+        boxes.update(self._boxes({u: c for u in cards if (c := self._picture.cards.get(u))}))
+        groups = {
+            (x.source, x.target) for x in links.values() if x.source in cards or x.target in cards
+        }
+        near = [x for x in links.values() if (x.source, x.target) in groups]
+        pipes: dict[PipeId, Pipe | None] = dict.fromkeys(
+            id for id in self._said if id[0] in cards or id[2] in cards
+        )
+        for id in pipes:
+            if id not in links:
+                self._said.pop(id)
+        pipes.update(self._pipes(near))
+        self._show_routes(self._router.change(boxes, pipes))
+
+    def _route_slice(self) -> None:
+        deadline = time.perf_counter() + SLICE
+        for _ in self._routing:
+            if time.perf_counter() > deadline:
+                return
+        self._slices.stop()
+        self.look.unrouted = False
+        self._show_routes(self._picture.links)
+        self.viewer.viewport().update()
+
+    def _boxes(self, cards: Mapping[str, Card]) -> dict[str, Box]:
+        """What pipes go round: each card where it is now, with what hangs below it."""
+        boxes = {}
         for uid, card in cards.items():
             view = self.graph.nodes[uid].view
             x, y = view.x(), view.y()
-            below = 8 if card.chips else 0
-            boxes[uid] = Box(x, y, x + card.width, y + card.height + below)
-        groups: dict[tuple[str, str], list[Any]] = {}
-        for link in self._picture.links.values():
+            boxes[uid] = Box(x, y, x + card.width, y + card.height + (8 if card.chips else 0))
+        return boxes
+
+    def _pipes(self, links: Iterable[Link]) -> dict[PipeId, Pipe]:
+        """What to route for these links; those between the same two cards share their label."""
+        groups: dict[tuple[str, str], list[Link]] = {}
+        for link in links:
             groups.setdefault((link.source, link.target), []).append(link)
-        pipes: list[Pipe] = []
-        said: dict[tuple[str, ...], tuple[str, bool]] = {}
-        for (source, target), links in groups.items():
-            pill = len(links) == 1 and bool(links[0].guard)
-            text = links[0].guard if pill else ", ".join(dict.fromkeys(x.label for x in links))
+        pipes: dict[PipeId, Pipe] = {}
+        for (source, target), group in groups.items():
+            pill = len(group) == 1 and bool(group[0].guard)
+            text = group[0].guard if pill else ", ".join(dict.fromkeys(x.label for x in group))
             width = self._text_width(text) + (36 if pill else 10)
-            for link in links:
-                from_card, to_card = cards[source], cards[target]
-                ax, ay = from_card.port(link.exit)
-                bx, by = to_card.port(link.entry)
-                said[link.id] = text, pill
-                pipes.append(
-                    Pipe(
-                        id=link.id,
-                        source=source,
-                        target=target,
-                        start=(boxes[source].left + ax, boxes[source].top + ay),
-                        end=(boxes[target].left + bx, boxes[target].top + by),
-                        width=width,
-                        height=GUARD_HEIGHT if pill else LABEL_HEIGHT,
-                        chip=chip_width(to_card.no),
-                        timeout=link.exit == "timeout",
-                        folded=from_card.kind == "always",
-                    )
+            leaving, entering = self._picture.cards[source], self._picture.cards[target]
+            from_view, to_view = self.graph.nodes[source].view, self.graph.nodes[target].view
+            for link in group:
+                ax, ay = leaving.port(link.exit)
+                bx, by = entering.port(link.entry)
+                self._said[link.id] = text, pill, entering.no
+                pipes[link.id] = Pipe(
+                    id=link.id,
+                    source=source,
+                    target=target,
+                    start=(from_view.x() + ax, from_view.y() + ay),
+                    end=(to_view.x() + bx, to_view.y() + by),
+                    width=width,
+                    height=GUARD_HEIGHT if pill else LABEL_HEIGHT,
+                    chip=chip_width(entering.no),
+                    timeout=link.exit == TIMEOUT,
+                    folded=leaving.kind == "always",
                 )
-        moved = set(moved)
-        if moved:
-            routes = self._router.follow(boxes, pipes, moved)
-        else:
-            routes = self._router.route(boxes, pipes)
-        for pipe in pipes:
-            item = self.graph.pipe(pipe.id)
-            if item is not None:
-                text, pill = said[pipe.id]
-                item.set_route(routes[pipe.id], text, pill, cards[pipe.target].no)
+        return pipes
+
+    def _show_routes(self, ids: Iterable[PipeId]) -> None:
+        for id in ids:
+            item = self.graph.pipe(id)
+            route = self._router.routes.get(id)
+            if item is not None and route is not None:
+                item.set_route(route, *self._said[id])
 
     def _text_width(self, text: str) -> float:
         width = self._widths.get(text)
@@ -459,7 +519,7 @@ class ApplicationCanvas(Canvas):
         if isinstance(item, RoutedPipe) and item.route.folded and item.link is not None:
             if self.viewer.held & Qt.KeyboardModifier.AltModifier:
                 self._router.drawn.add(item.link.id)
-                self._route()
+                self._route({item.link.source})
             else:
                 target = self._picture.cards[item.link.target]
                 self.select([target.place])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -38,6 +38,8 @@ class Canvas(QWidget):
     zoomed = Signal(float)
     menu_requested = Signal(tuple, QPoint)
     """A right click: the place under it (empty for the ground), where on the screen."""
+    few = 150
+    """Up to so many pipes, all are routed anew at each edit, for the best picture."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -89,8 +91,8 @@ class Canvas(QWidget):
         """Turns what a gesture asked for into one edit or none, and heals the view."""
         raise NotImplementedError
 
-    def _route(self, moved: Iterable[str] = ()) -> None:
-        """Every pipe's way; while these cards are being dragged, only what that changes."""
+    def _route(self, moved: Iterable[str] | None = None) -> None:
+        """Every pipe's way; with ``moved``, only what these cards change."""
         raise NotImplementedError
 
     def _rename_card(self, uid: str, name: str) -> None:
@@ -109,10 +111,11 @@ class Canvas(QWidget):
     # -- showing -----------------------------------------------------------------------
 
     def _show(self, cards: dict[str, Any], links: dict[tuple[str, ...], Any]) -> None:
-        chosen = {id for id in self.graph.links if self._selected_pipe(id)}
+        chosen = [p.link.id for p in self.viewer.selected_pipes() if p.link is not None]
         self._quiet += 1
         try:
-            self.graph.show_picture(cards, links)
+            first = not self.graph.cards
+            changed = self.graph.show_picture(cards, links)
             self.viewer.drop_dead_ends()
             for id in chosen:
                 pipe = self.graph.pipe(id)
@@ -125,16 +128,13 @@ class Canvas(QWidget):
         if self._editor is not None and self._editor.uid not in cards:
             self._editor.close_editor()
         self._moved_timer.stop()
-        self._route()
+        few = len(links) <= self.few or first or 3 * len(changed) > len(cards)
+        self._route(None if few else changed)
         self.minimap.update()
         self._on_selection()
         if not self._fitted and cards and self.isVisible():
             self._fitted = True
-            self.zoom_to_fit()
-
-    def _selected_pipe(self, id: tuple[str, ...]) -> bool:
-        pipe = self.graph.pipe(id)
-        return pipe is not None and bool(pipe.isSelected())
+            self.zoom_to_begin()
 
     def _follow_cards(self) -> None:
         """Cards are being dragged: the pipes follow."""
@@ -153,7 +153,7 @@ class Canvas(QWidget):
         super().showEvent(event)
         if not self._fitted and self.graph.cards:
             self._fitted = True
-            QTimer.singleShot(0, self, self.zoom_to_fit)
+            QTimer.singleShot(0, self, self.zoom_to_begin)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -177,6 +177,15 @@ class Canvas(QWidget):
     def zoom_to_fit(self) -> None:
         """The whole drawing, at most at 100 %."""
         self.viewer.show_area(self.extent().adjusted(-24, -24, 24, 24))
+
+    def zoom_to_begin(self) -> None:
+        """The whole drawing where it can be read so, else its upper left corner at 80 %."""
+        area = self.extent().adjusted(-24, -24, 24, 24)
+        size = self.viewer.viewport().size()
+        if size.width() / area.width() >= 0.7 and size.height() / area.height() >= 0.7:
+            self.viewer.show_area(area)
+        else:
+            self.viewer.show_area(QRectF(area.topLeft(), QSizeF(size) / 0.8), 0.8)
 
     def zoom_to(self, places: Iterable[Place]) -> None:
         """Cards of these places, moved into view; zoomed out only where they do not fit."""
@@ -248,7 +257,8 @@ class Canvas(QWidget):
 
     def selected_uids(self) -> list[str]:
         """Selected cards, in document order."""
-        return [u for u in self.graph.cards if self.graph.nodes[u].view.isSelected()]
+        chosen = {item.uid for item in self.viewer.selected_nodes()}
+        return [u for u in self.graph.cards if u in chosen] if chosen else []
 
     def selection(self) -> tuple[Place, ...]:
         """Places of what is selected: cards in document order, then transitions."""
@@ -256,10 +266,8 @@ class Canvas(QWidget):
         if self._row is not None and uids == [self._row[0]]:
             return (self._place(*self._row),)
         places = [self._place(uid) for uid in uids]
-        for id in self.graph.links:
-            pipe = self.graph.pipe(id)
-            if pipe is not None and pipe.isSelected():
-                places.append(self.link_place(id))
+        pipes = [p.link.id for p in self.viewer.selected_pipes() if p.link is not None]
+        places += [self.link_place(id) for id in sorted(pipes) if id in self.graph.links]
         return tuple(dict.fromkeys(places))
 
     def link_place(self, id: tuple[str, ...]) -> Place:

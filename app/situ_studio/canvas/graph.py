@@ -32,6 +32,7 @@ class Graph(NodeGraph):
         self.links: dict[LinkId, Any] = {}
         self.connections: list[tuple[list[Any], list[Any]]] = []
         self.slices: list[list[Any]] = []
+        self._lines: tuple[Any, list[QLineF], list[QLineF]] | None = None
         # A throw-away stack: the library wants one, nothing is ever pushed.
         super().__init__(viewer=viewer, undo_stack=QUndoStack())
         self.set_acyclic(False)
@@ -107,6 +108,7 @@ class Graph(NodeGraph):
         if touched or stale:
             self._mend(touched)
         self.cards = dict(cards)
+        self._lines = None
         viewer.touched = set()
         self.set_acyclic(False)
         viewer.forget()
@@ -223,6 +225,8 @@ class Graph(NodeGraph):
     def lines(self) -> tuple[list[QLineF], list[QLineF]]:
         """Every link as a straight line between its cards, and those that the robot just took."""
         live = getattr(self.look.live, "taken", ())
+        if self._lines is not None and self._lines[0] is live:
+            return self._lines[1], self._lines[2]
         hot = {(t.state, t.exit) for t in live}
         plain, taken = [], []
         for link in self.links.values():
@@ -237,4 +241,5 @@ class Graph(NodeGraph):
             plain.append(line)
             if (link.source, link.exit) in hot:
                 taken.append(line)
+        self._lines = live, plain, taken
         return plain, taken

@@ -63,13 +63,12 @@ class RoutedPipe(PipeItem):
         self.link: Any = None
         self.route = Route()
         self.hovered = False
-        self._points: tuple[Point, ...] = ()
         self._label: Label | None = None
         self._pill = False
         self._said = ""
         self._rect = QRectF()
-        self._shape = QPainterPath()
-        self._hit = QPainterPath()
+        self._hit: QPainterPath | None = None
+        self._way: QPainterPath | None = None
         self._chip = ""
         self.setAcceptHoverEvents(True)
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIsSelectable, True)
@@ -85,31 +84,51 @@ class RoutedPipe(PipeItem):
         if said != self._said or route.room != self.route.room:
             self._label = None
         self.route, self._said, self._pill, self._chip = route, said, pill, chip
-        self._points = route.points
-        path = QPainterPath()
-        hit = QPainterPath()
+        self._hit = self._way = None
         if route.folded:
             x, y = self.output_port.centre().toTuple()
-            if route.trunk is None:
-                hit.addRect(QRectF(x + 5, y - 8, STUB - 4 + chip_width(chip), 16))
             area = QRectF(x, y - 10, STUB + chip_width(chip) + 2, 20)
         elif len(route.points) < 2:
             area = QRectF()
         else:
-            joined = route.trunk is not None
-            path = rounded(route.points, 0.0 if joined else 5.0)
-            stroker = QPainterPathStroker()
-            stroker.setWidth(HIT)
-            stroker.setCapStyle(Qt.PenCapStyle.FlatCap)
-            hit = stroker.createStroke(path)
-            area = path.boundingRect().adjusted(-8, -8, 8, 8)
+            xs, ys = [p[0] for p in route.points], [p[1] for p in route.points]
+            left, top = min(xs) - 8, min(ys) - 8
+            area = QRectF(left, top, max(xs) + 8 - left, max(ys) + 8 - top)
             if route.label is not None:
-                box = self._label_box()
-                hit.addRect(box)
-                area = area.united(box.adjusted(-2, -2, 2, 2))
-        self._rect, self._hit = area, hit
-        self.setPath(path)
+                area = area.united(self._label_box().adjusted(-2, -2, 2, 2))
+        self._rect = area
         self.update()
+
+    def path(self) -> QPainterPath:
+        """The line, made when it is first painted or hit."""
+        if self._way is None:
+            points = self.route.points
+            self._way = QPainterPath()
+            if len(points) > 1:
+                self._way = rounded(points, 5.0 if self.route.trunk is None else 0.0)
+        return self._way
+
+    def shape(self) -> QPainterPath:
+        if self._hit is None:
+            self._hit = self._make_shape()
+        return self._hit
+
+    def _make_shape(self) -> QPainterPath:
+        route, hit = self.route, QPainterPath()
+        if route.folded:
+            if route.trunk is None:
+                x, y = self.output_port.centre().toTuple()
+                hit.addRect(QRectF(x + 5, y - 8, STUB - 4 + chip_width(self._chip), 16))
+            return hit
+        if len(route.points) < 2:
+            return hit
+        stroker = QPainterPathStroker()
+        stroker.setWidth(HIT)
+        stroker.setCapStyle(Qt.PenCapStyle.FlatCap)
+        hit = stroker.createStroke(self.path())
+        if route.label is not None:
+            hit.addRect(self._label_box())
+        return hit
 
     def refresh(self) -> None:
         """Painted anew, above the others where it belongs to the selection."""
@@ -143,9 +162,6 @@ class RoutedPipe(PipeItem):
 
     def boundingRect(self) -> QRectF:
         return self._rect
-
-    def shape(self) -> QPainterPath:
-        return self._hit
 
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None

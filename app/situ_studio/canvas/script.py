@@ -84,7 +84,7 @@ class ScriptCanvas(Canvas):
         self._show(cards, self._picture.links)
         self._show_taken_over()
 
-    def _route(self, moved: Iterable[str] = ()) -> None:
+    def _route(self, moved: Iterable[str] | None = None) -> None:
         beside: dict[str, int] = {}
         for id, link in self._picture.links.items():
             pipe = self.graph.pipe(id)

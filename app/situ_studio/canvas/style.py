@@ -93,6 +93,8 @@ class Look:
         self.zoom = 1.0
         self.level: Level = "full"
         self.ratio = 1.0
+        # Routes are still being looked for: straight lines until then.
+        self.unrouted = False
         self.live: LiveView | LiveScript | None = None
         self.theme = theme
         self.colors: dict[str, QColor] = {}

@@ -532,7 +532,7 @@ class Viewer(NodeViewer):
             painter.setBrushOrigin(0, 0)
             painter.fillRect(rect, brush)
             painter.restore()
-        if look.level in ("quarter", "tiny"):
+        if look.level in ("quarter", "tiny") or look.unrouted:
             self._draw_straight(painter)
         if self.on_ground is not None:
             self.on_ground(painter)
@@ -557,9 +557,11 @@ class Viewer(NodeViewer):
     def _draw_straight(self, painter: QPainter) -> None:
         """Far out: every pipe a straight line, all of them at once."""
         lines, taken = self.straight_lines()
-        pen = QPen(self.look["pipe"], 0)
-        painter.setPen(pen)
+        painter.setPen(QPen(self.look["pipe"], 0))
+        # Smooth lines cost more than all cards together where thousands are seen.
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, len(lines) < 500)
         painter.drawLines(lines)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if taken:
             painter.setPen(QPen(self.look["live"], 2.5 / self.look.zoom))
             painter.drawLines(taken)
