@@ -115,6 +115,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("--size", type=_size, metavar="WxH")
     made.add_argument("--view", metavar="NAME")
     made.add_argument("--connect", metavar="ENDPOINT")
+    made.add_argument("--at", type=float, default=0.0, metavar="SECONDS")
     made.add_argument("--theme", choices=("light", "dark"))
     made.add_argument("--log-level", choices=("debug", "info", "warning", "error"))
     return made
@@ -157,7 +158,8 @@ def run(options: argparse.Namespace) -> int:
         with tempfile.TemporaryDirectory() as fresh:
             # A picture shows the window as it is at the first start, and leaves no trace.
             settings = QSettings(f"{fresh}/settings.ini", QSettings.Format.IniFormat)
-            return screenshot(_window(options, settings), options.screenshot, options.connect)
+            window = _window(options, settings)
+            return screenshot(window, options.screenshot, options.connect, options.at)
     window = _window(options, QSettings())
     window.show()
     if options.connect is not None:
@@ -219,12 +221,15 @@ def show_view(window: MainWindow, name: str) -> None:
         window.go_to(files[wanted], tuple(place))
 
 
-def screenshot(window: MainWindow, out: str, connect: str | None) -> int:
-    """Shows the window and draws it into a PNG once it is laid out, and the robot was heard."""
+def screenshot(window: MainWindow, out: str, connect: str | None, at: float = 0.0) -> int:
+    """Shows the window and draws it into a PNG once it is laid out, and the robot was heard.
+
+    at: the robot's time, in seconds, that the picture shows at the earliest.
+    """
     window.show()
     settle(window)
     if connect is not None:
-        catch_up(window, connect)
+        catch_up(window, connect, at)
     view = window.current_view
     if view is not None and view.mode == "graph":
         view.call("zoom_to_fit")
@@ -237,17 +242,34 @@ def screenshot(window: MainWindow, out: str, connect: str | None) -> int:
     return 0
 
 
-def catch_up(window: MainWindow, endpoint: str) -> None:
-    """Connects and waits until the robot was heard; UsageError where it is not in ``PATIENCE``."""
+def catch_up(window: MainWindow, endpoint: str, at: float = 0.0) -> None:
+    """Connects and waits until the robot's time, as its events tell it, has come to ``at``.
+
+    Raises UsageError where it says nothing for ``PATIENCE``, or ends before.
+    """
     link = window.robot.link
     loop = QEventLoop()
-    link.moment_changed.connect(loop.quit)
-    link.state_changed.connect(lambda: loop.quit() if link.state.kind == "refused" else None)
+    patience = QTimer()
+    patience.setSingleShot(True)
+    patience.timeout.connect(loop.quit)
+
+    def heard() -> None:
+        if link.log.now.t >= at:
+            loop.quit()
+        else:
+            patience.start(PATIENCE)
+
+    link.moment_changed.connect(heard)
+    link.state_changed.connect(
+        lambda: loop.quit() if link.state.kind in ("refused", "lost") else None
+    )
     window.robot.connect_robot(endpoint)
-    QTimer.singleShot(PATIENCE, loop.quit)
+    patience.start(PATIENCE)
     loop.exec()
     if not link.connected:
         raise UsageError(link.state.why or f"{endpoint}: nobody answers; is situ run going there?")
+    if link.log.now.t < at:
+        raise UsageError(f"{endpoint}: nothing happens there; --at {at:g} s does not come")
     window.robot.follower.refresh()
 
 

@@ -37,6 +37,12 @@ def add(commands: Any) -> None:
     studio.add_argument(
         "--connect", metavar="ENDPOINT", help="follow the robot there, as tcp://127.0.0.1:5570"
     )
+    studio.add_argument(
+        "--at",
+        type=_moment,
+        metavar="SECONDS",
+        help="with --connect: the picture waits until the robot's time has come so far",
+    )
     studio.add_argument("--theme", choices=THEMES, help="the colours; the desktop's unless given")
     studio.set_defaults(run=run)
 
@@ -45,7 +51,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Becomes the editor; returns only where it cannot be started."""
     if arguments.project is not None and not Path(arguments.project).exists():
         raise UsageError(f"{arguments.project}: no such file or folder")
-    needs_editor()
+    needs_editor(window=arguments.screenshot is None)
     sys.stdout.flush()
     os.execv(sys.executable, command(arguments))
 
@@ -55,21 +61,24 @@ def command(arguments: argparse.Namespace) -> list[str]:
     line = [sys.executable, "-m", "situ_studio"]
     if arguments.project is not None:
         line.append(arguments.project)
-    for name in ("screenshot", "size", "view", "connect", "theme"):
-        value = getattr(arguments, name, None)
+    for name in ("screenshot", "size", "view", "connect", "at", "theme", "log-level"):
+        value = getattr(arguments, name.replace("-", "_"), None)
         if value is not None:
             line += [f"--{name}", value]
     return line
 
 
-def needs_editor() -> None:
-    """Raises UsageError, naming what to install, where the editor cannot run here."""
+def needs_editor(*, window: bool) -> None:
+    """Raises UsageError, naming what to install, where the editor cannot run here.
+
+    ``window``: it opens one; without, it only draws a picture, which needs no display.
+    """
     for package in ("PySide6", "NodeGraphQt", "situ_studio"):
         if importlib.util.find_spec(package) is None:
             raise UsageError(
                 f"the editor needs {package}, which is not installed: pip install 'situ[studio]'"
             )
-    missing = system_libraries.missing(_libraries())
+    missing = system_libraries.missing(_libraries(window))
     if missing:
         raise UsageError(
             f"the editor needs {', '.join(need.file for need in missing)}: "
@@ -77,13 +86,19 @@ def needs_editor() -> None:
         )
 
 
-def _libraries() -> tuple[system_libraries.Need, ...]:
+def _libraries(window: bool) -> tuple[system_libraries.Need, ...]:
     """By the platform that Qt will choose: a display's, unless it is told another."""
     platform = os.environ.get("QT_QPA_PLATFORM", "")
-    if platform and not platform.startswith(("xcb", "wayland")):
+    if not window or (platform and not platform.startswith(("xcb", "wayland"))):
         return system_libraries.editor()
     wayland = platform.startswith("wayland") or bool(os.environ.get("WAYLAND_DISPLAY"))
     return system_libraries.editor(x11=bool(os.environ.get("DISPLAY")), wayland=wayland)
+
+
+def _moment(text: str) -> str:
+    if not re.fullmatch(r"\d{1,9}(\.\d{1,6})?", text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no time; write seconds, as 12.5")
+    return text
 
 
 def _size(text: str) -> str:
