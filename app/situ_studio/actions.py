@@ -114,8 +114,7 @@ COMMANDS: tuple[Command, ...] = (
     _c(
         "cut",
         "Cut",
-        "on_view",
-        argument="cut",
+        "cut",
         shortcut="Ctrl+X",
         menu="Edit",
         when="can_cut",

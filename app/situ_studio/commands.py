@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QApplication
 
 import situ
 from situ.errors import SituError
@@ -178,11 +179,20 @@ class Commands(QObject):
         if view is not None:
             view.call(method)
 
+    def cut(self) -> None:
+        self._unless_in_form("cut")
+
     def delete(self) -> None:
-        self.on_view("delete_selection")
+        self._unless_in_form("delete_selection")
 
     def rename(self) -> None:
         self.on_view("rename")
+
+    def _unless_in_form(self, method: str) -> None:
+        """What takes a thing away is not meant by somebody who is in its form."""
+        focus = QApplication.focusWidget()
+        if focus is None or not self._window.inspector.isAncestorOf(focus):
+            self.on_view(method)
 
     def align(self, how: str) -> None:
         view = self._window.current_view

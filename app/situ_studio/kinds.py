@@ -395,6 +395,7 @@ REPEAT = Kind(
     title="Say again",
     icon="repeat",
     help="Says the state's speech once more; only in an event that leads nowhere.",
+    sections=(_ENDING,),
     make=lambda _: rbd.Repeat(),
     summary=lambda v: "the state's speech",
 )

@@ -126,6 +126,11 @@ class Studio:
             self.window.activateWindow()
             QApplication.processEvents()
 
+    def select(self, *place: str) -> None:
+        """Selects a place of the current document, as a click elsewhere would."""
+        self.window.select(place)
+        self.settle()
+
     def click(self, widget: QWidget, at: QPoint | None = None) -> None:
         assert widget.isVisible(), f"{widget} can not be seen"
         QTest.mouseClick(widget, LEFT, pos=at if at is not None else widget.rect().center())

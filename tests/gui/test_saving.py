@@ -17,7 +17,7 @@ Copy = Callable[[str], Path]
 
 
 def rename(used: Any, name: str) -> None:
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     used.fill(used.window.inspector.form.field("name"), name)
 
 
@@ -77,9 +77,7 @@ def test_saving_over_a_change_on_disk_asks_first(studio: Start, project: Copy) -
     assert used.session.dirty == []
 
 
-def test_what_can_not_be_written_is_told_and_stays_changed(
-    studio: Start, project: Copy
-) -> None:
+def test_what_can_not_be_written_is_told_and_stays_changed(studio: Start, project: Copy) -> None:
     folder = project("reception")
     used = studio(folder)
     rename(used, "mine")
@@ -111,7 +109,7 @@ def test_closing_asks_to_save(studio: Start, project: Copy) -> None:
 def test_what_is_being_typed_is_saved_too(studio: Start, project: Copy) -> None:
     folder = project("reception")
     used = studio(folder)
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     field = used.window.inspector.form.field("name")
     used.click(field)
     used.key(Qt.Key.Key_A, CONTROL)

@@ -47,7 +47,7 @@ def test_the_outline_selects_everywhere(studio: Start, project: Copy) -> None:
 
 def test_a_state_is_renamed_in_the_inspector(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     used.fill(used.window.inspector.form.field("name"), "hello there")
     document = used.session.document("reception.rbd.xml")
     assert document.state("2").name == "hello there"
@@ -58,7 +58,7 @@ def test_a_state_is_renamed_in_the_inspector(studio: Start, project: Copy) -> No
 
 def test_a_field_left_by_escape_changes_nothing(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     field = used.window.inspector.form.field("name")
     used.fill(field, "something", end=Qt.Key.Key_Escape)
     assert field.text() == "intro"
@@ -67,7 +67,7 @@ def test_a_field_left_by_escape_changes_nothing(studio: Start, project: Copy) ->
 
 def test_a_new_number_is_followed_by_every_transition(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     used.fill(used.window.inspector.form.field("no"), "hello")
     document = used.session.document("reception.rbd.xml")
     assert document.state("2") is None
@@ -79,7 +79,7 @@ def test_a_new_number_is_followed_by_every_transition(studio: Start, project: Co
 
 def test_a_number_that_is_taken_is_refused_with_words(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     field = used.window.inspector.form.field("no")
     used.fill(field, "3")
     assert field.toolTip() == "3 is taken already."
@@ -103,7 +103,7 @@ def test_a_state_is_renamed_in_the_outline_view(studio: Start, project: Copy) ->
 def test_undo_and_redo_bring_document_and_selection_back(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     before = used.session.document("reception.rbd.xml")
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     used.fill(used.window.inspector.form.field("no"), "hello")
     after = used.session.document("reception.rbd.xml")
     used.key(Qt.Key.Key_Z, CONTROL)
@@ -115,11 +115,9 @@ def test_undo_and_redo_bring_document_and_selection_back(studio: Start, project:
     assert used.window.current_view.selected == (("state", "hello"),)
 
 
-def test_undo_in_a_field_takes_the_edit_back_once_it_is_one(
-    studio: Start, project: Copy
-) -> None:
+def test_undo_in_a_field_takes_the_edit_back_once_it_is_one(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     field = used.window.inspector.form.field("name")
     used.fill(field, "hello")
     assert field.hasFocus()
@@ -144,7 +142,7 @@ def test_saving_writes_one_line_for_one_field(studio: Start, project: Copy) -> N
     file = folder / "reception.rbd.xml"
     before = file.read_text(encoding="utf-8").splitlines()
     used = studio(folder)
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     used.fill(used.window.inspector.form.field("name"), "hello")
     assert used.window.windowTitle() == "reception* — Situ Studio"
     used.key(Qt.Key.Key_S, CONTROL)
@@ -159,7 +157,7 @@ def test_saving_writes_one_line_for_one_field(studio: Start, project: Copy) -> N
 
 def test_an_event_and_its_timeout_are_added_in_the_inspector(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     count = len(used.session.document("reception.rbd.xml").state("2").events)
     used.click(used.window.inspector.form.section("events").add)
     assert used.window.inspector.place == ("state", "2", "event", str(count))
@@ -167,14 +165,14 @@ def test_an_event_and_its_timeout_are_added_in_the_inspector(studio: Start, proj
     used.choose(used.window.inspector.form.field("next"), "5 verify initials")
     event = used.session.document("reception.rbd.xml").state("2").events[count]
     assert (event.name, event.next) == ("waved", "5")
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     used.fill(used.window.inspector.form.field("timeout"), "12.5")
     assert used.session.document("reception.rbd.xml").state("2").timeout.seconds == 12.5
 
 
 def test_a_wrong_number_is_refused_and_put_back(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     field = used.window.inspector.form.field("timeout")
     shown = field.text()
     used.fill(field, "-3")
@@ -203,7 +201,7 @@ def test_a_dangling_next_is_a_problem_and_a_click_selects_it(studio: Start, proj
 def test_problems_come_and_go_with_edits(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     assert used.session.problems == []
-    used.window.select(("state", "2", "event", "0"))
+    used.select("state", "2", "event", "0")
     from situ_studio import places
 
     broken = places.change(
@@ -269,7 +267,7 @@ def test_geometry_comes_back(studio: Start, project: Copy, settings: Any) -> Non
 
 def test_a_palette_item_is_inserted_by_a_press(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.window.select(("state", "2"))
+    used.select("state", "2")
     count = len(used.session.document("reception.rbd.xml").state("2").actions)
     used.click(used.window.palette_.item("set"))
     state = used.session.document("reception.rbd.xml").state("2")
@@ -287,7 +285,7 @@ def test_an_action_without_a_state_is_refused_with_words(studio: Start, project:
 def test_delete_takes_a_state_and_what_leads_to_it(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     used.window.show_mode("outline")
-    used.window.select(("state", "14"))
+    used.select("state", "14")
     used.window.actions_.actions["delete"].trigger()
     document = used.session.document("reception.rbd.xml")
     assert document.state("14") is None

@@ -131,7 +131,7 @@ class GroupBox(QFrame):
         self.kind = Choice(theme)
         self.kind.setAccessibleName(self.tr("Group"))
         self.kind.offer(GROUPS)
-        self.kind.committed.connect(self.changed)
+        self.kind.committed.connect(lambda kind: self.changed.emit(str(kind)))
         first.addWidget(self.kind, 1)
         first.addWidget(AddTest(theme, self.added.emit))
         remove = IconButton(theme, "close", self.tr("Remove this group"), "text3", 12)

@@ -1,0 +1,290 @@
+"""The forms of the inspector: lists, conditions, priorities, pairs, screens."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from situ_studio import places
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+ALT = Qt.KeyboardModifier.AltModifier
+LEFT = Qt.MouseButton.LeftButton
+FILE = "reception.rbd.xml"
+SCRIPT = "conversation.spds.xml"
+
+Start = Callable[..., Any]
+Copy = Callable[[str], Path]
+
+
+def form(used: Any) -> Any:
+    return used.window.inspector.form
+
+
+def value(used: Any, *place: str, file: str = FILE) -> Any:
+    return places.get(used.session.document(file), place)
+
+
+def test_a_row_opens_its_form_and_back_returns(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "7")
+    used.click(form(used).section("actions").rows.row(1))
+    assert used.window.inspector.place == ("state", "7", "action", "1")
+    assert form(used).kind.name == "service"
+    used.click(used.window.inspector._back)
+    assert used.window.inspector.place == ("state", "7")
+
+
+def test_rows_are_moved_by_keys(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "7")
+    first, second = value(used, "state", "7").actions[:2]
+    rows = form(used).section("actions").rows
+    rows.row(0).setFocus()
+    used.key(Qt.Key.Key_Down, ALT)
+    assert value(used, "state", "7").actions[:2] == (second, first)
+    assert used.session.undo_text == "Move speech of state 7"
+    assert rows.row(1).hasFocus()
+
+
+def test_rows_are_moved_by_the_mouse(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "7")
+    events = value(used, "state", "7").events
+    rows = form(used).section("events").rows
+    used.window.inspector._scroll.ensureWidgetVisible(rows.row(2))
+    used.settle()
+    row = rows.row(0)
+    start, end = QPoint(12, 12), QPoint(12, rows.row(2).y() - row.y() + rows.row(2).height() - 2)
+    QTest.mousePress(row, LEFT, pos=start)
+    for step in range(1, 6):
+        QTest.mouseMove(row, start + (end - start) * step / 5)
+        used.settle()
+    QTest.mouseRelease(row, LEFT, pos=end)
+    used.settle()
+    assert value(used, "state", "7").events == (*events[1:3], events[0], *events[3:])
+
+
+def test_a_row_is_removed_by_a_key(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "7")
+    events = value(used, "state", "7").events
+    form(used).section("events").rows.row(0).setFocus()
+    used.key(Qt.Key.Key_Delete)
+    assert value(used, "state", "7").events == events[1:]
+    assert used.session.undo_text == f"Remove event {events[0].name} of state 7"
+
+
+def test_delete_in_a_form_never_deletes_the_state(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "2")
+    form(used)._timeout.next.setFocus()
+    used.key(Qt.Key.Key_Delete)
+    assert value(used, "state", "2") is not None
+
+
+def test_an_action_is_added_from_the_menu(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "2")
+    section = form(used).section("actions")
+    menu = section.add.menu()
+    menu.aboutToShow.emit()
+    titles = [a.text() for a in menu.actions()]
+    assert "Message" in titles
+    assert "Say again" not in titles
+    menu.actions()[titles.index("Message")].trigger()
+    used.settle()
+    assert form(used).kind.name == "message"
+    used.fill(form(used).field("topic"), "nurse/help")
+    assert value(used, "state", "2").actions[-1].topic == "nurse/help"
+
+
+def test_values_sent_are_edited_in_place(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "7", "action", "1")
+    pairs = form(used).section("params").pairs
+    used.fill(pairs.field(0, 1), "{user.first}")
+    pairs.add()
+    used.settle()
+    used.type("room")
+    used.key(Qt.Key.Key_Return)
+    params = value(used, "state", "7", "action", "1").params
+    assert params[0].text == "{user.first}"
+    assert params[-1].name == "room"
+    used.click(pairs._extra[0])
+    assert value(used, "state", "7", "action", "1").params == params[1:]
+
+
+def test_phrases_are_added(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "2", "event", "0")
+    before = len(value(used, "state", "2", "event", "0").says)
+    form(used).section("says").pairs.add()
+    used.settle()
+    used.type("carry on")
+    used.key(Qt.Key.Key_Return)
+    says = value(used, "state", "2", "event", "0").says
+    assert [s.text for s in says[before:]] == ["carry on"]
+
+
+def test_a_condition_is_edited_as_rows(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file(SCRIPT)
+    used.select("situation", "sound")
+    editor = form(used).section("condition").condition
+    box = editor.box(0)
+    used.fill(box.within, "2.5")
+    used.choose(box.test, "above")
+    used.fill(box.value, "30")
+    test = value(used, "situation", "sound", "condition", "0", file=SCRIPT)
+    assert (test.tag, test.test, test.value, test.within) == ("sound.slap", "above", "30", 2.5)
+    assert used.session.problems == []
+
+
+def test_a_condition_gets_and_loses_tests_and_groups(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file(SCRIPT)
+    used.select("situation", "sound")
+    editor = form(used).section("until").condition
+    editor.add("any")
+    used.settle()
+    editor.add("test", (0,))
+    used.settle()
+    until = value(used, "situation", "sound", file=SCRIPT).until
+    assert until.children[0].kind == "any"
+    assert len(until.children[0].children) == 2
+    editor.box(0, 1).removed.emit()
+    editor.box(0, 0).removed.emit()
+    used.settle()
+    assert value(used, "situation", "sound", file=SCRIPT).until is None
+
+
+def test_missing_is_a_test_of_its_own(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file(SCRIPT)
+    used.select("situation", "sound")
+    box = form(used).section("condition").condition.box(0)
+    used.choose(box.test, "is missing")
+    test = value(used, "situation", "sound", "condition", "0", file=SCRIPT)
+    assert (test.test, test.value) == ("exists", "false")
+    assert not box.value.isVisible()
+
+
+def test_priorities_are_edited_and_added(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file(SCRIPT)
+    used.select("situation", "sound")
+    editor = form(used).section("entries").priorities
+    used.fill(editor.row(0)[1], "65")
+    editor.add()
+    used.settle()
+    used.fill(editor.row(1)[1], "")
+    entries = value(used, "situation", "sound", file=SCRIPT).entries
+    assert entries[0].priority == 65
+    assert entries[1].priority is None
+
+
+def test_the_screen_is_opened_and_a_component_edited(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "2")
+    used.click(form(used).section("screen").preview)
+    assert form(used).kind.name == "screen"
+    components = value(used, "state", "2", "screen").components
+    rows = form(used).section("components").rows
+    index = next(i for i, c in enumerate(components) if c.element == "button")
+    used.click(rows.row(index))
+    name = components[index].id
+    used.fill(form(used).field("x"), "40.5")
+    assert value(used, "state", "2", "screen", name).x == 40.5
+    used.fill(form(used).field("id"), "onward")
+    assert used.window.inspector.place == ("state", "2", "screen", "onward")
+
+
+def test_what_must_not_be_empty_goes_back(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "7", "action", "1")
+    field = form(used).field("name")
+    shown = field.text()
+    used.fill(field, "")
+    assert field.text() == shown
+    assert field.toolTip() == "This can not be left empty."
+    assert used.session.undo_text is None
+
+
+def test_a_speech_of_several_lines_is_one_edit(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "2", "action", "0")
+    while form(used).kind.name != "speech":
+        number = int(used.window.inspector.place[3]) + 1
+        used.select("state", "2", "action", str(number))
+    field = form(used).field("text")
+    used.click(field)
+    used.key(Qt.Key.Key_A, CONTROL)
+    used.type("Good day.")
+    used.key(Qt.Key.Key_Return)
+    used.type("Who are you?")
+    field.clearFocus()
+    used.settle()
+    assert value(used, *used.window.inspector.place).text == "Good day.\nWho are you?"
+    assert used.session.undo_text == "Change says of speech of state 2"
+
+
+def test_module_information_has_forms_too(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file("modules.xml")
+    assert used.window.current_view.mode == "outline"
+    used.select("module", "nod")
+    used.fill(form(used).field("resources"), "head, base")
+    module = value(used, "module", "nod", file="modules.xml")
+    assert module.resources == ("head", "base")
+
+
+def test_every_field_has_an_accessible_name(studio: Start, project: Copy) -> None:
+    from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit, QPlainTextEdit
+
+    used = studio(project("conversation"))
+    for file, place in (
+        (SCRIPT, ("situation", "invited")),
+        ("converse.rbd.xml", ("state", "1")),
+        ("modules.xml", ("module", "nod")),
+    ):
+        used.window.open_file(file)
+        used.window.select(place)
+        used.settle()
+        for kind in (QAbstractButton, QComboBox, QLineEdit, QPlainTextEdit):
+            for widget in used.window.findChildren(kind):
+                inner = isinstance(widget.parent(), QComboBox)
+                if inner or not widget.isVisible() or widget.objectName().startswith("qt_"):
+                    continue  # a part of another widget, or Qt's own
+                words = getattr(widget, "text", str)()
+                assert widget.accessibleName() or words, (place, widget, widget.parent())
+
+
+def test_a_drop_from_the_palette_makes_a_state_on_the_canvas(studio: Start, project: Copy) -> None:
+    from PySide6.QtCore import QMimeData, QPointF
+    from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent
+
+    from situ_studio.kinds import MIME
+
+    used = studio(project("reception"))
+    port = used.window.current_view.canvas.viewer.viewport()
+    count = len(used.session.document(FILE).states)
+    data = QMimeData()
+    data.setData(MIME, b"state")
+    at = QPoint(port.width() - 60, 60)
+    action, none = Qt.DropAction.CopyAction, Qt.KeyboardModifier.NoModifier
+    for event in (
+        QDragEnterEvent(at, action, data, LEFT, none),
+        QDragMoveEvent(at, action, data, LEFT, none),
+        QDropEvent(QPointF(at), action, data, LEFT, none),
+    ):
+        QApplication.sendEvent(port, event)
+    used.settle()
+    document = used.session.document(FILE)
+    assert len(document.states) == count + 1
+    assert used.window.current_view.selected == (("state", document.states[-1].no),)

@@ -1,0 +1,159 @@
+"""The studio's tables: kinds, commands, colours. What one row promises, holds."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import msgspec
+import pytest
+from PySide6.QtGui import QColor, QKeySequence
+from PySide6.QtWidgets import QApplication
+
+from situ.document import condition, modules, rbd, spds
+from situ.resources import resource
+from situ_studio import actions, icons, kinds, theme
+from situ_studio.commands import Commands
+from situ_studio.theme_qss import qss
+
+
+def subclasses(base: type) -> Iterator[type]:
+    one: type
+    for one in base.__subclasses__():
+        yield one
+        yield from subclasses(one)
+
+
+@pytest.mark.parametrize("base", [rbd.Action, rbd.Component])
+def test_every_action_and_component_has_a_kind(base: type) -> None:
+    assert {k.value for k in kinds.KINDS if issubclass(k.value, base)} == set(subclasses(base))
+
+
+# What a form leaves to others: the graph, the codec, the parts of a later issue.
+ELSEWHERE = {
+    (rbd.Application, "always"),
+    (rbd.Application, "states"),
+    (rbd.State, "flow"),
+    (spds.Spds, "observe"),
+    (spds.Spds, "modules"),
+    (spds.Spds, "situations"),
+    (modules.Modules, "modules"),
+}
+
+
+@pytest.mark.parametrize("kind", kinds.KINDS, ids=lambda k: k.name)
+def test_every_attribute_of_a_kind_can_be_edited(kind: kinds.Kind) -> None:
+    there = {f.name for f in msgspec.structs.fields(kind.value)} - {"aside"}
+    edited = {f.attribute for f in kind.fields}
+    for section in kind.sections:
+        edited |= {f.attribute for f in section.fields} | {section.attribute}
+    elsewhere = {name for value, name in ELSEWHERE if value is kind.value}
+    assert edited - {""} == there - elsewhere
+
+
+@pytest.mark.parametrize(
+    "kind", [k for k in kinds.KINDS if k.make is not str], ids=lambda k: k.name
+)
+def test_what_a_kind_makes_is_of_that_kind_and_has_a_summary(kind: kinds.Kind) -> None:
+    made = kind.make("name1")
+    assert type(made) is kind.value
+    assert isinstance(kind.summary(made), str)
+
+
+def test_every_icon_of_the_tables_is_there(qt: QApplication) -> None:
+    names = {k.icon for k in kinds.KINDS} | {c.icon for c in actions.COMMANDS if c.icon}
+    for name in names | {"error", "warning", "start", "end", "part"}:
+        assert icons.renderer(name, "#123456").isValid(), name
+
+
+def test_icons_are_of_one_family() -> None:
+    for file in resource("icons").glob("*.svg"):
+        text = file.read_text(encoding="utf-8")
+        if file.stem != "situ":
+            assert 'viewBox="0 0 20 20"' in text, file.name
+            assert "currentColor" in text, file.name
+            assert not re.search(r"#[0-9A-Fa-f]{6}", text), file.name
+
+
+def test_an_icon_is_drawn_in_the_colour_asked_for(qt: QApplication) -> None:
+    picture = icons.pixmap("start", "#FF0000", 20, 1.0).toImage()
+    colours = {
+        picture.pixelColor(x, y).name()
+        for x in range(20)
+        for y in range(20)
+        if picture.pixelColor(x, y).alpha() == 255
+    }
+    assert colours == {"#ff0000"}
+
+
+def test_every_command_has_its_handler_and_condition() -> None:
+    for command in actions.COMMANDS:
+        for name in filter(None, (command.handler, command.when, command.shown, command.checked)):
+            assert inspect.isfunction(getattr(Commands, name, None)), f"{command.id}: {name}"
+        menu = command.menu.split("/")[0]
+        assert menu in actions.MENUS, command.id
+
+
+def test_no_two_commands_share_an_id_or_a_shortcut() -> None:
+    ids = [c.id for c in actions.COMMANDS]
+    keys = [QKeySequence(c.shortcut).toString() for c in actions.COMMANDS if c.shortcut]
+    assert len(ids) == len(set(ids))
+    assert len(keys) == len(set(keys))
+    assert "" not in keys
+
+
+# -- colours -------------------------------------------------------------------------
+
+TEXTS = ("text", "text2", "text3", "accent", "error", "warning", "live")
+SURFACES = ("window", "panel", "card", "field")
+BOTH = [theme.LIGHT, theme.DARK]
+
+
+def luminance(color: QColor) -> float:
+    parts = [
+        share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4
+        for share in (color.redF(), color.greenF(), color.blueF())
+    ]
+    return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
+
+
+def contrast(one: QColor, other: QColor) -> float:
+    """WCAG 2."""
+    high, low = sorted((luminance(one), luminance(other)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize("colours", BOTH, ids=lambda t: t.name)
+def test_every_text_colour_can_be_read_on_every_surface(colours: theme.Theme) -> None:
+    for text in TEXTS:
+        for surface in SURFACES:
+            found = contrast(colours.color(text), colours.color(surface))
+            assert found >= 4.5, f"{text} on {surface}: {found:.2f}"
+
+
+@pytest.mark.parametrize("colours", BOTH, ids=lambda t: t.name)
+def test_every_kind_can_be_read_on_its_soft_surface(colours: theme.Theme) -> None:
+    for kind in theme.KINDS:
+        found = contrast(colours.kind(kind), colours.kind_soft(kind))
+        assert found >= 4.5, f"{kind}: {found:.2f}"
+
+
+@pytest.mark.parametrize("colours", BOTH, ids=lambda t: t.name)
+def test_the_style_sheet_knows_every_token(colours: theme.Theme, qt: QApplication) -> None:
+    sheet = qss(colours)
+    assert "{" not in re.sub(r"\{[^{}]*\}", "", sheet)
+    used = set(re.findall(r"#[0-9A-Fa-f]{6,8}\b", sheet))
+    known: set[Any] = set(msgspec.structs.asdict(colours).values())
+    assert used <= known
+
+
+def test_conditions_are_said_in_words() -> None:
+    test = condition.Test("hand.waving", "is", "true", within=2)
+    missing = condition.Test("user.name", "exists", "false")
+    group = condition.Group("any", (test, missing))
+    assert kinds.condition_words(test) == "hand.waving is true, within 2 s"
+    assert kinds.condition_words(group) == (
+        "(hand.waving is true, within 2 s or user.name is missing)"
+    )
