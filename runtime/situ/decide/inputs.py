@@ -11,8 +11,8 @@ from typing import Any
 from msgspec import UNSET, Struct, UnsetType, field
 
 
-class Input(Struct, frozen=True, tag_field="verb", tag=str.lower):
-    """The base of all inputs."""
+class Input(Struct, frozen=True, tag_field="verb", tag=str.lower, forbid_unknown_fields=True):
+    """The base of all inputs; read strictly, so that a misspelt field shows."""
 
 
 class Start(Input, frozen=True):

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-from msgspec import UNSET, Struct, UnsetType, field
+from msgspec import UNSET, Struct, UnsetType
 
 from situ.decide import inputs
 from situ.decide.step import microseconds
@@ -29,33 +29,6 @@ class Line(Struct, frozen=True):
     does: inputs.AnyInput | Expect | End
 
 
-class _Use(Struct, forbid_unknown_fields=True):
-    component: str
-    value: Any = UNSET
-
-
-class _Acquire(Struct, forbid_unknown_fields=True):
-    module: str
-    resources: tuple[str, ...]
-    optional: tuple[str, ...] = ()
-
-
-class _Abandon(Struct, forbid_unknown_fields=True):
-    module: str
-    resources: tuple[str, ...] = ()
-
-
-class _Command(Struct, forbid_unknown_fields=True):
-    module: str
-    resource: str
-    value: Any
-    valid: float | None = field(name="for", default=None)
-
-
-class _Lost(Struct, forbid_unknown_fields=True):
-    module: str
-
-
 class _Finish(Struct, forbid_unknown_fields=True):
     action: str | None = None
     name: str | None = None
@@ -72,11 +45,11 @@ class _Line(Struct, forbid_unknown_fields=True):
     event: str | UnsetType = UNSET
     application: str | UnsetType = UNSET
     touch: bool | UnsetType = UNSET
-    use: _Use | UnsetType = UNSET
-    acquire: _Acquire | UnsetType = UNSET
-    abandon: _Abandon | UnsetType = UNSET
-    command: _Command | UnsetType = UNSET
-    lost: _Lost | UnsetType = UNSET
+    use: inputs.Use | UnsetType = UNSET
+    acquire: inputs.Acquire | UnsetType = UNSET
+    abandon: inputs.Abandon | UnsetType = UNSET
+    command: inputs.Command | UnsetType = UNSET
+    lost: inputs.Lost | UnsetType = UNSET
     finish: _Finish | UnsetType = UNSET
     expect: dict[str, Any] | UnsetType = UNSET
     end: bool | UnsetType = UNSET
@@ -159,7 +132,7 @@ def _command(line: _Line) -> inputs.Command:
     assert not isinstance(given, UnsetType)
     if given.valid is not None and given.valid <= 0:
         raise ScenarioError("“for” is seconds above 0")
-    return inputs.Command(given.module, given.resource, given.value, given.valid)
+    return given
 
 
 def _event(line: _Line) -> inputs.Raise:
@@ -180,13 +153,11 @@ _DO: dict[str, Any] = {
     "set": lambda line: inputs.Set(line.set, WRITER),
     "event": _event,
     "touch": _touch,
-    "use": lambda line: inputs.Use(line.use.component, line.use.value),
-    "acquire": lambda line: inputs.Acquire(
-        line.acquire.module, line.acquire.resources, line.acquire.optional
-    ),
-    "abandon": lambda line: inputs.Abandon(line.abandon.module, line.abandon.resources),
+    "use": lambda line: line.use,
+    "acquire": lambda line: line.acquire,
+    "abandon": lambda line: line.abandon,
     "command": _command,
-    "lost": lambda line: inputs.Lost(line.lost.module),
+    "lost": lambda line: line.lost,
     "finish": _finish,
     "expect": lambda line: Expect(line.expect),
     "end": _end,
