@@ -478,3 +478,23 @@ def until_end(changes: Any, value: int) -> list[int]:
             if change.value == value:
                 return versions
     return versions
+
+
+def test_situ_itself_stays_light_until_it_connects() -> None:
+    code = """
+import sys, situ
+heavy = {"zmq", "msgspec", "lxml"} & set(sys.modules)
+assert not heavy, heavy
+situ.connect
+assert "zmq" in sys.modules
+"""
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=DEADLINE)
+    with pytest.raises(AttributeError, match="has no attribute 'konnect'"):
+        situ.konnect  # noqa: B018
+
+
+def test_the_public_names_stay() -> None:
+    assert {name for name in dir(Board) if not name.startswith("_")} == {
+        *("addresses", "authority", "close", "connected", "disclose", "documents", "entries"),
+        *("get", "modules", "publish", "set", "touch", "trace", "use", "watch"),
+    }

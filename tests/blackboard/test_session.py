@@ -309,3 +309,14 @@ def test_a_viewer_changes_nothing(hand: Any, do: str) -> None:
     }
     assert hand.ask("looker", do, **every.get(do, {}))["code"] == "role"
     assert [e["kind"] for e in traced(hand) if e["t"] > 0] == []
+
+
+def test_a_fault_of_ours_leaves_nobody_waiting(hand: Any, monkeypatch: Any) -> None:
+    hand.hello("nod")
+    monkeypatch.setattr(hand.core, "step", lambda given: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        hand.sessions.receive("nod", b'{"do":"set","id":7,"tags":{"x":1}}', hand.now)
+    ((peer, body),) = hand.sessions.take().replies
+    assert peer == "nod"
+    assert msgspec.json.decode(body)["id"] == 7
+    assert "please report it" in msgspec.json.decode(body)["message"]

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from typing import Any
 
 import zmq
 
@@ -84,21 +83,20 @@ class Link:
         """Takes all that has come, does what is due, sends all that is to be sent."""
         if self._closed:
             return
-        while self._receive() | self._send():
-            pass
+        self._receive()
+        while self._send():
+            self._receive()
 
-    def _receive(self) -> bool:
-        some = False
-        while (frames := _take(self._dealer)) is not None:
-            some = True
+    def _receive(self) -> None:
+        while has_come(self._dealer):
+            frames = self._dealer.recv_multipart(zmq.DONTWAIT)
             if len(frames) == 1:
                 self.dialog.receive(frames[0], self.clock())
-        while (frames := _take(self._subscriber)) is not None:
-            some = True
+        while has_come(self._subscriber):
+            frames = self._subscriber.recv_multipart(zmq.DONTWAIT)
             if len(frames) == 1:
                 self.dialog.hear(frames[0], self.clock())
         self.dialog.tick(self.clock())
-        return some
 
     def _send(self) -> bool:
         """Whether something was sent; only then may the descriptors have missed news."""
@@ -134,8 +132,6 @@ class Link:
             self._context.term()
 
 
-def _take(socket: zmq.Socket[bytes]) -> list[Any] | None:
-    try:
-        return socket.recv_multipart(zmq.DONTWAIT)
-    except zmq.Again:
-        return None
+def has_come(socket: zmq.Socket[bytes]) -> bool:
+    """Whether there is something to receive. Cheaper than to try, and to be told no."""
+    return bool(int(socket.getsockopt(zmq.EVENTS)) & zmq.POLLIN)

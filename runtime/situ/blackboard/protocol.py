@@ -533,13 +533,17 @@ def read_request(body: bytes) -> AnyRequest:
             raise RecursionError
         return request
     except _BROKEN as error:
-        try:
-            number = _id.decode(body).id
-        except _BROKEN:
-            number = None
         raise Malformed(
-            f"no request of version {VERSION}: {_said(error)}; see docs/protocol.md", number
+            f"no request of version {VERSION}: {_said(error)}; see docs/protocol.md", read_id(body)
         ) from None
+
+
+def read_id(body: bytes) -> int | None:
+    """The id of a request, however wrong the rest of it is; None where it has none."""
+    try:
+        return _id.decode(body).id
+    except _BROKEN:
+        return None
 
 
 def read_reply(body: bytes) -> AnyReply:

@@ -13,6 +13,7 @@ from urllib.parse import urlsplit
 import zmq
 
 from situ.blackboard import protocol
+from situ.blackboard.link import has_come
 from situ.errors import UsageError
 
 TURN = 500
@@ -56,20 +57,18 @@ class Server:
         True where more may be waiting: then call again soon, the descriptors may not tell.
         """
         for _ in range(TURN):
-            try:
-                peer, *frames = self._router.recv_multipart(zmq.DONTWAIT)
-            except zmq.Again:
+            if not has_come(self._router):
                 return self._subscriptions()
+            peer, *frames = self._router.recv_multipart(zmq.DONTWAIT)
             # A request is one frame; of anything else the sessions say what is wrong.
             received(peer, frames[0] if len(frames) == 1 else b"")
         return True
 
     def _subscriptions(self) -> bool:
         for _ in range(TURN):
-            try:
-                frame = self._publisher.recv(zmq.DONTWAIT)
-            except zmq.Again:
+            if not has_come(self._publisher):
                 return False
+            frame = self._publisher.recv(zmq.DONTWAIT)
             if frame.startswith(b"\x01" + protocol.ECHO):
                 self._publisher.send(frame[1:] + b"\n" + _ECHO, zmq.DONTWAIT)
         return True
@@ -87,7 +86,7 @@ class Server:
             except zmq.ZMQError as error:
                 if error.errno not in (zmq.EAGAIN, zmq.EHOSTUNREACH):
                     raise
-        return _waiting(self._router) or _waiting(self._publisher)
+        return has_come(self._router) or has_come(self._publisher)
 
     def close(self) -> None:
         self._router.close()
@@ -95,10 +94,6 @@ class Server:
 
 
 _ECHO = protocol.encode(protocol.Echo())
-
-
-def _waiting(socket: zmq.Socket[bytes]) -> bool:
-    return bool(int(socket.getsockopt(zmq.EVENTS)) & zmq.POLLIN)
 
 
 def _bind(socket: zmq.Socket[bytes], address: str) -> str:

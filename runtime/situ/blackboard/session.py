@@ -53,7 +53,15 @@ class Sessions:
     def receive(self, peer: Hashable, body: bytes, now: int) -> None:
         """A message of a peer; it is always answered."""
         self._move(now)
-        self._core.reply(peer, self._answer(peer, body))
+        try:
+            reply = self._answer(peer, body)
+        except Exception as fault:
+            # A fault of ours: whoever asked is not left waiting, and the driver is told.
+            message = f"a fault in situ itself ({type(fault).__name__}); please report it"
+            refused = protocol.Refused(id=protocol.read_id(body), code="refused", message=message)
+            self._core.reply(peer, refused)
+            raise
+        self._core.reply(peer, reply)
 
     def submit(self, given: inputs.AnyInput, now: int) -> str | None:
         """An input from the runtime's own parts; why it was refused, or None."""

@@ -181,7 +181,11 @@ class Live:
             self._at("drain", self._loop.time(), self._drain)
 
     def _received(self, peer: bytes, body: bytes) -> None:
-        self._sessions.receive(peer, body, self._now())
+        try:
+            self._sessions.receive(peer, body, self._now())
+        except Exception:
+            # The others are served on; the descriptors would not tell of them again.
+            _log.exception("a request could not be carried out")
         self._came.set()
 
     def _submit(self, given: inputs.AnyInput) -> None:
@@ -220,7 +224,8 @@ class Live:
     def _at(self, name: str, when: float, call: Callable[[], None]) -> None:
         before = self._timers.get(name)
         if before is not None:
-            if before.when() == when and not before.cancelled():
+            # One that rings too early is set anew then; leases move with every message.
+            if before.when() <= when:
                 return
             before.cancel()
         self._timers[name] = self._loop.call_at(when, self._call, name, call)
