@@ -15,7 +15,9 @@ from situ.document.names import matches
 if TYPE_CHECKING:
     from tests.decide.conftest import Build, Play
 
-SPEAKING = '<state no="1" name="hall"><backgroundactions><speech>A</speech></backgroundactions></state>'
+SPEAKING = (
+    '<state no="1" name="hall"><backgroundactions><speech>A</speech></backgroundactions></state>'
+)
 
 
 def test_an_entry_has_value_version_writer_and_time(build: Build) -> None:

@@ -26,8 +26,7 @@ def holds(play: Play, condition: str, value: object, **tags: Any) -> bool:
 
 def script(condition: str) -> str:
     return (
-        f'<situation name="a"><condition>{condition}</condition></situation>'
-        '<situation name="b"/>'
+        f'<situation name="a"><condition>{condition}</condition></situation><situation name="b"/>'
     )
 
 

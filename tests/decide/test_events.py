@@ -61,11 +61,7 @@ def test_a_transition_is_told_step_by_step(play: Play) -> None:
 
 
 def test_a_when_sees_what_the_same_event_brought(play: Play) -> None:
-    rbd = (
-        state("1", f'<event name="go" next="2">{X_IS_1}</event>', "")
-        + state("2")
-        + state("3")
-    )
+    rbd = state("1", f'<event name="go" next="2">{X_IS_1}</event>', "") + state("2") + state("3")
     trace = play(rbd, [{"at": 1, "set": {"x": 1}}, {"at": 1, "event": "go"}])
     assert trace.states()[-1] == (1, "2")
 
@@ -125,10 +121,7 @@ def test_an_event_without_name_that_holds_at_entry_is_caused_by_the_enter(play: 
 
 
 def test_its_cause_is_no_write_that_another_states_event_looks_at(play: Play) -> None:
-    rbd = (
-        state("1", NEAR, '<set tag="far">1</set>')
-        + state("2", f'<event next="1">{FAR}</event>')
-    )
+    rbd = state("1", NEAR, '<set tag="far">1</set>') + state("2", f'<event next="1">{FAR}</event>')
     trace = play(rbd, [], tags={"d": 1})
     assert trace.lines("transition") == ["0 transition app 1 2 - <enter"]
 

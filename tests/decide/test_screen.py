@@ -393,9 +393,7 @@ MOVIE = screen(f'<movie id="intro" {AT} src="intro.webm" done="movieDone"/>')
 
 
 def test_a_movie_is_an_action_of_its_screen(play: Play) -> None:
-    trace = play(
-        state("1", MOVIE), [{"at": 5, "finish": {"action": "movie", "name": "intro"}}]
-    )
+    trace = play(state("1", MOVIE), [{"at": 5, "finish": {"action": "movie", "name": "intro"}}])
     assert trace.lines(but=RESOURCES) == [
         "0 enter app 1 <-",
         "0 screen app 1 [intro=intro.webm] <enter",

@@ -74,8 +74,8 @@ def test_a_module_without_a_priority_holds_nothing(play: Play) -> None:
 
 
 def test_authority_follows_the_situation(play: Play) -> None:
-    busy = '<situation name="busy"><condition><data tag="x" is="1"/></condition>' \
-        '<module name="b" priority="1"/></situation>'  # fmt: skip
+    busy = """<situation name="busy"><condition><data tag="x" is="1"/></condition>
+      <module name="b" priority="1"/></situation>"""
     lines = [
         acquire(1, "a", "head"),
         acquire(1, "b", "head"),
@@ -101,13 +101,21 @@ def test_authority_that_was_lost_comes_back_by_itself(play: Play) -> None:
 
 
 def test_a_request_is_granted_whole_or_not_at_all(play: Play) -> None:
-    lines = [acquire(1, "high", "head"), acquire(2, "low", "base head"), acquire(3, "least", "base")]
+    lines = [
+        acquire(1, "high", "head"),
+        acquire(2, "low", "base head"),
+        acquire(3, "least", "base"),
+    ]
     trace = play((), lines, spds=script("high=3 low=2 least=1"))
     assert holders(trace) == {"head": "high", "base": "least"}
 
 
 def test_one_that_is_not_granted_takes_nothing_from_those_below(play: Play) -> None:
-    lines = [acquire(1, "least", "arm base"), acquire(2, "high", "head"), acquire(3, "low", "base head")]
+    lines = [
+        acquire(1, "least", "arm base"),
+        acquire(2, "high", "head"),
+        acquire(3, "low", "base head"),
+    ]
     trace = play((), lines, spds=script("high=3 low=2 least=1"))
     assert trace.lines("authority", since=3) == []
     assert holders(trace) == {"arm": "least", "base": "least", "head": "high"}

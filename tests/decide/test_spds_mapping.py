@@ -224,7 +224,12 @@ def test_adapters_are_told_to_stop_and_hold(build: Build) -> None:
 
 
 def test_a_hand_over_happens_in_the_step_of_its_cause(play: Play) -> None:
-    lines = [acquire(1, "a"), command(1, "a", 1), acquire(2, "b"), {"at": 3, "lost": {"module": "b"}}]
+    lines = [
+        acquire(1, "a"),
+        command(1, "a", 1),
+        acquire(2, "b"),
+        {"at": 3, "lost": {"module": "b"}},
+    ]
     assert play((), lines, spds=SPDS).lines(since=2) == [
         "2 acquire b [head] <-",
         "2 authority head a b <acquire",
@@ -239,7 +244,8 @@ def test_a_hand_over_happens_in_the_step_of_its_cause(play: Play) -> None:
 
 def test_what_an_application_commands(play: Play) -> None:
     rbd = """<state no="1">
-      <screen><components><text id="t" x="1" y="1" width="1" height="1">T</text></components></screen>
+      <screen><components><text id="t" x="1" y="1" width="1" height="1">T</text></components>
+      </screen>
       <backgroundactions><robot resource="head" command="nod"><param name="times">2</param></robot>
       <speech lang="en">Hi</speech><sound src="a.ogg"/></backgroundactions></state>"""
     lines = [

@@ -25,8 +25,10 @@ def true(tag: str, more: str = "") -> str:
 
 def sets(**at: list[tuple[float, bool]]) -> list[dict[str, Any]]:
     """Lines that set tags: ``sets(x=[(1, True), (2, False)])``."""
-    lines = [{"at": t, "set": {tag: value}} for tag, all_ in at.items() for t, value in all_]
-    return sorted(lines, key=lambda line: line["at"]) + [END]
+    lines: list[dict[str, Any]] = [
+        {"at": t, "set": {tag: value}} for tag, every in at.items() for t, value in every
+    ]
+    return [*sorted(lines, key=lambda line: line["at"]), END]
 
 
 ON, OFF = True, False
@@ -248,12 +250,15 @@ def test_limit_ends_it_also_while_another_has_taken_over(play: Play) -> None:
 
 def test_condition_until_and_limit_at_one_moment(play: Play) -> None:
     """The papers' own: invited, until arrived or failed, at most so long."""
-    spds = situation(
-        "invited",
-        true("calling", 'within="5"') + true("waving", 'within="2"'),
-        until="""<data tag="phase" in='["arrived", "failed"]' within="5"/>""",
-        limit="9",
-    ) + REST
+    spds = (
+        situation(
+            "invited",
+            true("calling", 'within="5"') + true("waving", 'within="2"'),
+            until="""<data tag="phase" in='["arrived", "failed"]' within="5"/>""",
+            limit="9",
+        )
+        + REST
+    )
     lines = [
         {"at": 1, "set": {"calling": True}},
         {"at": 2, "set": {"waving": True}},
@@ -287,21 +292,33 @@ def entry(module: str, priority: object) -> str:
     return f'<module name="{module}" priority="{priority}"/>'
 
 
+def extending(name: str, extends: str, *entries: str) -> str:
+    more = f' extends="{extends}"' if extends else ""
+    return f'<situation name="{name}"{more}>{"".join(entries)}</situation>'
+
+
 @pytest.mark.parametrize(
     ("situations", "expected"),
     [
         # extends takes over another's priorities, also through several.
-        ('<situation name="s" extends="t"/><situation name="t" extends="u"/>'
-         f'<situation name="u">{entry("m", 3)}</situation>', {"m": 3}),
+        (
+            extending("s", "t") + extending("t", "u") + extending("u", "", entry("m", 3)),
+            {"m": 3},
+        ),
         # Own entries override; none removes one.
-        (f'<situation name="s" extends="t">{entry("m", 7)}{entry("n", "none")}</situation>'
-         f'<situation name="t">{entry("m", 3)}{entry("n", 4)}{entry("o", -5)}</situation>',
-         {"m": 7, "o": -5}),
-        (f'<situation name="s" extends="t">{entry("m", 1)}</situation>'
-         f'<situation name="t" extends="u">{entry("m", "none")}</situation>'
-         f'<situation name="u">{entry("m", 3)}{entry("n", 4)}</situation>', {"m": 1, "n": 4}),
+        (
+            extending("s", "t", entry("m", 7), entry("n", "none"))
+            + extending("t", "", entry("m", 3), entry("n", 4), entry("o", -5)),
+            {"m": 7, "o": -5},
+        ),
+        (
+            extending("s", "t", entry("m", 1))
+            + extending("t", "u", entry("m", "none"))
+            + extending("u", "", entry("m", 3), entry("n", 4)),
+            {"m": 1, "n": 4},
+        ),
     ],
-)  # fmt: skip
+)
 def test_extends_takes_over_priorities(
     play: Play, situations: str, expected: dict[str, int]
 ) -> None:

@@ -109,9 +109,7 @@ def test_a_text_equal_but_for_case_and_punctuation_is_that_event(play: Play, tex
 @pytest.mark.parametrize(
     ("confidence", "event"), [(0.5, "clickYes"), (1, "clickYes"), (0.49, "notunderstood")]
 )
-def test_a_text_counts_from_half_confidence_on(
-    play: Play, confidence: float, event: str
-) -> None:
+def test_a_text_counts_from_half_confidence_on(play: Play, confidence: float, event: str) -> None:
     trace = play(state("1", YES) + state("2"), [heard(1, "go on", confidence)])
     assert trace.lines("event") == [f"1 event app {event} <data"]
 

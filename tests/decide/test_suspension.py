@@ -11,8 +11,8 @@ if TYPE_CHECKING:
 
 RESOURCES = ("acquire", "abandon", "authority", "mapping", "situation", "condition")
 END: dict[str, Any] = {"at": 100, "end": True}
-STOP = {"set": {"busy": True}}
-GO_ON = {"set": {"busy": False}}
+STOP: dict[str, Any] = {"set": {"busy": True}}
+GO_ON: dict[str, Any] = {"set": {"busy": False}}
 SCREEN = """<screen><components><text id="t" x="1" y="1" width="1" height="1">T</text></components>
 </screen>"""
 
@@ -39,8 +39,8 @@ EVERYTHING = (
 
 
 def test_while_it_does_not_hold_all_it_is_suspended(play: Play) -> None:
-    spds = """<modules><module name="app" resources="speech head"/><module name="m" resources="head"/>
-      </modules><situation name="s"><module name="m" priority="2"/>
+    spds = """<modules><module name="app" resources="speech head"/>
+      <module name="m" resources="head"/></modules><situation name="s"><module name="m" priority="2"/>
       <module name="app" priority="1"/></situation>"""
     lines = [{"at": 1, "acquire": {"module": "m", "resources": ["head"]}}]
     assert play(state("1", EVERYTHING), lines, spds=spds).lines(since=1) == [

@@ -12,9 +12,7 @@ if TYPE_CHECKING:
 END: dict[str, Any] = {"at": 100, "end": True}
 
 
-def state(
-    no: str, timeout: str = "", actions: str = "", events: str = "", screen: str = ""
-) -> str:
+def state(no: str, timeout: str = "", actions: str = "", events: str = "", screen: str = "") -> str:
     return (
         f'<state no="{no}">{timeout}{screen}<backgroundactions>{actions}</backgroundactions>'
         f"<expectedevents>{events}</expectedevents></state>"
@@ -191,9 +189,7 @@ def test_idle_counts_anew_from_every_touch_typing_and_utterance(
 
 
 @pytest.mark.parametrize("given", [{"event": "a"}, {"set": {"x": "a"}}])
-def test_idle_does_not_count_anew_from_a_scenarios_event(
-    play: Play, given: dict[str, Any]
-) -> None:
+def test_idle_does_not_count_anew_from_a_scenarios_event(play: Play, given: dict[str, Any]) -> None:
     rbd = state("1", IDLE, "", '<event name="a"/>', SCREEN) + state("2")
     assert play(rbd, [{"at": 2, **given}, END]).states() == [(0, "1"), (3, "2")]
 

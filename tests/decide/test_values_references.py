@@ -105,7 +105,15 @@ def test_paths_under_reserved_roots_are_names_too(play: Play) -> None:
 
 # -- templates ---------------------------------------------------------------
 
-FILL = {"n": 2.0, "half": 0.5, "s": "Ann", "t": "true", "l": [1.0, "x"], "o": {"a": None}, "b": True}
+FILL = {
+    "n": 2.0,
+    "half": 0.5,
+    "s": "Ann",
+    "t": "true",
+    "l": [1.0, "x"],
+    "o": {"a": None},
+    "b": True,
+}
 
 
 @pytest.mark.parametrize(
@@ -161,7 +169,8 @@ def test_what_a_text_in_a_set_means(play: Play, text: str, value: object) -> Non
 def test_a_param_is_read_like_a_set(play: Play) -> None:
     rbd = (
         '<state no="1"><backgroundactions><robot resource="head" command="nod">'
-        '<param name="a">{n}</param><param name="b"> [1, "{s}"] </param><param name="c">{s}!</param>'
+        '<param name="a">{n}</param><param name="b"> [1, "{s}"] </param>'
+        '<param name="c">{s}!</param>'
         "</robot></backgroundactions></state>"
     )
     params = play(rbd, [], tags=FILL).of("action")[0]["params"]

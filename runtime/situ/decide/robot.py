@@ -182,18 +182,17 @@ class Robot:
         """Situations and authority, resumptions, unnamed events, then the earliest raised
         event, until nothing is left; live screens at the end.
         """
-        while not self._livelocked:
+        self._observe()
+        while (follows := self._follows()) is not None and self._may_go_on():
+            follows()
             self._observe()
-            follows = None if self._livelocked else self._follows()
-            if follows is None:
-                break
-            if self._may_go_on():
-                follows()
         self._listen()
         for machine in self._machines:
             machine.refresh()
 
     def _follows(self) -> Callable[[], object] | None:
+        if self._livelocked:
+            return None
         for machine in self._machines:
             if machine.may_resume():
                 return machine.resume

@@ -64,7 +64,8 @@ class Expectations:
 
     def _nearest(self, fields: dict[str, Any]) -> dict[str, Any] | None:
         kind = [e for e in self._events[self._from :] if e["kind"] == fields.get("kind")]
-        return max(kind, key=lambda e: _agreement(fields, e), default=None)
+        # Of those that agree alike the last, which is nearest in time.
+        return max(reversed(kind), key=lambda e: _agreement(fields, e), default=None)
 
 
 def fits(fields: dict[str, Any], event: dict[str, Any]) -> bool:
