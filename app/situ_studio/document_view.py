@@ -58,6 +58,11 @@ class DocumentView(QStackedWidget):
         return self._mode
 
     @property
+    def problems(self) -> list[Problem]:
+        """The problems that are shown."""
+        return self._problems
+
+    @property
     def has_graph(self) -> bool:
         """Whether documents of this kind have a graph."""
         return isinstance(self._document, Application | Spds)

@@ -50,39 +50,45 @@ def _actions(part: rbd.State | rbd.Always) -> Iterator[rbd.Action]:
         yield from event.actions
 
 
-def events(application: Application) -> set[str]:
-    """Every event that this application expects or raises by itself."""
-    found: set[str | None] = set()
-    for part in _parts(application):
-        found |= {e.name for e in part.events}
-        for action in _actions(part):
-            found |= {action.done, action.failed}
-        if part.screen is not None:
-            found.add(part.screen.touched)
-            for component in part.screen.components:
-                found |= {getattr(component, "event", None), getattr(component, "done", None)}
-    return {name for name in found if name}
+def events(part: rbd.State | rbd.Always) -> frozenset[str]:
+    """Every event that a state expects or raises by itself."""
+    found: set[str | None] = {e.name for e in part.events}
+    for action in _actions(part):
+        found |= {action.done, action.failed}
+    if part.screen is not None:
+        found.add(part.screen.touched)
+        for component in part.screen.components:
+            found |= {getattr(component, "event", None), getattr(component, "done", None)}
+    return frozenset(name for name in found if name)
 
 
-def tags(application: Application) -> set[str]:
-    """Every tag that this application writes, reads or waits for."""
+def tags(part: rbd.State | rbd.Always) -> frozenset[str]:
+    """Every tag that a state writes, reads or waits for."""
     found: set[str | None] = set()
-    for part in _parts(application):
-        for event in part.events:
-            found |= {t.tag for t in _tests(event.when)}
-        for action in _actions(part):
-            if not isinstance(action, rbd.Clear):
-                found |= {getattr(action, "tag", None), getattr(action, "source", None)}
-            texts: list[Any] = [getattr(action, "text", ""), getattr(action, "url", "")]
-            texts += [p.text for p in getattr(action, "params", ())]
-            found |= {r.tag for r in getattr(action, "results", ())}
-            for text in texts:
-                found |= set(references(text))
-        if part.screen is not None:
-            for component in part.screen.components:
-                found |= {getattr(component, "tag", None), getattr(component, "items", None)}
-                found |= set(references(getattr(component, "text", "")))
-    return {tag for tag in found if tag}
+    for event in part.events:
+        found |= {t.tag for t in _tests(event.when)}
+    for action in _actions(part):
+        if not isinstance(action, rbd.Clear):
+            found |= {getattr(action, "tag", None), getattr(action, "source", None)}
+        texts: list[Any] = [getattr(action, "text", ""), getattr(action, "url", "")]
+        texts += [p.text for p in getattr(action, "params", ())]
+        found |= {r.tag for r in getattr(action, "results", ())}
+        for text in texts:
+            found |= set(references(text))
+    if part.screen is not None:
+        for component in part.screen.components:
+            found |= {getattr(component, "tag", None), getattr(component, "items", None)}
+            found |= set(references(getattr(component, "text", "")))
+    return frozenset(tag for tag in found if tag)
+
+
+class _Known(Struct, frozen=True):
+    """What one state adds; kept as long as the state is this very value."""
+
+    part: rbd.State | rbd.Always
+    events: frozenset[str]
+    tags: frozenset[str]
+    resources: frozenset[str]
 
 
 def _media(project: Project) -> tuple[str, ...]:
@@ -95,38 +101,64 @@ def _media(project: Project) -> tuple[str, ...]:
     return tuple(sorted(f.relative_to(folder).as_posix() for f in every))
 
 
-def vocabulary(project: Project, document: Document) -> Vocabulary:
-    """What a form of ``document`` completes from."""
-    known_tags = set(project.tags)
-    known_events: set[str] = set()
-    resources = {"screen", "speech"}
-    for application in project.applications.values():
-        known_tags |= tags(application)
-        known_events |= events(application)
-        for part in _parts(application):
-            resources |= {a.resource for a in _actions(part) if isinstance(a, rbd.Robot)}
-    if project.spds is not None:
-        known_tags |= {o.tag for o in project.spds.observe}
-        for situation in project.spds.situations:
-            known_tags |= {t.tag for t in _tests(situation.condition)}
-            known_tags |= {t.tag for t in _tests(situation.until)}
-    if project.modules is not None:
-        for module in project.modules.modules:
-            known_tags |= {p.data for p in module.provides}
-    for each in project.declared().values():
-        resources |= set(each)
-    script = document if isinstance(document, Spds) else project.spds
-    return Vocabulary(
-        states=tuple((s.no, s.name) for s in document.states)
-        if isinstance(document, Application)
-        else (),
-        events=tuple(sorted(known_events)),
-        tags=tuple(sorted(known_tags)),
-        resources=tuple(sorted(resources)),
-        situations=tuple(s.name for s in script.situations) if script is not None else (),
-        modules=tuple(sorted({*project.declared(), *_names(project)})),
-        media=_media(project),
-    )
+class Lexicon:
+    """Makes vocabularies of successive values of a project; only what changed is read anew."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, _Known] = {}
+        self._project: Project | None = None
+        self._document: Document | None = None
+        self._made = Vocabulary()
+
+    def vocabulary(self, project: Project, document: Document) -> Vocabulary:
+        """What a form of ``document`` completes from."""
+        if project is not self._project or document is not self._document:
+            self._project, self._document = project, document
+            self._made = self._make(project, document)
+        return self._made
+
+    def _parts(self, project: Project) -> Iterator[_Known]:
+        kept: dict[int, _Known] = {}
+        for application in (*project.applications.values(), *project.parts.values()):
+            for part in _parts(application):
+                known = self._known.get(id(part))
+                if known is None or known.part is not part:
+                    robot = (a for a in _actions(part) if isinstance(a, rbd.Robot))
+                    resources = frozenset(a.resource for a in robot)
+                    known = _Known(part, events(part), tags(part), resources)
+                kept[id(part)] = known
+                yield known
+        self._known = kept
+
+    def _make(self, project: Project, document: Document) -> Vocabulary:
+        known_tags = set(project.tags)
+        known_events: set[str] = set()
+        resources = {"screen", "speech"}
+        for known in self._parts(project):
+            known_tags |= known.tags
+            known_events |= known.events
+            resources |= known.resources
+        if project.spds is not None:
+            known_tags |= {o.tag for o in project.spds.observe}
+            for situation in project.spds.situations:
+                known_tags |= {t.tag for t in _tests(situation.condition)}
+                known_tags |= {t.tag for t in _tests(situation.until)}
+        if project.modules is not None:
+            for module in project.modules.modules:
+                known_tags |= {p.data for p in module.provides}
+        for each in project.declared().values():
+            resources |= set(each)
+        script = document if isinstance(document, Spds) else project.spds
+        application = document if isinstance(document, Application) else None
+        return Vocabulary(
+            states=tuple((s.no, s.name) for s in application.states) if application else (),
+            events=tuple(sorted(known_events)),
+            tags=tuple(sorted(known_tags)),
+            resources=tuple(sorted(resources)),
+            situations=tuple(s.name for s in script.situations) if script is not None else (),
+            modules=tuple(sorted({*project.declared(), *_names(project)})),
+            media=_media(project),
+        )
 
 
 def _names(project: Project) -> set[str]:

@@ -46,7 +46,7 @@ from situ_studio.status import Status
 from situ_studio.tabs import BottomPanels, DocumentTabs
 from situ_studio.theme import DARK, LIGHT, Theme
 from situ_studio.theme_qss import qss
-from situ_studio.vocabulary import vocabulary
+from situ_studio.vocabulary import Lexicon
 from situ_studio.welcome import Example, Welcome
 
 RECENT = 8
@@ -83,6 +83,7 @@ class MainWindow(QMainWindow):
         self.views: dict[str, DocumentView] = {}
         self.current_file: str | None = None
         self._placed = False
+        self._lexicon = Lexicon()
         self.setWindowTitle(self.tr("Situ Studio"))
         self.setMinimumSize(800, 500)
         self.setDockOptions(
@@ -509,7 +510,7 @@ class MainWindow(QMainWindow):
         self.status.show_problems(errors, len(found) - errors)
         for file, view in self.views.items():
             document = self.session.document(file)
-            if document is not None:
+            if document is not None and view.problems != self._problems_of(file):
                 view.show_document(document, self._problems_of(file))
         self._refresh_tree()
         self._settle_outline()
@@ -574,7 +575,7 @@ class MainWindow(QMainWindow):
         self.inspector.show_selection(
             document,
             view.selected,
-            vocabulary(project, document),
+            self._lexicon.vocabulary(project, document),
             tuple(self._problems_of(view.file)),
             media,
         )

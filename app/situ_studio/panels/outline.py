@@ -112,12 +112,24 @@ class Outline(QWidget):
                 item.setData(" ".join(module.resources), COUNT)
                 item.setData(module.description, DETAIL)
                 rows.append(item)
-        chosen = self._told
-        self.list.selectionModel().blockSignals(True)
-        self._model.clear()
-        for row in rows:
-            self._model.appendRow(row)
-        self.list.selectionModel().blockSignals(False)
+        self._show(rows)
+
+    def _show(self, rows: list[QStandardItem]) -> None:
+        """Exchanges only what differs, so that a long list stays where it is."""
+        model, chosen = self._model, self._told
+        roles = (Qt.ItemDataRole.DisplayRole, NUMBER, ICON, COUNT, MARKS, PLACE, DETAIL)
+        selection = self.list.selectionModel()
+        selection.blockSignals(True)
+        if model.rowCount() == len(rows):
+            for index, row in enumerate(rows):
+                shown = model.item(index)
+                for role in roles:
+                    if shown.data(role) != row.data(role):
+                        shown.setData(row.data(role), role)
+        else:
+            model.clear()
+            model.invisibleRootItem().appendRows(rows)
+        selection.blockSignals(False)
         self._told = ()
         self.select(chosen)
 

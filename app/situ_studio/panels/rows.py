@@ -159,11 +159,11 @@ class RowWidget(QFrame):
             self.opened.emit()
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+        override = event.type() == QEvent.Type.ShortcutOverride
+        if override and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Delete:
             # Delete here means this row, not what the window's command would delete.
-            if event.key() == Qt.Key.Key_Delete:
-                event.accept()
-                return True
+            event.accept()
+            return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

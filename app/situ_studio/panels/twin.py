@@ -51,11 +51,13 @@ class Node:
         cells: tuple[str, ...],
         editable: Editable | None = None,
         below: Callable[[], list[Node]] | None = None,
+        has_children: bool = True,
     ) -> None:
         self.place, self.value, self.icon, self.cells = place, value, icon, cells
         self.editable = editable or {}
         self.parent: Node | None = None
         self.row = 0
+        self.has_children = below is not None and has_children
         self._below = below
         self._children: list[Node] | None = None
 
@@ -155,13 +157,14 @@ def _event(document: rbd.Application, place: Place, event: rbd.Event) -> Node:
         ("Event", event.name or "", words.leads_to(document, event.next), details),
         {1: (place, "name", "Event"), 2: (place, "next", "Leads to")},
         lambda: [_action((*place, "action", str(i)), a) for i, a in enumerate(event.actions)],
+        bool(event.actions),
     )
 
 
-def _application(document: rbd.Application, old: dict[int, Node]) -> Iterator[Node]:
+def _application(document: rbd.Application) -> Iterator[Node]:
     always = document.always
     if always is not None:
-        yield old.get(id(always)) or Node(
+        yield Node(
             ("always",),
             always,
             ("always", "text2"),
@@ -179,10 +182,11 @@ def _application(document: rbd.Application, old: dict[int, Node]) -> Iterator[No
             (state.no, state.name, "", " ".join(speech.split())),
             {0: (place, "no", "Number"), 1: (place, "name", "Name")},
             lambda p=place, s=state: _part_rows(document, p, s),  # type: ignore[misc]
+            bool(state.screen or state.actions or state.events or state.timeout),
         )
 
 
-def _script(document: spds.Spds, old: dict[int, Node]) -> Iterator[Node]:
+def _script(document: spds.Spds) -> Iterator[Node]:
     for number, situation in enumerate(document.situations, start=1):
         place = ("situation", situation.name)
         said = " and ".join(
@@ -205,6 +209,7 @@ def _script(document: spds.Spds, old: dict[int, Node]) -> Iterator[Node]:
                 )
                 for i, e in enumerate(s.entries)
             ],
+            bool(situation.entries),
         )
     for module in document.modules:
         place = ("module", module.name)
@@ -227,7 +232,7 @@ def _script(document: spds.Spds, old: dict[int, Node]) -> Iterator[Node]:
         )
 
 
-def _information(document: modules.Modules, old: dict[int, Node]) -> Iterator[Node]:
+def _information(document: modules.Modules) -> Iterator[Node]:
     for module in document.modules:
         place = ("module", module.name)
         yield Node(
@@ -260,6 +265,7 @@ def _information(document: modules.Modules, old: dict[int, Node]) -> Iterator[No
                     for i, o in enumerate(m.provides)
                 ),
             ],
+            bool(module.requires or module.provides),
         )
 
 
@@ -280,11 +286,11 @@ class TwinModel(QAbstractItemModel):
         self.beginResetModel()
         self.document, self._marks = document, marks
         if isinstance(document, rbd.Application):
-            self._top = list(_application(document, {}))
+            self._top = list(_application(document))
         elif isinstance(document, spds.Spds):
-            self._top = list(_script(document, {}))
+            self._top = list(_script(document))
         else:
-            self._top = list(_information(document, {}))
+            self._top = list(_information(document))
         for row, node in enumerate(self._top):
             node.row = row
         self.endResetModel()
@@ -322,6 +328,10 @@ class TwinModel(QAbstractItemModel):
     def rowCount(self, parent: AnyIndex = QModelIndex()) -> int:  # noqa: B008
         node = self.node(parent)
         return len(self._top) if node is None else len(node.children)
+
+    def hasChildren(self, parent: AnyIndex = QModelIndex()) -> bool:  # noqa: B008
+        node = self.node(parent)
+        return bool(self._top) if node is None else node.has_children
 
     def columnCount(self, parent: AnyIndex = QModelIndex()) -> int:  # noqa: B008
         return 4
