@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Awaitable, Callable
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -145,6 +146,30 @@ def test_the_time_of_day_stands_on_the_board_from_the_start() -> None:
 
     go(test)
     assert b"clock." not in b"".join(map(to_line, traces))
+
+
+def test_the_time_of_day_goes_on_with_each_minute() -> None:
+    midnight = datetime(2026, 1, 3).timestamp()
+    moment = [midnight - 0.01]
+
+    async def test() -> None:
+        robot = live(load_ready(LAB), wall=lambda: moment[0])
+        addresses = await robot.start()
+        async with connect_async(addresses.requests) as board:
+            clock = board.watch("clock.*")
+            told: dict[str, list[str]] = {}
+            while told.get("clock.weekday") != ["friday", "saturday"]:
+                change = await clock.next(DEADLINE)
+                assert change is not None
+                told.setdefault(change.tag, []).append(change.value)
+                assert change.writer in ("project", "situ")
+                if len(told) == 3:
+                    moment[0] = midnight
+        assert told["clock.time"] == ["23:59", "00:00"]
+        assert told["clock.date"] == ["2026-01-02", "2026-01-03"]
+        await robot.stop()
+
+    go(test)
 
 
 def test_clients_are_told_that_the_runtime_stops() -> None:

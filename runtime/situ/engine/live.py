@@ -55,7 +55,8 @@ class Live:
 
     endpoint, notify: where to bind, port 0 for a free one. performer(submit, tag) makes
     who carries out effects; tag reads the blackboard. heard: is told each step's trace
-    events with the UNIX time. files: as in ``Core``.
+    events with the UNIX time. files: as in ``Core``. wall: UNIX time, which may jump; used for
+    the time of day and ``time`` in the trace only.
 
     scripted: a scenario client gives the time (``Sessions``); what actions and adapters
     answer is then left out, for the scenario says what ends and what is measured.
@@ -73,6 +74,7 @@ class Live:
         seed: int = 0,
         auto_finish: float | None = None,
         heard: Heard | None = None,
+        wall: Callable[[], float] = time.time,
     ) -> None:
         self._project = project
         self._bind = endpoint, notify
@@ -82,6 +84,7 @@ class Live:
         self._seed = seed
         self._auto_finish = auto_finish
         self._heard = heard
+        self._wall = wall
         self._performer: Performing | None = None
         self._timers: dict[str, asyncio.TimerHandle] = {}
         self._started = 0.0
@@ -102,7 +105,7 @@ class Live:
         project = self._project
         if not self._scripted:
             # The first situation may depend on the time of day.
-            project = replace(project, tags={**_clock_tags(), **project.tags})
+            project = replace(project, tags={**_clock_tags(self._wall()), **project.tags})
         self._robot = Robot(project)
         try:
             if self._make is not None:
@@ -119,7 +122,7 @@ class Live:
         )
         self._started = self._loop.time()
         self._core = Core(
-            self._robot, project, epoch=time.time(), files=self._files, heard=self._heard
+            self._robot, project, epoch=self._wall(), files=self._files, heard=self._heard
         )
         self._sessions = Sessions(self._core, addresses, scripted=self._scripted)
         self._sessions.start(self._seed, self._auto_finish)
@@ -240,19 +243,19 @@ class Live:
         """``clock.time``, ``clock.date`` and ``clock.weekday``, anew with each minute."""
         changed = {
             tag: value
-            for tag, value in _clock_tags().items()
+            for tag, value in _clock_tags(self._wall()).items()
             if (entry := self._robot.board.get(tag)) is None or entry.value != value
         }
         # The clock on the wall may have been set; the trace follows it.
-        self._core.epoch = time.time() - self._now() / SECOND
+        self._core.epoch = self._wall() - self._now() / SECOND
         if changed:
             self._submit(inputs.Set(changed, RUNTIME))
-        left = 60 - time.time() % 60
+        left = 60 - self._wall() % 60
         self._at("clock", self._loop.time() + left + 0.01, self._keep_clock)
 
 
-def _clock_tags() -> dict[str, str]:
-    now = datetime.now()
+def _clock_tags(moment: float) -> dict[str, str]:
+    now = datetime.fromtimestamp(moment)
     return {
         "clock.time": f"{now:%H:%M}",
         "clock.date": f"{now:%Y-%m-%d}",
