@@ -22,7 +22,15 @@ from typing import Any, NoReturn, Protocol, cast
 from situ import __version__
 from situ.errors import SituError
 
-GROUPS = ("cli_studio", "cli_check", "cli_export", "cli_simulate", "cli_run", "cli_board")
+GROUPS = (
+    "cli_studio",
+    "cli_demo",
+    "cli_check",
+    "cli_export",
+    "cli_simulate",
+    "cli_run",
+    "cli_board",
+)
 """The modules of the command line, in the order in which ``situ --help`` lists them."""
 
 LEVELS = ("debug", "info", "warning", "error")
