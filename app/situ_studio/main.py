@@ -320,7 +320,7 @@ class Unexpected:
 
 
 class Interrupts(QObject):
-    """Ctrl-C and a polite kill close the window; Qt's loop would not notice them by itself."""
+    """Ctrl-C and a polite kill end the loop; Qt would not notice them by itself."""
 
     def __init__(self, qt: QApplication) -> None:
         super().__init__()
@@ -349,4 +349,5 @@ class Interrupts(QObject):
 
     def _on_signal(self) -> None:
         self._read.recv(64)
-        self._qt.quit()
+        # Whoever stops the program from outside is not asked anything by a dialog.
+        self._qt.exit(0)
