@@ -527,7 +527,8 @@ class ApplicationCanvas(Canvas):
             return
         if isinstance(item, CardItem) and not isinstance(item, Spot):
             part = item.part_at(item.mapFromScene(spot))
-            if part.startswith("exit ") and self._told == (item.face.place,) and item.row is None:
+            again = self.viewer.selected_before() == [item]
+            if part.startswith("exit ") and again and item.row is None:
                 self.select([self._place(item.uid, part[5:])])
                 return
         super()._on_clicked(item, spot)

@@ -7,6 +7,7 @@ go by number, exits by place (``("state", "5", "event", "0")``). No Qt.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 
 from msgspec import Struct
@@ -47,7 +48,7 @@ FOLLOWS: tuple[Follow, ...] = (
 
 
 def snap(value: float) -> float:
-    return round(value / GRID) * GRID
+    return math.floor(value / GRID + 0.5) * GRID
 
 
 def called(application: Application, place: Place) -> str:
@@ -55,7 +56,7 @@ def called(application: Application, place: Place) -> str:
     owner = "every state" if place[:1] == (ALWAYS,) else f"state {place[1]}"
     exit = exit_of(place)
     if exit is None:
-        return owner
+        return "what every state has" if place[:1] == (ALWAYS,) else owner
     if exit == TIMEOUT:
         return f"the timeout of {owner}"
     event = places.get(application, place)

@@ -275,6 +275,10 @@ class Viewer(NodeViewer):
         elif self._detached_port is not None and self._detached_port.scene() is None:
             self._detached_port = None
 
+    def selected_before(self) -> list[Any]:
+        """The nodes that were selected when the latest press came."""
+        return list(self._prev_selection_nodes)
+
     def busy(self) -> bool:
         """Whether a pipe is being drawn."""
         return bool(self._LIVE_PIPE.isVisible())
