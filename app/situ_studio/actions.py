@@ -59,6 +59,7 @@ _INSERT = tuple(
         icon=kind.icon,
         menu="Insert",
         when=f"can_insert_{part}",
+        shown=f"offers_{part}",
         argument=kind.name,
         rule=index == 0 and part != "application",
         tip=kind.help,

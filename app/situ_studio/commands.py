@@ -81,6 +81,21 @@ class Commands(QObject):
         document = self._window.current_document
         return any(kind.palette == part for kind in offered(document))
 
+    def offers_application(self) -> bool:
+        return self._can_insert("application")
+
+    def offers_action(self) -> bool:
+        return self._can_insert("action")
+
+    def offers_screen(self) -> bool:
+        return self._can_insert("screen")
+
+    def offers_script(self) -> bool:
+        return self._can_insert("script")
+
+    def offers_modules(self) -> bool:
+        return self._can_insert("modules")
+
     def can_insert_application(self) -> bool:
         return self._can_insert("application")
 

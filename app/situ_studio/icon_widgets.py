@@ -63,7 +63,15 @@ class IconButton(QToolButton):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.set_theme(theme)
 
+    def show_icon(self, name: str, words: str) -> None:
+        """Another icon, with other words."""
+        self._name = name
+        self.setToolTip(words)
+        self.setAccessibleName(words)
+        self.set_theme(self._theme)
+
     def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
         self.setIcon(icons.icon(self._name, theme.color(self._token), self._size))
 
 

@@ -638,7 +638,7 @@ SCREEN = Kind(
         ),
         Field(
             attribute="touched",
-            label="When touched",
+            label="On touch",
             editor="event",
             help="The event of a touch on no component.",
         ),

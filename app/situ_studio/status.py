@@ -111,6 +111,9 @@ class Status(QStatusBar):
         if not selected:
             self.selection.setText("")
             return
+        if selected == (("always",),):
+            self.selection.setText(self.tr("Always selected"))
+            return
         kinds = {p[0] if len(p) == 2 else p[-2] for p in selected if len(p) >= 2}
         one = kinds.pop() if len(kinds) == 1 else self.tr("thing")
         many = {"data": "data", "entry": self.tr("priorities")}.get(one, f"{one}s")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QStackedWidget,
     QTabBar,
@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
 from situ_studio import icons
 from situ_studio.icon_widgets import IconButton, ThemedButton
 from situ_studio.layouts import rule
-from situ_studio.theme import Theme
+from situ_studio.panels.header import TitleBar
+from situ_studio.theme import CAPTION, Theme, font
 
 
 class Segments(QFrame):
@@ -154,34 +155,77 @@ class DocumentTabs(QFrame):
         self.chosen.emit(file)
 
 
+class CountButton(QPushButton):
+    """A tab of the strip below, with a number in a pill behind its words; 0 shows none."""
+
+    def __init__(self, theme: Theme, words: str, parent: QWidget | None = None) -> None:
+        super().__init__(words, parent)
+        self._theme, self._words, self._count = theme, words, 0
+        self.setCheckable(True)
+        self.setAccessibleName(words)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self.update()
+
+    def set_count(self, count: int) -> None:
+        self._count = count
+        self.setAccessibleName(f"{self._words} {count}" if count else self._words)
+        # Room for the pill: the words stand at the left of what spaces make wider.
+        self.setText(self._words + "\u2003\u2002" * bool(count) + "\u2002" * (len(str(count)) - 1))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self._count:
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setFont(font(CAPTION, 500))
+        text = str(self._count)
+        width = max(16.0, painter.fontMetrics().horizontalAdvance(text) + 10.0)
+        pill = QRectF(self.width() - width - 10, (self.height() - 16) / 2, width, 16)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self._theme.color("hover"))
+        painter.drawRoundedRect(pill, 8, 8)
+        painter.setPen(self._theme.color("text2"))
+        painter.drawText(pill, int(Qt.AlignmentFlag.AlignCenter), text)
+        painter.end()
+
+
 class BottomPanels(QWidget):
-    """Panels below the canvas, one shown at a time; a second click on its tab folds them."""
+    """Panels below the canvas, one shown at a time; a second click on its tab folds them.
+
+    ``strip`` with the tabs is meant to be the title bar of their dock.
+    """
 
     folded = Signal(bool)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._theme = theme
         self.setProperty("role", "panel")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        self.strip = QFrame()
-        self.strip.setProperty("role", "bottomtabs")
-        self.strip.setFixedHeight(32)
-        self._line = QHBoxLayout(self.strip)
+        self.strip = TitleBar(33)
+        whole = QVBoxLayout(self.strip)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        tabs = QFrame()
+        tabs.setProperty("role", "bottomtabs")
+        whole.addWidget(tabs, 1)
+        whole.addWidget(rule())
+        self._line = QHBoxLayout(tabs)
         self._line.setContentsMargins(4, 0, 12, 0)
         self._line.setSpacing(0)
         self._line.addStretch(1)
         self._fold = IconButton(theme, "down", self.tr("Fold the panel"), "text2", 14)
         self._fold.clicked.connect(lambda: self.set_folded(not self.is_folded))
         self._line.addWidget(self._fold)
-        column.addWidget(self.strip)
-        column.addWidget(rule())
         self._stack = QStackedWidget()
         column.addWidget(self._stack, 1)
         self._group = QButtonGroup(self)
-        self._buttons: dict[str, QPushButton] = {}
-        self._counts: dict[str, QLabel] = {}
+        self._buttons: dict[str, CountButton] = {}
         self._panels: dict[str, QWidget] = {}
 
     @property
@@ -195,21 +239,11 @@ class BottomPanels(QWidget):
         return next((n for n, w in self._panels.items() if w is shown), "")
 
     def add(self, name: str, words: str, panel: QWidget) -> None:
-        button = QPushButton(words)
-        button.setCheckable(True)
-        button.setAccessibleName(words)
+        button = CountButton(self._theme, words)
         button.clicked.connect(lambda: self._on_clicked(name))
-        holder = QHBoxLayout(button)
-        holder.setContentsMargins(0, 0, 8, 0)
-        holder.addStretch(1)
-        count = QLabel()
-        count.setProperty("role", "count")
-        count.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        count.hide()
-        holder.addWidget(count)
         self._group.addButton(button)
         self._line.insertWidget(len(self._buttons), button)
-        self._buttons[name], self._counts[name], self._panels[name] = button, count, panel
+        self._buttons[name], self._panels[name] = button, panel
         self._stack.addWidget(panel)
         if len(self._buttons) == 1:
             button.setChecked(True)
@@ -222,14 +256,12 @@ class BottomPanels(QWidget):
 
     def set_count(self, name: str, count: int) -> None:
         """A number behind the tab's words; 0 shows none."""
-        label, button = self._counts[name], self._buttons[name]
-        label.setText(str(count))
-        label.setVisible(count > 0)
-        words = button.text().rstrip()
-        # Room for the pill, which lies over the button's right end.
-        room = label.sizeHint().width() + 4 if count else 0
-        button.setStyleSheet(f"padding-right: {10 + room}px;")
-        button.setAccessibleName(f"{words} {count}" if count else words)
+        self._buttons[name].set_count(count)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        for button in self._buttons.values():
+            button.set_theme(theme)
 
     def choose(self, name: str) -> None:
         """Shows a panel, unfolded."""
@@ -243,11 +275,11 @@ class BottomPanels(QWidget):
     def set_folded(self, folded: bool) -> None:
         """Only the strip, or the panel too."""
         self._stack.setVisible(not folded)
-        self.setMaximumHeight(33 if folded else 16777215)
-        self.setMinimumHeight(33)
-        self._fold.setAccessibleName(
-            self.tr("Unfold the panel") if folded else self.tr("Fold the panel")
-        )
+        self.setMaximumHeight(0 if folded else 16777215)
+        if folded:
+            self._fold.show_icon("up", self.tr("Unfold the panel"))
+        else:
+            self._fold.show_icon("down", self.tr("Fold the panel"))
         self.folded.emit(folded)
 
     def _on_clicked(self, name: str) -> None:

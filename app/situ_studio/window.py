@@ -170,15 +170,14 @@ class MainWindow(QMainWindow):
         self.docks["inspector"] = self._dock(
             "inspector", self.tr("Inspector"), self.inspector, right
         )
-        # Its own heading says what is inspected; an empty bar keeps Qt's away.
-        self.docks["inspector"].setTitleBarWidget(QWidget())
+        self.docks["inspector"].setTitleBarWidget(self.inspector.header)
         self.docks["bottom"] = self._dock(
             "bottom",
             self.tr("Problems and more"),
             self.bottom,
             Qt.DockWidgetArea.BottomDockWidgetArea,
         )
-        self.docks["bottom"].setTitleBarWidget(QWidget())
+        self.docks["bottom"].setTitleBarWidget(self.bottom.strip)
 
     def _fill_panels_menu(self) -> None:
         menu = self.actions_.menu("View").addMenu(self.tr("Panels"))
@@ -319,6 +318,7 @@ class MainWindow(QMainWindow):
             self.tabs.views.setVisible(view.has_graph)
             self.tabs.views.show_choice(view.mode)
         self._settle_title()
+        self._settle_problems()
         self.project_tree.show_current(self.current_file)
         self._settle_document()
 
@@ -491,7 +491,8 @@ class MainWindow(QMainWindow):
     def _problems_of(self, file: str) -> list[Problem]:
         return [p for p in self.session.problems if self.session.file_of(p) == file]
 
-    def _on_problems(self) -> None:
+    def _settle_problems(self) -> None:
+        """The panel of the problems; places in other documents name them."""
         found = self.session.problems
         rows = []
         several = len(self.session.files) > 1
@@ -508,6 +509,9 @@ class MainWindow(QMainWindow):
         self.bottom.set_count("problems", len(found))
         errors = sum(1 for p in found if p.severity == "error")
         self.status.show_problems(errors, len(found) - errors)
+
+    def _on_problems(self) -> None:
+        self._settle_problems()
         for file, view in self.views.items():
             document = self.session.document(file)
             if document is not None and view.problems != self._problems_of(file):
@@ -638,6 +642,7 @@ class MainWindow(QMainWindow):
             self.inspector,
             self.problems,
             self.tabs,
+            self.bottom,
             self.welcome,
             self.finder,
             self.robot,

@@ -92,6 +92,8 @@ def title(document: Document, place: Place) -> tuple[str, str, str, str]:
         assert isinstance(document, spds.Spds)
         number = document.situations.index(value) + 1
         return icon, tint, value.name, f"Situation {number} of {len(document.situations)}"
+    if isinstance(value, rbd.Always):
+        return icon, tint, kind.title, "Part of every state"
     name = getattr(value, "name", None) or getattr(value, "tag", None) or kind.title
     return icon, tint, name, kind.title
 

@@ -8,14 +8,29 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 HEIGHT = 32
 
 
-class PanelHeader(QWidget):
+class TitleBar(QWidget):
+    """What a dock is dragged by: of a fixed height, in the panels' colour."""
+
+    def __init__(self, height: int, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._height = height
+        self.setProperty("role", "panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setFixedHeight(height)
+
+    def sizeHint(self) -> QSize:
+        # A dock asks for the hint of its title bar, whatever its fixed height is.
+        return QSize(80, self._height)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(80, self._height)
+
+
+class PanelHeader(TitleBar):
     """Also the title bar of the panel's dock, by which it is dragged."""
 
     def __init__(self, title: str, hint: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setProperty("role", "panel")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.setFixedHeight(HEIGHT)
+        super().__init__(HEIGHT, parent)
         self._line = QHBoxLayout(self)
         self._line.setContentsMargins(12, 0, 8, 0)
         self._line.setSpacing(4)
@@ -26,13 +41,6 @@ class PanelHeader(QWidget):
         self.hint = QLabel(hint)
         self.hint.setProperty("role", "hint")
         self._line.addWidget(self.hint)
-
-    def sizeHint(self) -> QSize:
-        # A dock asks for the hint of its title bar, whatever its fixed height is.
-        return QSize(80, HEIGHT)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(80, HEIGHT)
 
     def add(self, widget: QWidget) -> None:
         """Puts a button at the right end."""

@@ -13,6 +13,7 @@ from situ_studio.edit import Document, Place
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import rule
 from situ_studio.panels.form import Form, Subject
+from situ_studio.panels.header import TitleBar
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -34,11 +35,15 @@ class Inspector(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        self.header = QWidget()
-        self.header.setFixedHeight(39)
-        line = QHBoxLayout(self.header)
+        self.header = TitleBar(40)
+        whole = QVBoxLayout(self.header)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        line = QHBoxLayout()
         line.setContentsMargins(12, 0, 8, 0)
         line.setSpacing(8)
+        whole.addLayout(line, 1)
+        whole.addWidget(rule())
         self._back = IconButton(theme, "left", self.tr("Back"), "text2", 14)
         self._back.setFixedSize(20, 20)
         self._back.clicked.connect(self._on_back)
@@ -50,8 +55,6 @@ class Inspector(QWidget):
         self._pill = QLabel()
         self._pill.setProperty("role", "pill")
         line.addWidget(self._pill, 0, Qt.AlignmentFlag.AlignVCenter)
-        column.addWidget(self.header)
-        column.addWidget(rule())
         self._notice = QLabel()
         self._notice.setProperty("role", "refused")
         self._notice.setWordWrap(True)
