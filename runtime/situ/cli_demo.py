@@ -119,13 +119,19 @@ async def _in_window(robot: Robot, play: bool) -> int:
     await asyncio.wait({closed, ended}, return_when=asyncio.FIRST_COMPLETED)
     if not ended.done():
         ended.cancel()
-        return await closed
+        return _closed(await closed)
     closed.cancel()
     status = await ended
     if script is None:
         _tell(f"the robot ended with exit status {status}")
         return 2
     return status
+
+
+def _closed(status: int) -> int:
+    if status < 0:
+        _tell(f"the editor was ended by {signal.Signals(-status).name}")
+    return 0 if status == 0 else 2
 
 
 class Robot:

@@ -17,10 +17,11 @@ MODULES = ("chase_face", "nod", "gaze_sound", "face_caller", "transfer")
 
 def main(*arguments: str) -> int:
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    modules = [
-        subprocess.Popen([sys.executable, str(HERE / f"{name}.py"), *arguments]) for name in MODULES
-    ]
+    modules: list[subprocess.Popen[bytes]] = []
     try:
+        for name in MODULES:
+            program = [sys.executable, str(HERE / f"{name}.py"), *arguments]
+            modules.append(subprocess.Popen(program))
         _, status = os.wait()
         return os.waitstatus_to_exitcode(status)
     except KeyboardInterrupt:

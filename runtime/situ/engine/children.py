@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import ctypes
 import os
 import signal
@@ -60,7 +61,9 @@ class Children:
         if waits:
             await asyncio.wait(waits, timeout=GRACE)
         for process in self._running:
-            kill(process)
+            # Also those whose leader has ended: what it left behind.
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(process.pid, signal.SIGKILL)
         await asyncio.gather(*waits)
         self._running.clear()
 
