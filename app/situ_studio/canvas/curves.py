@@ -6,7 +6,12 @@ from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, Qt
-from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QStyleOptionGraphicsItem
+from PySide6.QtWidgets import (
+    QGraphicsItem,
+    QGraphicsPathItem,
+    QGraphicsSceneMouseEvent,
+    QStyleOptionGraphicsItem,
+)
 from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas.cards import arrow
@@ -168,6 +173,10 @@ class InheritedPipe(QGraphicsPathItem):
         path = QPainterPath()
         path.addRect(self.pill())
         return path
+
+    def mousePressEvent(self, event: QGraphicsSceneMouseEvent) -> None:
+        # The situation that it belongs to stays selected.
+        event.accept()
 
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None

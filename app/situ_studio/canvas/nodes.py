@@ -39,6 +39,11 @@ class Face(Protocol):
     def inputs(self) -> tuple[str, ...]: ...
     @property
     def outputs(self) -> tuple[str, ...]: ...
+    @property
+    def many(self) -> bool:
+        """Whether an exit may lead to several nodes."""
+        ...
+
     def port(self, name: str) -> tuple[float, float]: ...
 
 
@@ -130,7 +135,7 @@ class NodeFace(NodeItem):
         spot = Spot(self)
         spot.name = name
         spot._port_type = kind
-        spot._multi_connection = kind == IN
+        spot._multi_connection = kind == IN or self.face.many
         (self._input_items if kind == IN else self._output_items)[spot] = None
         return spot
 
@@ -282,7 +287,7 @@ class Node(BaseNode):
         port = Port(self, self.view.add_spot(name, kind))
         port.model.type_ = kind
         port.model.name = name
-        port.model.multi_connection = kind == IN
+        port.model.multi_connection = kind == IN or self.face.many
         return port
 
     def port(self, kind: str, name: str) -> Any:

@@ -85,6 +85,10 @@ class Card(Struct, frozen=True):
         return WIDTH
 
     @property
+    def many(self) -> bool:
+        return False
+
+    @property
     def inputs(self) -> tuple[str, ...]:
         return () if self.kind == "always" else (ENTRY,)
 

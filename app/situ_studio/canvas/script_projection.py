@@ -81,6 +81,10 @@ class ScriptNode(Struct, frozen=True):
         return self.name
 
     @property
+    def many(self) -> bool:
+        return True
+
+    @property
     def inputs(self) -> tuple[str, ...]:
         if self.kind == "data":
             return ()
