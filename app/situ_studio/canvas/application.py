@@ -93,7 +93,8 @@ class ApplicationCanvas(Canvas):
             return
         if [uid for uid, _ in missing] == [f"{ALWAYS} "] and placed:
             left, top = min(p[0] for p in placed), min(p[1] for p in placed)
-            self._laid[missing[0][0]] = (left, top - 210)
+            rows = max(3, len(_ports(missing[0][1])))
+            self._laid[missing[0][0]] = (left, top - (62 + 18 * rows) - layout.ABOVE)
             return
         taken = [
             (*at, 176.0, 62 + 18.0 * max(3, len(v.events) + 1))
@@ -543,6 +544,11 @@ class ApplicationCanvas(Canvas):
 
 def _differ(old: Mapping[Any, Any], new: Mapping[Any, Any], key: Any) -> bool:
     return bool(old.get(key) != new.get(key))
+
+
+def _ports(value: Any) -> tuple[Any, ...]:
+    """What has a port on the card: its events, and its timeout."""
+    return (*value.events, *([value.timeout] if value.timeout is not None else []))
 
 
 def _number(text: str) -> int:

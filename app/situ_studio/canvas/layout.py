@@ -24,6 +24,8 @@ BAND = 6
 """Columns side by side before the way goes on below."""
 LEFT, TOP = 24.0, 52.0
 GAP = ROW - 116.0
+ABOVE = 48.0
+"""Between the card of what every state has and the first row."""
 
 
 def arrange(application: Application, band: int = BAND) -> dict[str, tuple[float, float]]:
@@ -54,7 +56,7 @@ def arrange(application: Application, band: int = BAND) -> dict[str, tuple[float
     top = TOP
     for uid in always:
         placed[uid] = (LEFT, top)
-        top += heights[uid] + GAP
+        top += heights[uid] + ABOVE
     lanes: dict[int, list[str]] = {}
     for uid in states:
         lanes.setdefault(ranks[uid], []).append(uid)

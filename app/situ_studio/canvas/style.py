@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Literal
 
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QStaticText, Qt
 
 from situ_studio import icons
@@ -127,10 +127,15 @@ class Look:
     def icon(
         self, painter: QPainter, name: str, x: float, y: float, size: float, color: QColor
     ) -> None:
-        """An icon with its upper left corner at x, y, sharp at this zoom."""
-        scale = max(0.5, round(self.zoom * self.ratio * 8) / 8)
-        if scale > 4:
+        """An icon with its corner at x, y, on whole px of the screen: sharp at any zoom."""
+        to_screen = painter.deviceTransform()
+        zoom = to_screen.m11()
+        pixels = max(1, round(size * zoom))
+        if pixels > 128:
             icons.paint(painter, name, QRectF(x, y, size, size), color)
             return
-        picture = icons.pixmap(name, color, max(1, round(size)), scale)
-        painter.drawPixmap(QRectF(x, y, size, size), picture, QRectF(picture.rect()))
+        at_x, at_y = zoom * x + to_screen.dx(), zoom * y + to_screen.dy()
+        corner = QPointF(x + (round(at_x) - at_x) / zoom, y + (round(at_y) - at_y) / zoom)
+        picture = icons.pixmap(name, color, pixels, 1.0)
+        side = pixels / zoom
+        painter.drawPixmap(QRectF(corner, QSizeF(side, side)), picture, QRectF(picture.rect()))
