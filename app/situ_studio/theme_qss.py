@@ -7,6 +7,7 @@ widgets themselves from the same tokens.
 from __future__ import annotations
 
 import msgspec
+from PySide6.QtGui import QPalette
 
 from situ_studio.theme import Theme
 
@@ -225,3 +226,30 @@ def qss(theme: Theme) -> str:
         _PILL.format(kind=kind, soft=tokens[f"{kind}_soft"], color=tokens[kind]) for kind in pairs
     )
     return _SHEET.format(**tokens, pills=pills)
+
+
+def palette(theme: Theme) -> QPalette:
+    """What is not styled by the sheet: the ground of views, selections, placeholders."""
+    made = QPalette()
+    role = QPalette.ColorRole
+    for one, token in (
+        (role.Window, "panel"),
+        (role.Base, "panel"),
+        (role.AlternateBase, "row_alt"),
+        (role.Button, "panel"),
+        (role.Text, "text"),
+        (role.WindowText, "text"),
+        (role.ButtonText, "text"),
+        (role.PlaceholderText, "text3"),
+        (role.Highlight, "accent"),
+        (role.HighlightedText, "on_accent"),
+        (role.ToolTipBase, "text"),
+        (role.ToolTipText, "panel"),
+        (role.Mid, "line"),
+        (role.Link, "accent"),
+    ):
+        made.setColor(one, theme.color(token))
+    disabled = QPalette.ColorGroup.Disabled
+    for one in (role.Text, role.WindowText, role.ButtonText):
+        made.setColor(disabled, one, theme.color("text3"))
+    return made

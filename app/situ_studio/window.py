@@ -6,21 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QSettings, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QGuiApplication, QPalette, QResizeEvent
+from PySide6.QtCore import QSettings
+from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QApplication,
-    QDockWidget,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QMainWindow,
-    QPushButton,
-    QSizePolicy,
-    QStackedWidget,
-    QToolBar,
-    QVBoxLayout,
-    QWidget,
 )
 
 from situ.document.problem import Problem
@@ -31,39 +20,23 @@ from situ_studio.commands import Commands
 from situ_studio.dialogs import Dialogs
 from situ_studio.document_view import DocumentView
 from situ_studio.edit import Document, Place
-from situ_studio.find import FindAnything
-from situ_studio.icon_widgets import IconButton, IconLabel, ThemedButton, retheme
-from situ_studio.panels.fields import Choice, Flag, Line, Paragraph
-from situ_studio.panels.header import PanelHeader
-from situ_studio.panels.inspector import Inspector
-from situ_studio.panels.outline import Outline
-from situ_studio.panels.palette import Palette
-from situ_studio.panels.problems import Problems
-from situ_studio.panels.project_tree import ProjectTree, look, stem
+from situ_studio.frame import Frame
+from situ_studio.panels.fields import Line, Paragraph
+from situ_studio.panels.project_tree import look, stem
 from situ_studio.robot import RobotSide
 from situ_studio.session import Session
-from situ_studio.status import Status
-from situ_studio.tabs import BottomPanels, DocumentTabs
-from situ_studio.theme import DARK, LIGHT, Theme
-from situ_studio.theme_qss import qss
+from situ_studio.theme import Theme
 from situ_studio.vocabulary import Lexicon
-from situ_studio.welcome import Example, Welcome
+from situ_studio.welcome import Example
 
 RECENT = 8
-LEFT, RIGHT, BOTTOM = 224, 280, 132
-LEFT_SMALL, RIGHT_SMALL = 208, 264
-LOW = 860
-"""Px of the window's height below which rows are denser."""
 
 
-class MainWindow(QMainWindow):
+class MainWindow(Frame):
     """One window with one session.
 
     settings: where it was and what it showed; examples: what the welcome page offers.
     """
-
-    shown = Signal()
-    """Laid out for the first time."""
 
     def __init__(
         self,
@@ -72,151 +45,22 @@ class MainWindow(QMainWindow):
         examples: Callable[[], list[Example]],
         theme: str | None = None,
     ) -> None:
-        super().__init__()
+        super().__init__(settings, theme)
         self.session = session
         session.setParent(self)
-        self.settings = settings
         self._list_examples = examples
-        self.theme_choice = theme or str(settings.value("theme", "system"))
-        self.theme = self._chosen_theme()
+        self._lexicon = Lexicon()
         self.dialogs: Dialogs = Dialogs(self)
         self.views: dict[str, DocumentView] = {}
         self.current_file: str | None = None
-        self._placed = False
-        self._lexicon = Lexicon()
-        self.setWindowTitle(self.tr("Situ Studio"))
-        self.setMinimumSize(800, 500)
-        self.setDockOptions(
-            QMainWindow.DockOption.AnimatedDocks
-            | QMainWindow.DockOption.AllowNestedDocks
-            | QMainWindow.DockOption.AllowTabbedDocks
-        )
-        for corner, area in (
-            (Qt.Corner.BottomLeftCorner, Qt.DockWidgetArea.LeftDockWidgetArea),
-            (Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea),
-        ):
-            self.setCorner(corner, area)
         self.commands = Commands(self)
-        self.actions_ = Actions(self.commands, self.theme, self)
-        self._build_centre()
-        self._build_panels()
-        self.status = Status(self.theme)
-        self.setStatusBar(self.status)
         self.robot = RobotSide(self)
-        self.actions_.fill_menus(self.menuBar())
-        self._fill_panels_menu()
-        self._build_toolbar()
-        self.finder = FindAnything(self.theme, self)
+        self.add_commands(Actions(self.commands, self.theme, self))
+        self.search.clicked.connect(self.commands.find)
         self._wire()
         self.set_theme(self.theme)
-        self._restore()
+        self.restore()
         self.show_welcome()
-
-    # -- building ------------------------------------------------------------------
-
-    def _build_centre(self) -> None:
-        self.stack = QStackedWidget()
-        self.welcome = Welcome(self.theme)
-        self.stack.addWidget(self.welcome)
-        centre = QWidget()
-        column = QVBoxLayout(centre)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        self.tabs = DocumentTabs(self.theme)
-        column.addWidget(self.tabs)
-        self.notice = Notice(self.theme)
-        self.notice.hide()
-        column.addWidget(self.notice)
-        self.documents = QStackedWidget()
-        column.addWidget(self.documents, 1)
-        self.stack.addWidget(centre)
-        self.setCentralWidget(self.stack)
-
-    def _dock(self, name: str, title: str, widget: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
-        dock = QDockWidget(title, self)
-        dock.setObjectName(name)
-        dock.setWidget(widget)
-        self.addDockWidget(area, dock)
-        return dock
-
-    def _build_panels(self) -> None:
-        theme = self.theme
-        left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-        self.project_tree = ProjectTree(theme)
-        self.outline = Outline(theme)
-        self.palette_ = Palette(theme)
-        self.inspector = Inspector(theme)
-        self.problems = Problems(theme)
-        self.bottom = BottomPanels(theme)
-        self.bottom.add("problems", self.tr("Problems"), self.problems)
-        self.docks: dict[str, QDockWidget] = {}
-        headers = {
-            "project": PanelHeader(self.tr("Project")),
-            "outline": PanelHeader(self.tr("Outline")),
-            "palette": PanelHeader(self.tr("Palette"), self.tr("drag onto the canvas")),
-        }
-        search = IconButton(theme, "search", self.tr("Find in the outline"), "text3", 14)
-        search.clicked.connect(self.outline.toggle_search)
-        headers["outline"].add(search)
-        self._headers = headers
-        for name, widget in (
-            ("project", self.project_tree),
-            ("outline", self.outline),
-            ("palette", self.palette_),
-        ):
-            dock = self._dock(name, headers[name].title.text(), widget, left)
-            dock.setTitleBarWidget(headers[name])
-            self.docks[name] = dock
-        self.docks["inspector"] = self._dock(
-            "inspector", self.tr("Inspector"), self.inspector, right
-        )
-        self.docks["inspector"].setTitleBarWidget(self.inspector.header)
-        self.docks["bottom"] = self._dock(
-            "bottom",
-            self.tr("Problems and more"),
-            self.bottom,
-            Qt.DockWidgetArea.BottomDockWidgetArea,
-        )
-        self.docks["bottom"].setTitleBarWidget(self.bottom.strip)
-
-    def _fill_panels_menu(self) -> None:
-        menu = self.actions_.menu("View").addMenu(self.tr("Panels"))
-        for dock in self.docks.values():
-            action = dock.toggleViewAction()
-            action.setText(dock.windowTitle())
-            menu.addAction(action)
-
-    def _build_toolbar(self) -> None:
-        bar = QToolBar(self.tr("Toolbar"))
-        bar.setObjectName("toolbar")
-        bar.setMovable(False)
-        bar.setFloatable(False)
-        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-        bar.setFixedHeight(40)
-        self.addToolBar(Qt.ToolBarArea.TopToolBarArea, bar)
-        self.toolbar = bar
-        self.actions_.fill_toolbar(bar, "left")
-        bar.addWidget(_spring())
-        self.search = ThemedButton(
-            self.theme,
-            "search",
-            self.tr("Find anything, run a command"),
-            "search",
-            "text3",
-            14,
-        )
-        self.search.setFixedWidth(304)
-        line = QHBoxLayout(self.search)
-        line.setContentsMargins(0, 0, 7, 0)
-        line.addStretch(1)
-        keys = QLabel("Ctrl K")
-        keys.setProperty("role", "kbd")
-        keys.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        line.addWidget(keys, 0, Qt.AlignmentFlag.AlignVCenter)
-        self.search.clicked.connect(self.commands.find)
-        bar.addWidget(self.search)
-        bar.addWidget(_spring())
-        self.actions_.fill_toolbar(bar, "right")
 
     def _wire(self) -> None:
         session = self.session
@@ -236,7 +80,6 @@ class MainWindow(QMainWindow):
         self.inspector.edited.connect(self._on_form)
         self.inspector.place_asked.connect(self.select)
         self.problems.chosen.connect(self._on_problem)
-        self.bottom.folded.connect(lambda _: self._settle_bottom())
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
         self.notice.theirs.connect(self._on_theirs)
         self.notice.mine.connect(self._on_mine)
@@ -247,8 +90,6 @@ class MainWindow(QMainWindow):
         welcome.recent_asked.connect(self.commands.open_path)
         welcome.example_asked.connect(self.commands.open_example)
         welcome.theme_asked.connect(self.choose_theme)
-        hints = QGuiApplication.styleHints()
-        hints.colorSchemeChanged.connect(self._on_scheme)
 
     # -- the project -----------------------------------------------------------------
 
@@ -287,7 +128,7 @@ class MainWindow(QMainWindow):
             self.tabs.choose(self.tabs.files()[0])
         else:
             self.show_file("")
-        self._size_docks()
+        self.size_docks()
         shown_view = self.current_view
         if shown_view is not None:
             shown_view.current_view().setFocus()
@@ -558,7 +399,7 @@ class MainWindow(QMainWindow):
         self._settle_selection()
         if project is not None and document is not None:
             application = isinstance(document, Application)
-            self._headers["outline"].title.setText(
+            self.headers["outline"].title.setText(
                 self.tr("Outline") if application else self.tr("Modules")
             )
 
@@ -605,89 +446,13 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(self.tr("{0}{1} — Situ Studio").format(project.name, star))
         self.toolbar.show()
 
-    # -- looks --------------------------------------------------------------------------------
-
-    def _chosen_theme(self) -> Theme:
-        if self.theme_choice == "system":
-            scheme = QGuiApplication.styleHints().colorScheme()
-            return DARK if scheme == Qt.ColorScheme.Dark else LIGHT
-        return DARK if self.theme_choice == "dark" else LIGHT
-
-    def choose_theme(self, choice: str) -> None:
-        """``system``, ``light`` or ``dark``; kept for the next time."""
-        self.theme_choice = choice
-        self.settings.setValue("theme", choice)
-        self.welcome.themes.show_choice(choice)
-        self.set_theme(self._chosen_theme())
-
-    def _on_scheme(self) -> None:
-        if self.theme_choice == "system":
-            self.set_theme(self._chosen_theme())
-
     def set_theme(self, theme: Theme) -> None:
-        """Every widget of the window takes the theme."""
-        self.theme = theme
-        QApplication.setPalette(_palette(theme))
-        self.setStyleSheet(qss(theme))
-        self.actions_.set_theme(theme)
-        retheme(self, theme)
-        for choice in self.findChildren(Choice):
-            choice.set_theme(theme)
-        for flag in self.findChildren(Flag):
-            flag.set_theme(theme)
-        panels: tuple[Any, ...] = (
-            self.project_tree,
-            self.outline,
-            self.palette_,
-            self.inspector,
-            self.problems,
-            self.tabs,
-            self.bottom,
-            self.welcome,
-            self.finder,
-            self.robot,
-            *self.views.values(),
-        )
-        for panel in panels:
-            panel.set_theme(theme)
+        """The documents and the robot's panels take the theme too."""
+        super().set_theme(theme)
+        self.robot.set_theme(theme)
+        for view in self.views.values():
+            view.set_theme(theme)
         self._settle_selection()
-
-    def _size_docks(self) -> None:
-        """The panels' usual sizes, unless a person has changed them before."""
-        if self._placed:
-            return
-        small = self.width() < 1360
-        horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
-        self.resizeDocks(
-            [self.docks["project"], self.docks["inspector"]],
-            [LEFT_SMALL if small else LEFT, RIGHT_SMALL if small else RIGHT],
-            horizontal,
-        )
-        tree = self.project_tree.height_wanted() + 32
-        self.resizeDocks(
-            [self.docks["project"], self.docks["outline"], self.docks["palette"]],
-            [tree, 10000, self.palette_.height() + 32],
-            vertical,
-        )
-        self.resizeDocks([self.docks["bottom"]], [BOTTOM], vertical)
-
-    def _settle_bottom(self) -> None:
-        if not self.bottom.is_folded:
-            self.resizeDocks([self.docks["bottom"]], [BOTTOM], Qt.Orientation.Vertical)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.palette_.set_dense(self.height() < LOW)
-        if self.stack.currentIndex() == 1:
-            self._size_docks()
-
-    def _restore(self) -> None:
-        geometry, state = self.settings.value("geometry"), self.settings.value("panels")
-        self.resize(1440, 900)
-        if isinstance(geometry, QByteArray):
-            self.restoreGeometry(geometry)
-        if isinstance(state, QByteArray):
-            self._placed = self.restoreState(state)
 
     # -- leaving ---------------------------------------------------------------------------------
 
@@ -706,9 +471,7 @@ class MainWindow(QMainWindow):
         if not self.may_leave():
             event.ignore()
             return
-        self.settings.setValue("geometry", self.saveGeometry())
-        if self.stack.currentIndex() == 1:
-            self.settings.setValue("panels", self.saveState())
+        self.keep()
         self.disconnect_robot()
         super().closeEvent(event)
 
@@ -732,47 +495,6 @@ class MainWindow(QMainWindow):
         self.robot.disconnect_robot()
 
 
-class Notice(QFrame):
-    """A strip above the canvas: another program changed a file."""
-
-    theirs = Signal(str)
-    mine = Signal(str)
-
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setProperty("role", "notice")
-        self._file = ""
-        line = QHBoxLayout(self)
-        line.setContentsMargins(12, 4, 8, 4)
-        line.setSpacing(8)
-        line.addWidget(IconLabel(theme, "warning", "warning", 16))
-        self.words = QLabel()
-        self.words.setTextFormat(Qt.TextFormat.PlainText)
-        line.addWidget(self.words, 1)
-        self.take = QPushButton(self.tr("Take the one on disk"))
-        self.take.clicked.connect(lambda: self._answer(self.theirs))
-        line.addWidget(self.take)
-        self.keep = QPushButton(self.tr("Keep mine"))
-        self.keep.clicked.connect(lambda: self._answer(self.mine))
-        line.addWidget(self.keep)
-
-    def show_for(self, file: str, text: str, can_take: bool = True) -> None:
-        self._file = file
-        self.words.setText(text)
-        self.take.setVisible(can_take)
-        self.show()
-
-    def _answer(self, signal: Any) -> None:
-        self.hide()
-        signal.emit(self._file)
-
-
-def _spring() -> QWidget:
-    widget = QWidget()
-    widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-    return widget
-
-
 def _short(document: Document, place: Place) -> str:
     """A problem's place in few words: ``12 SPO2``."""
     if place[0] == "state" and len(place) > 1:
@@ -780,30 +502,3 @@ def _short(document: Document, place: Place) -> str:
     if place[0] == "always":
         return "Always"
     return place[1] if len(place) > 1 else place[0]
-
-
-def _palette(theme: Theme) -> QPalette:
-    """What is not styled by the sheet: the ground of views, selections, placeholders."""
-    palette = QPalette()
-    role = QPalette.ColorRole
-    for one, token in (
-        (role.Window, "panel"),
-        (role.Base, "panel"),
-        (role.AlternateBase, "row_alt"),
-        (role.Button, "panel"),
-        (role.Text, "text"),
-        (role.WindowText, "text"),
-        (role.ButtonText, "text"),
-        (role.PlaceholderText, "text3"),
-        (role.Highlight, "accent"),
-        (role.HighlightedText, "on_accent"),
-        (role.ToolTipBase, "text"),
-        (role.ToolTipText, "panel"),
-        (role.Mid, "line"),
-        (role.Link, "accent"),
-    ):
-        palette.setColor(one, theme.color(token))
-    disabled = QPalette.ColorGroup.Disabled
-    for one in (role.Text, role.WindowText, role.ButtonText):
-        palette.setColor(disabled, one, theme.color("text3"))
-    return palette

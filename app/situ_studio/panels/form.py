@@ -6,66 +6,33 @@ when a field is finished: one field, one named edit.
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
-from msgspec import Struct
-from msgspec.structs import replace
-from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QMenu,
     QVBoxLayout,
     QWidget,
 )
 
-from situ.document import rbd, spds
-from situ.document.problem import Problem
-from situ_studio import changes, kinds, places, words
-from situ_studio.edit import Document, Place
-from situ_studio.icon_widgets import Elided, IconButton
+from situ.document import rbd
+from situ_studio import changes, places, words
 from situ_studio.kinds import Field, Kind, Section
 from situ_studio.layouts import rule
-from situ_studio.panels.conditions import AddTest, ConditionEditor
 from situ_studio.panels.fields import (
-    Choice,
     FieldWidget,
     Flag,
     Line,
-    Number,
     Paragraph,
     make_field,
     offer,
 )
-from situ_studio.panels.pairs import PAIRS, PairsEditor
-from situ_studio.panels.preview import ScreenPreview
-from situ_studio.panels.priorities import PrioritiesEditor
-from situ_studio.panels.rows import RowList
-from situ_studio.panels.summaries import action_row, component_row, event_row
+from situ_studio.panels.section import SectionEditor
+from situ_studio.panels.subject import LABEL, MARGIN, Subject, translated
+from situ_studio.panels.timeout_rows import TimeoutRows
 from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
-
-LABEL = 72
-MARGIN = 12
-
-
-def translated(text: str) -> str:
-    """A text of the kinds' table in the user's language."""
-    return QCoreApplication.translate("kinds", text) if text else ""
-
-
-class Subject(Struct, frozen=True, kw_only=True):
-    """What a form shows: the value at ``place`` of ``document``, and what it is surrounded by."""
-
-    document: Document
-    place: Place
-    value: Any
-    theme: Theme
-    vocabulary: Vocabulary = Vocabulary()
-    problems: tuple[Problem, ...] = ()
-    media: Path | None = None
 
 
 class Form(QWidget):
@@ -256,270 +223,3 @@ class Form(QWidget):
         document = places.change(subject.document, subject.place, **{attribute: value})
         where = words.place_words(subject.document, subject.place)
         self.edited.emit(document, self.tr("{0} of {1}").format(text, where), subject.place)
-
-
-class TimeoutRows(QWidget):
-    """A timeout in the form of its state: seconds; where they are set, where it leads, and how."""
-
-    changed = Signal(object)
-
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._timeout: rbd.Timeout | None = None
-        grid = QGridLayout(self)
-        grid.setContentsMargins(MARGIN, 0, MARGIN, 4)
-        grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(4)
-        grid.setColumnMinimumWidth(0, LABEL)
-        label = QLabel(self.tr("Timeout"))
-        label.setProperty("role", "label")
-        label.setFixedWidth(LABEL)
-        grid.addWidget(label, 0, 0)
-        self.seconds = Number(unit="s", above=True)
-        self.seconds.setPlaceholderText(self.tr("none"))
-        self.seconds.setAccessibleName(self.tr("Timeout"))
-        self.seconds.setToolTip(
-            self.tr("After so many seconds without an event the state is left.")
-        )
-        label.setBuddy(self.seconds)
-        grid.addWidget(self.seconds, 0, 1)
-        self._then = QLabel(self.tr("then to"))
-        self._then.setProperty("role", "label")
-        grid.addWidget(self._then, 1, 0)
-        self.next = Choice(theme)
-        self.next.setAccessibleName(self.tr("The timeout leads to"))
-        grid.addWidget(self.next, 1, 1)
-        self.idle = Flag(theme, self.tr("only when idle"))
-        self.idle.setToolTip(
-            self.tr("Counted anew after each touch and speech; still while the robot speaks.")
-        )
-        grid.addWidget(self.idle, 2, 1)
-        grid.setColumnStretch(1, 1)
-        self.seconds.committed.connect(self._on_seconds)
-        self.next.committed.connect(lambda v: self._change(next=v))
-        self.idle.committed.connect(lambda v: self._change(idle=v))
-
-    def show_value(self, timeout: rbd.Timeout | None, vocabulary: Vocabulary) -> None:
-        self._timeout = timeout
-        self.seconds.show_value(timeout.seconds if timeout is not None else None)
-        self.next.offer(
-            (
-                (None, self.tr("raises timeout")),
-                *((no, f"{no} {name}".strip()) for no, name in vocabulary.states),
-                (rbd.AGAIN, self.tr("the same state, anew")),
-                (rbd.BACK, self.tr("back to where it came from")),
-            )
-        )
-        for widget in (self._then, self.next, self.idle):
-            widget.setVisible(timeout is not None)
-        if timeout is not None:
-            self.next.show_value(timeout.next)
-            self.idle.show_value(timeout.idle)
-
-    def _on_seconds(self, seconds: float | None) -> None:
-        if seconds is None:
-            self.changed.emit(None)
-        elif self._timeout is None:
-            self.changed.emit(rbd.Timeout(seconds))
-        else:
-            self._change(seconds=seconds)
-
-    def _change(self, **fields: Any) -> None:
-        if self._timeout is not None:
-            self.changed.emit(replace(self._timeout, **fields))
-
-
-class SectionEditor(QWidget):
-    """A section with a list: its heading, the button that adds, and the members."""
-
-    changed = Signal(str, object, str)
-    place_asked = Signal(tuple)
-
-    def __init__(self, section: Section, theme: Theme, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.section = section
-        self._theme = theme
-        self._subject: Subject | None = None
-        column = QVBoxLayout(self)
-        column.setContentsMargins(MARGIN, 0, MARGIN, 8)
-        column.setSpacing(0)
-        head = QHBoxLayout()
-        head.setSpacing(6)
-        title = QLabel(translated(section.title))
-        title.setProperty("role", "heading")
-        title.setFixedHeight(32)
-        title.setToolTip(translated(section.help))
-        head.addWidget(title)
-        head.addWidget(Elided(translated(section.hint), "hint"), 1)
-        self._head = head
-        column.addLayout(head)
-        self.rows: RowList | None = None
-        self.preview: ScreenPreview | None = None
-        self.condition: ConditionEditor | None = None
-        self.pairs: PairsEditor | None = None
-        self.priorities: PrioritiesEditor | None = None
-        self._words: QLabel | None = None
-        self._body: QWidget
-        if section.attribute == "screen":
-            self.preview = self._body = ScreenPreview(theme)
-            self.preview.clicked.connect(self._open_screen)
-            self._open = IconButton(theme, "launch", self.tr("Open the screen"), "text3", 15)
-            self._open.clicked.connect(self._open_screen)
-            self._drop = IconButton(
-                theme, "close", self.tr("Keep what was shown before"), "text3", 12
-            )
-            self._drop.clicked.connect(lambda: self._tell(None, self.tr("Remove screen")))
-            head.addWidget(self._drop)
-            head.addWidget(self._open)
-        elif section.editor in ("actions", "events", "components"):
-            self.rows = self._body = RowList(theme)
-            self.rows.opened.connect(self._open_row)
-            self.rows.removed.connect(self._remove_row)
-            self.rows.moved.connect(self._move_row)
-            self.add = self._add_button()
-        elif section.editor == "condition":
-            self.condition = self._body = ConditionEditor(theme)
-            self.condition.changed.connect(self._tell)
-            head.addWidget(AddTest(theme, self.condition.add))
-        elif section.editor == "entries":
-            self.priorities = self._body = PrioritiesEditor(theme)
-            self.priorities.changed.connect(self._tell)
-            self._plus(self.tr("Add a priority"), self.priorities.add)
-        elif section.editor == "words":
-            self._words = QLabel()
-            self._words.setProperty("role", "words")
-            self._words.setWordWrap(True)
-            self._body = self._words
-        else:
-            self.pairs = self._body = PairsEditor(theme, section.editor)
-            self.pairs.changed.connect(self._tell)
-            self._plus(self.tr("Add a {0}").format(PAIRS[section.editor].noun), self.pairs.add)
-        column.addWidget(self._body)
-
-    def _plus(self, tip: str, pressed: Any) -> IconButton:
-        button = IconButton(self._theme, "plus", tip, "text3", 16)
-        button.clicked.connect(lambda: pressed())
-        self._head.addWidget(button)
-        return button
-
-    def _add_button(self) -> IconButton:
-        if self.section.editor == "events":
-            return self._plus(self.tr("Add an event"), lambda: self.add_member("event"))
-        button = IconButton(self._theme, "plus", self.tr("Add"), "text3", 16)
-        button.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        menu = QMenu(button)
-        button.setMenu(menu)
-        button.setPopupMode(button.ToolButtonPopupMode.InstantPopup)
-        menu.aboutToShow.connect(lambda: self._fill_menu(menu))
-        self._head.addWidget(button)
-        return button
-
-    def offered(self) -> tuple[Kind, ...]:
-        """The kinds that can be added here."""
-        if self.section.editor == "components":
-            return kinds.COMPONENTS
-        in_event = self._subject is not None and isinstance(self._subject.value, rbd.Event)
-        return kinds.EVENT_ACTIONS if in_event else kinds.STATE_ACTIONS
-
-    def _fill_menu(self, menu: QMenu) -> None:
-        menu.clear()
-        for kind in self.offered():
-            action = menu.addAction(translated(kind.title))
-            action.setToolTip(translated(kind.help))
-            action.triggered.connect(lambda _=False, k=kind: self.add_member(k.name))
-
-    # -- showing -----------------------------------------------------------------
-
-    def show_subject(self, subject: Subject) -> None:
-        self._subject = subject
-        value: Any = getattr(subject.value, self.section.attribute, None)
-        theme, document = subject.theme, subject.document
-        if self.preview is not None:
-            above: tuple[rbd.Component, ...] = ()
-            if isinstance(document, rbd.Application) and isinstance(subject.value, rbd.State):
-                always = document.always
-                if always is not None and always.screen is not None and subject.value.always:
-                    above = always.screen.components
-            self.preview.show_screen(theme, value, above, subject.media)
-            self._drop.setVisible(value is not None)
-        elif self.rows is not None:
-            self.rows.show_rows(theme, tuple(self._row(i, m) for i, m in enumerate(value)))
-        elif self.condition is not None:
-            self.condition.show_value(theme, value, subject.vocabulary)
-        elif self.priorities is not None and isinstance(document, spds.Spds):
-            self.priorities.show_value(theme, document, subject.value, subject.vocabulary)
-        elif self.pairs is not None:
-            self.pairs.show_value(theme, value, subject.vocabulary)
-        elif self._words is not None and isinstance(document, spds.Spds):
-            self._words.setText(words.situation_words(document, subject.value))
-
-    def _row(self, index: int, member: Any) -> Any:
-        assert self._subject is not None
-        mark = self._mark((*self._subject.place, *self._step(index, member)))
-        if isinstance(member, rbd.Event):
-            return event_row(self._subject.document, member, mark)
-        if isinstance(member, rbd.Component):
-            return component_row(member, mark)
-        return action_row(member, mark)
-
-    def _mark(self, place: Place) -> str:
-        """``error`` or ``warning`` where a problem stands at that place, else nothing."""
-        assert self._subject is not None
-        found = {p.severity for p in self._subject.problems if p.place[: len(place)] == place}
-        return "error" if "error" in found else "warning" if found else ""
-
-    def _step(self, index: int, member: Any) -> Place:
-        if isinstance(member, rbd.Component):
-            return (member.id,)
-        return ("event" if isinstance(member, rbd.Event) else "action", str(index))
-
-    # -- changes -----------------------------------------------------------------
-
-    def _members(self) -> tuple[Any, ...]:
-        assert self._subject is not None
-        return tuple(getattr(self._subject.value, self.section.attribute))
-
-    def _tell(self, value: Any, text: str) -> None:
-        self.changed.emit(self.section.attribute, value, text)
-
-    def add_member(self, name: str) -> None:
-        """Adds a new member of that kind at the end and opens it."""
-        if self._subject is None:
-            return
-        kind = kinds.kind(name)
-        members = self._members()
-        if isinstance(self._subject.value, rbd.Screen):
-            taken = {c.id for c in members}
-            number = 1
-            while f"{name}{number}" in taken:
-                number += 1
-            made = kind.make(f"{name}{number}")
-        elif name == "event":
-            made = kind.make(words.expected_next(self._subject.value))
-        else:
-            made = kind.make("")
-        place = (*self._subject.place, *self._step(len(members), made))
-        self._tell((*members, made), self.tr("Add {0}").format(translated(kind.title).lower()))
-        self.place_asked.emit(place)
-
-    def _remove_row(self, index: int) -> None:
-        members = self._members()
-        title = words.member_words(members[index])
-        self._tell((*members[:index], *members[index + 1 :]), self.tr("Remove {0}").format(title))
-
-    def _move_row(self, start: int, end: int) -> None:
-        members = list(self._members())
-        title = words.member_words(members[start])
-        members.insert(end, members.pop(start))
-        self._tell(tuple(members), self.tr("Move {0}").format(title))
-
-    def _open_row(self, index: int) -> None:
-        assert self._subject is not None
-        member = self._members()[index]
-        self.place_asked.emit((*self._subject.place, *self._step(index, member)))
-
-    def _open_screen(self) -> None:
-        assert self._subject is not None
-        if self._subject.value.screen is None:
-            self._tell(rbd.Screen(), self.tr("Add screen"))
-        self.place_asked.emit((*self._subject.place, "screen"))

@@ -14,7 +14,7 @@ from situ_studio.edit import Document
 from situ_studio.icon_widgets import ThemedButton
 from situ_studio.kinds import KINDS, MIME, Kind
 from situ_studio.layouts import clear
-from situ_studio.panels.form import translated
+from situ_studio.panels.subject import translated
 from situ_studio.theme import Theme
 
 

@@ -6,7 +6,7 @@ signals and what of its methods makes sense without a picture.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from PySide6.QtCore import (
@@ -27,246 +27,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ.document import modules, rbd, spds
+from situ.document import rbd, spds
 from situ.document.problem import Problem
 from situ_studio import changes, icons, kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.project_tree import Tree
+from situ_studio.panels.twin_rows import (
+    Node,
+    application_rows,
+    information_rows,
+    script_rows,
+)
 from situ_studio.theme import Theme
 
 AnyIndex = QModelIndex | QPersistentModelIndex
-Editable = dict[int, tuple[Place, str, str]]
-"""Column to place, attribute and label of what is edited there."""
-
-
-class Node:
-    """One row: its value, its cells, and rows below that are made when they are asked for."""
-
-    def __init__(
-        self,
-        place: Place,
-        value: Any,
-        icon: tuple[str, str],
-        cells: tuple[str, ...],
-        editable: Editable | None = None,
-        below: Callable[[], list[Node]] | None = None,
-        has_children: bool = True,
-    ) -> None:
-        self.place, self.value, self.icon, self.cells = place, value, icon, cells
-        self.editable = editable or {}
-        self.parent: Node | None = None
-        self.row = 0
-        self.has_children = below is not None and has_children
-        self._below = below
-        self._children: list[Node] | None = None
-
-    @property
-    def children(self) -> list[Node]:
-        if self._children is None:
-            self._children = self._below() if self._below is not None else []
-            for row, child in enumerate(self._children):
-                child.parent, child.row = self, row
-        return self._children
-
-
-def _icon(value: Any) -> tuple[str, str]:
-    kind = kinds.kind_of(value)
-    return (kind.icon, str(kind.tint)) if kind is not None else ("info", "text2")
-
-
-def _seconds(timeout: rbd.Timeout) -> str:
-    return f"{timeout.seconds:g} s" + (" idle" if timeout.idle else "")
-
-
-def _part_rows(document: rbd.Application, place: Place, part: Any) -> list[Node]:
-    rows: list[Node] = []
-    if part.screen is not None:
-        at = (*place, "screen")
-        rows.append(
-            Node(
-                at,
-                part.screen,
-                ("screen", "text2"),
-                ("Screen", "", "", part.screen.touched or ""),
-                below=lambda: [
-                    Node(
-                        (*at, c.id),
-                        c,
-                        _icon(c),
-                        (_title(c), c.id, getattr(c, "event", None) or "", _summary(c)),
-                        {1: ((*at, c.id), "id", "Id")},
-                    )
-                    for c in part.screen.components
-                ],
-            )
-        )
-    for index, action in enumerate(getattr(part, "actions", ())):
-        rows.append(_action((*place, "action", str(index)), action))
-    for index, event in enumerate(part.events):
-        rows.append(_event(document, (*place, "event", str(index)), event))
-    if part.timeout is not None:
-        at = (*place, "timeout")
-        rows.append(
-            Node(
-                at,
-                part.timeout,
-                ("timeout", "text2"),
-                (
-                    "Timeout",
-                    _seconds(part.timeout),
-                    words.leads_to(document, part.timeout.next) if part.timeout.next else "",
-                    "",
-                ),
-                {1: (at, "seconds", "Seconds"), 2: (at, "next", "Leads to")},
-            )
-        )
-    return rows
-
-
-def _title(value: Any) -> str:
-    kind = kinds.kind_of(value)
-    return kind.title if kind is not None else ""
-
-
-def _summary(value: Any) -> str:
-    kind = kinds.kind_of(value)
-    return kind.summary(value) if kind is not None else ""
-
-
-def _action(place: Place, action: rbd.Action) -> Node:
-    editable: Editable = {}
-    if isinstance(action, rbd.Speech):
-        editable = {1: (place, "text", "Text")}
-    ends = ", ".join(e for e in (action.done, action.failed) if e)
-    return Node(
-        place, action, _icon(action), (_title(action), _summary(action), ends, ""), editable
-    )
-
-
-def _event(document: rbd.Application, place: Place, event: rbd.Event) -> Node:
-    guard = ""
-    if event.when is not None:
-        guard = "if " + " and ".join(kinds.condition_words(c) for c in event.when.children)
-    said = ", ".join(f"“{s.text}”" for s in event.says)
-    details = "; ".join(w for w in (guard, said) if w)
-    return Node(
-        place,
-        event,
-        ("event", "text2"),
-        ("Event", event.name or "", words.leads_to(document, event.next), details),
-        {1: (place, "name", "Event"), 2: (place, "next", "Leads to")},
-        lambda: [_action((*place, "action", str(i)), a) for i, a in enumerate(event.actions)],
-        bool(event.actions),
-    )
-
-
-def _application(document: rbd.Application) -> Iterator[Node]:
-    always = document.always
-    if always is not None:
-        yield Node(
-            ("always",),
-            always,
-            ("always", "text2"),
-            ("Always", "", "", ""),
-            below=lambda: _part_rows(document, ("always",), always),
-        )
-    for state in document.states:
-        place = ("state", state.no)
-        start = state.no == document.start_no
-        speech = next((a.text for a in state.actions if isinstance(a, rbd.Speech)), "")
-        yield Node(
-            place,
-            state,
-            ("start", "start") if start else ("state", "state"),
-            (state.no, state.name, "", " ".join(speech.split())),
-            {0: (place, "no", "Number"), 1: (place, "name", "Name")},
-            lambda p=place, s=state: _part_rows(document, p, s),  # type: ignore[misc]
-            bool(state.screen or state.actions or state.events or state.timeout),
-        )
-
-
-def _script(document: spds.Spds) -> Iterator[Node]:
-    for number, situation in enumerate(document.situations, start=1):
-        place = ("situation", situation.name)
-        said = " and ".join(
-            kinds.condition_words(c)
-            for c in (situation.condition.children if situation.condition is not None else ())
-        )
-        yield Node(
-            place,
-            situation,
-            ("situation", "situation"),
-            (f"Situation {number}", situation.name, situation.extends or "", said or "always"),
-            {1: (place, "name", "Name"), 2: (place, "extends", "Takes over")},
-            lambda p=place, s=situation: [  # type: ignore[misc]
-                Node(
-                    (*p, "entry", str(i)),
-                    e,
-                    ("module", "module"),
-                    ("Priority", e.module, "", "none" if e.priority is None else str(e.priority)),
-                    {3: ((*p, "entry", str(i)), "priority", "Priority")},
-                )
-                for i, e in enumerate(s.entries)
-            ],
-            bool(situation.entries),
-        )
-    for module in document.modules:
-        place = ("module", module.name)
-        yield Node(
-            place,
-            module,
-            ("module", "module"),
-            ("Module", module.name, "", " ".join(module.resources)),
-            {1: (place, "name", "Name"), 3: (place, "resources", "Resources")},
-        )
-    for data in document.observe:
-        place = ("data", data.tag)
-        about = kinds.type_words(data.type, data.unit)
-        yield Node(
-            place,
-            data,
-            ("data", "data"),
-            ("Data", data.tag, "", about),
-            {1: (place, "tag", "Tag")},
-        )
-
-
-def _information(document: modules.Modules) -> Iterator[Node]:
-    for module in document.modules:
-        place = ("module", module.name)
-        yield Node(
-            place,
-            module,
-            ("module", "module"),
-            ("Module", module.name, " ".join(module.resources), module.description),
-            {
-                1: (place, "name", "Name"),
-                2: (place, "resources", "Resources"),
-                3: (place, "description", "Does"),
-            },
-            lambda p=place, m=module: [  # type: ignore[misc]
-                *(
-                    Node(
-                        (*p, "requires", str(i)),
-                        r,
-                        ("link", "text2"),
-                        ("Needs", r.data or r.module or "", "", "" if r.data else "module"),
-                    )
-                    for i, r in enumerate(m.requires)
-                ),
-                *(
-                    Node(
-                        (*p, "provides", str(i)),
-                        o,
-                        ("data", "data"),
-                        ("Provides", o.data, "", kinds.type_words(o.type, o.unit)),
-                    )
-                    for i, o in enumerate(m.provides)
-                ),
-            ],
-            bool(module.requires or module.provides),
-        )
 
 
 class TwinModel(QAbstractItemModel):
@@ -286,11 +61,11 @@ class TwinModel(QAbstractItemModel):
         self.beginResetModel()
         self.document, self._marks = document, marks
         if isinstance(document, rbd.Application):
-            self._top = list(_application(document))
+            self._top = list(application_rows(document))
         elif isinstance(document, spds.Spds):
-            self._top = list(_script(document))
+            self._top = list(script_rows(document))
         else:
-            self._top = list(_information(document))
+            self._top = list(information_rows(document))
         for row, node in enumerate(self._top):
             node.row = row
         self.endResetModel()

@@ -1,0 +1,281 @@
+"""The window's frame: panels round the canvas, toolbar, menus, looks. It knows no document."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QByteArray, QSettings, Qt
+from PySide6.QtGui import QGuiApplication, QResizeEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QHBoxLayout,
+    QLabel,
+    QMainWindow,
+    QSizePolicy,
+    QStackedWidget,
+    QToolBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from situ_studio.actions import Actions
+from situ_studio.find import FindAnything
+from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
+from situ_studio.panels.fields import Choice, Flag
+from situ_studio.panels.header import PanelHeader
+from situ_studio.panels.inspector import Inspector
+from situ_studio.panels.notice import Notice
+from situ_studio.panels.outline import Outline
+from situ_studio.panels.palette import Palette
+from situ_studio.panels.problems import Problems
+from situ_studio.panels.project_tree import ProjectTree
+from situ_studio.status import Status
+from situ_studio.tabs import BottomPanels, DocumentTabs
+from situ_studio.theme import DARK, LIGHT, Theme
+from situ_studio.theme_qss import palette, qss
+from situ_studio.welcome import Welcome
+
+LEFT, RIGHT, BOTTOM = 224, 280, 132
+LEFT_SMALL, RIGHT_SMALL = 208, 264
+LOW = 860
+"""Px of the window's height below which rows are denser."""
+
+
+class Frame(QMainWindow):
+    """Everything that the window shows, with nothing in it yet.
+
+    settings: where it was, and which colours were chosen.
+    """
+
+    def __init__(self, settings: QSettings, theme: str | None) -> None:
+        super().__init__()
+        self.settings = settings
+        self.theme_choice = theme or str(settings.value("theme", "system"))
+        self.theme = self._chosen_theme()
+        self._placed = False
+        self.setWindowTitle(self.tr("Situ Studio"))
+        self.setMinimumSize(800, 500)
+        self.setDockOptions(
+            QMainWindow.DockOption.AnimatedDocks
+            | QMainWindow.DockOption.AllowNestedDocks
+            | QMainWindow.DockOption.AllowTabbedDocks
+        )
+        for corner, area in (
+            (Qt.Corner.BottomLeftCorner, Qt.DockWidgetArea.LeftDockWidgetArea),
+            (Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea),
+        ):
+            self.setCorner(corner, area)
+        self._build_centre()
+        self._build_panels()
+        self.status = Status(self.theme)
+        self.setStatusBar(self.status)
+        self.finder = FindAnything(self.theme, self)
+        self.bottom.folded.connect(lambda _: self._settle_bottom())
+        QGuiApplication.styleHints().colorSchemeChanged.connect(self._on_scheme)
+
+    def add_commands(self, actions: Actions) -> None:
+        """Menus and toolbar, from the table of commands."""
+        self.actions_ = actions
+        actions.fill_menus(self.menuBar())
+        self._fill_panels_menu()
+        self._build_toolbar()
+
+    # -- building ------------------------------------------------------------------
+
+    def _build_centre(self) -> None:
+        self.stack = QStackedWidget()
+        self.welcome = Welcome(self.theme)
+        self.stack.addWidget(self.welcome)
+        centre = QWidget()
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        self.tabs = DocumentTabs(self.theme)
+        column.addWidget(self.tabs)
+        self.notice = Notice(self.theme)
+        self.notice.hide()
+        column.addWidget(self.notice)
+        self.documents = QStackedWidget()
+        column.addWidget(self.documents, 1)
+        self.stack.addWidget(centre)
+        self.setCentralWidget(self.stack)
+
+    def _dock(self, name: str, title: str, widget: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(name)
+        dock.setWidget(widget)
+        self.addDockWidget(area, dock)
+        return dock
+
+    def _build_panels(self) -> None:
+        theme = self.theme
+        left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
+        self.project_tree = ProjectTree(theme)
+        self.outline = Outline(theme)
+        self.palette_ = Palette(theme)
+        self.inspector = Inspector(theme)
+        self.problems = Problems(theme)
+        self.bottom = BottomPanels(theme)
+        self.bottom.add("problems", self.tr("Problems"), self.problems)
+        self.docks: dict[str, QDockWidget] = {}
+        headers = {
+            "project": PanelHeader(self.tr("Project")),
+            "outline": PanelHeader(self.tr("Outline")),
+            "palette": PanelHeader(self.tr("Palette"), self.tr("drag onto the canvas")),
+        }
+        search = IconButton(theme, "search", self.tr("Find in the outline"), "text3", 14)
+        search.clicked.connect(self.outline.toggle_search)
+        headers["outline"].add(search)
+        self.headers = headers
+        for name, widget in (
+            ("project", self.project_tree),
+            ("outline", self.outline),
+            ("palette", self.palette_),
+        ):
+            dock = self._dock(name, headers[name].title.text(), widget, left)
+            dock.setTitleBarWidget(headers[name])
+            self.docks[name] = dock
+        self.docks["inspector"] = self._dock(
+            "inspector", self.tr("Inspector"), self.inspector, right
+        )
+        self.docks["inspector"].setTitleBarWidget(self.inspector.header)
+        self.docks["bottom"] = self._dock(
+            "bottom",
+            self.tr("Problems and more"),
+            self.bottom,
+            Qt.DockWidgetArea.BottomDockWidgetArea,
+        )
+        self.docks["bottom"].setTitleBarWidget(self.bottom.strip)
+
+    def _fill_panels_menu(self) -> None:
+        menu = self.actions_.menu("View").addMenu(self.tr("Panels"))
+        for dock in self.docks.values():
+            action = dock.toggleViewAction()
+            action.setText(dock.windowTitle())
+            menu.addAction(action)
+
+    def _build_toolbar(self) -> None:
+        bar = QToolBar(self.tr("Toolbar"))
+        bar.setObjectName("toolbar")
+        bar.setMovable(False)
+        bar.setFloatable(False)
+        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        bar.setFixedHeight(40)
+        self.addToolBar(Qt.ToolBarArea.TopToolBarArea, bar)
+        self.toolbar = bar
+        self.actions_.fill_toolbar(bar, "left")
+        bar.addWidget(_spring())
+        self.search = ThemedButton(
+            self.theme,
+            "search",
+            self.tr("Find anything, run a command"),
+            "search",
+            "text3",
+            14,
+        )
+        self.search.setFixedWidth(304)
+        line = QHBoxLayout(self.search)
+        line.setContentsMargins(0, 0, 7, 0)
+        line.addStretch(1)
+        keys = QLabel("Ctrl K")
+        keys.setProperty("role", "kbd")
+        keys.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        line.addWidget(keys, 0, Qt.AlignmentFlag.AlignVCenter)
+        bar.addWidget(self.search)
+        bar.addWidget(_spring())
+        self.actions_.fill_toolbar(bar, "right")
+
+    # -- looks --------------------------------------------------------------------------------
+
+    def _chosen_theme(self) -> Theme:
+        if self.theme_choice == "system":
+            scheme = QGuiApplication.styleHints().colorScheme()
+            return DARK if scheme == Qt.ColorScheme.Dark else LIGHT
+        return DARK if self.theme_choice == "dark" else LIGHT
+
+    def choose_theme(self, choice: str) -> None:
+        """``system``, ``light`` or ``dark``; kept for the next time."""
+        self.theme_choice = choice
+        self.settings.setValue("theme", choice)
+        self.welcome.themes.show_choice(choice)
+        self.set_theme(self._chosen_theme())
+
+    def _on_scheme(self) -> None:
+        if self.theme_choice == "system":
+            self.set_theme(self._chosen_theme())
+
+    def set_theme(self, theme: Theme) -> None:
+        """Every widget of the window takes the theme."""
+        self.theme = theme
+        QApplication.setPalette(palette(theme))
+        self.setStyleSheet(qss(theme))
+        self.actions_.set_theme(theme)
+        retheme(self, theme)
+        for choice in self.findChildren(Choice):
+            choice.set_theme(theme)
+        for flag in self.findChildren(Flag):
+            flag.set_theme(theme)
+        panels: tuple[Any, ...] = (
+            self.project_tree,
+            self.outline,
+            self.palette_,
+            self.inspector,
+            self.problems,
+            self.tabs,
+            self.bottom,
+            self.welcome,
+            self.finder,
+        )
+        for panel in panels:
+            panel.set_theme(theme)
+
+    def size_docks(self) -> None:
+        """The panels' usual sizes, unless a person has changed them before."""
+        if self._placed:
+            return
+        small = self.width() < 1360
+        horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+        self.resizeDocks(
+            [self.docks["project"], self.docks["inspector"]],
+            [LEFT_SMALL if small else LEFT, RIGHT_SMALL if small else RIGHT],
+            horizontal,
+        )
+        tree = self.project_tree.height_wanted() + 32
+        self.resizeDocks(
+            [self.docks["project"], self.docks["outline"], self.docks["palette"]],
+            [tree, 10000, self.palette_.height() + 32],
+            vertical,
+        )
+        self.resizeDocks([self.docks["bottom"]], [BOTTOM], vertical)
+
+    def _settle_bottom(self) -> None:
+        if not self.bottom.is_folded:
+            self.resizeDocks([self.docks["bottom"]], [BOTTOM], Qt.Orientation.Vertical)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.palette_.set_dense(self.height() < LOW)
+        if self.stack.currentIndex() == 1:
+            self.size_docks()
+
+    def restore(self) -> None:
+        """Puts the window and its panels where they were."""
+        geometry, state = self.settings.value("geometry"), self.settings.value("panels")
+        self.resize(1440, 900)
+        if isinstance(geometry, QByteArray):
+            self.restoreGeometry(geometry)
+        if isinstance(state, QByteArray):
+            self._placed = self.restoreState(state)
+
+    def keep(self) -> None:
+        """Keeps where the window and its panels are."""
+        self.settings.setValue("geometry", self.saveGeometry())
+        if self.stack.currentIndex() == 1:
+            self.settings.setValue("panels", self.saveState())
+
+
+def _spring() -> QWidget:
+    widget = QWidget()
+    widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+    return widget

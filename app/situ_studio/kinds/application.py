@@ -1,0 +1,185 @@
+"""The kinds of what an application is made of, but for actions and components."""
+
+from __future__ import annotations
+
+from situ.document import rbd
+from situ_studio.kinds.kind import Field, Kind, Section
+
+_TIMEOUT = Field(
+    attribute="timeout",
+    label="Timeout",
+    editor="timeout",
+    unit="s",
+    help="After so many seconds without an event the state is left.",
+    placeholder="none",
+)
+_COMPONENT_LIST = Section(
+    title="On the screen", attribute="components", editor="components", hint="back to front"
+)
+_EVENTS = Section(
+    title="Expected events",
+    attribute="events",
+    editor="events",
+    hint="first that fits is taken",
+)
+SCREEN = Kind(
+    name="screen",
+    value=rbd.Screen,
+    title="Screen",
+    icon="screen",
+    fields=(
+        Field(
+            attribute="background",
+            label="Background",
+            editor="media",
+            help="An image of the media folder, or a colour.",
+            placeholder="plain",
+        ),
+        Field(
+            attribute="touched",
+            label="On touch",
+            editor="event",
+            help="The event of a touch on no component.",
+        ),
+    ),
+    sections=(_COMPONENT_LIST,),
+    make=lambda _: rbd.Screen(),
+    summary=lambda v: f"{len(v.components)}",
+)
+STATE = Kind(
+    name="state",
+    value=rbd.State,
+    title="State",
+    icon="state",
+    help="What the robot shows, says and waits for.",
+    fields=(
+        Field(attribute="name", label="Name", empty=""),
+        Field(
+            attribute="no",
+            label="Number",
+            help="Unique; transitions lead to it.",
+            fixed=True,
+        ),
+        _TIMEOUT,
+    ),
+    sections=(
+        Section(title="Screen", attribute="screen", editor="components"),
+        Section(title="Actions on entry", attribute="actions", editor="actions"),
+        _EVENTS,
+        Section(
+            title="More",
+            closed=True,
+            fields=(
+                Field(
+                    attribute="final",
+                    label="The end is meant",
+                    editor="flag",
+                    help="Nothing leads out of this state, on purpose.",
+                ),
+                Field(
+                    attribute="always",
+                    label="With Always",
+                    editor="flag",
+                    help="What Always adds to every state is part of this one too.",
+                ),
+            ),
+        ),
+    ),
+    make=lambda name: rbd.State(no=name, name="new state"),
+    summary=lambda v: next((a.text for a in v.actions if isinstance(a, rbd.Speech)), ""),
+    palette="application",
+)
+ALWAYS = Kind(
+    name="always",
+    value=rbd.Always,
+    title="Always",
+    icon="always",
+    help="What is part of every state.",
+    fields=(_TIMEOUT,),
+    sections=(Section(title="Screen", attribute="screen", editor="components"), _EVENTS),
+    make=lambda _: rbd.Always(),
+    summary=lambda v: ", ".join(e.name or "" for e in v.events),
+)
+EVENT = Kind(
+    name="event",
+    value=rbd.Event,
+    title="Event",
+    icon="event",
+    help="What the state waits for, and where it leads.",
+    fields=(
+        Field(
+            attribute="name",
+            label="Event",
+            editor="event",
+            help="Empty: taken as soon as its condition holds.",
+            placeholder="none",
+        ),
+        Field(
+            attribute="next",
+            label="Leads to",
+            editor="next",
+            help="A state; nothing: the state stays, only the actions are done.",
+        ),
+    ),
+    sections=(
+        Section(
+            title="Only if",
+            attribute="when",
+            editor="condition",
+            help="The event is taken only while this holds.",
+        ),
+        Section(
+            title="Said as",
+            attribute="says",
+            editor="says",
+            help="What people may say instead.",
+        ),
+        Section(title="Actions on the way", attribute="actions", editor="actions"),
+    ),
+    make=lambda name: rbd.Event(name=name),
+    summary=lambda v: str(v.next or ""),
+    palette="application",
+)
+TIMEOUT = Kind(
+    name="timeout",
+    value=rbd.Timeout,
+    title="Timeout",
+    icon="timeout",
+    help="What happens when nothing happens.",
+    fields=(
+        Field(attribute="seconds", label="After", editor="seconds", unit="s", fixed=True),
+        Field(
+            attribute="next",
+            label="Leads to",
+            editor="next",
+            help="Nothing: it raises the event timeout, which can be expected.",
+        ),
+        Field(
+            attribute="idle",
+            label="Only when idle",
+            editor="flag",
+            help="Counted anew after each touch and speech; still while the robot speaks.",
+        ),
+    ),
+    make=lambda _: rbd.Timeout(seconds=30),
+    summary=lambda v: f"{v.seconds:g} s",
+    palette="application",
+)
+APPLICATION = Kind(
+    name="application",
+    value=rbd.Application,
+    title="Application",
+    icon="state",
+    help="States and what leads from one to the next.",
+    fields=(
+        Field(attribute="name", label="Name", fixed=True),
+        Field(
+            attribute="start",
+            label="Starts with",
+            editor="state",
+            help="Nothing: the first state.",
+            placeholder="the first state",
+        ),
+    ),
+    summary=lambda v: f"{len(v.states)}",
+)

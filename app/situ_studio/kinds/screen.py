@@ -1,0 +1,193 @@
+"""The kinds of components of a screen."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from situ.document import rbd
+from situ_studio.kinds.kind import Field, Kind, Section
+
+_ID = Field(
+    attribute="id",
+    label="Id",
+    help="Its name in traces and scenarios; unique on the screen.",
+    fixed=True,
+)
+_SENDS = Field(
+    attribute="event", label="Sends", editor="event", help="The event that a touch raises."
+)
+_PLACE = Section(
+    title="Place and size",
+    fields=(
+        Field(attribute="x", label="X", editor="number", unit="%", fixed=True),
+        Field(attribute="y", label="Y", editor="number", unit="%", fixed=True),
+        Field(attribute="width", label="W", editor="number", unit="%", fixed=True),
+        Field(attribute="height", label="H", editor="number", unit="%", fixed=True),
+    ),
+)
+_LOOKS = Section(
+    title="Looks",
+    fields=(
+        Field(
+            attribute="size",
+            label="Text size",
+            editor="number",
+            unit="%",
+            help="The text's height in percent of the screen's.",
+            placeholder="by itself",
+        ),
+        Field(
+            attribute="align",
+            label="Align",
+            editor="choice",
+            choices=(("", "by itself"), ("left", "left"), ("center", "centre"), ("right", "right")),
+        ),
+        Field(attribute="color", label="Colour", editor="color", placeholder="by itself"),
+        Field(attribute="fill", label="Fill", editor="color", placeholder="by itself"),
+    ),
+)
+_SHOWN = Field(
+    attribute="text",
+    label="Text",
+    editor="long",
+    help="{tag} stands for a value on the blackboard and follows its changes.",
+    empty="",
+)
+
+
+def _box(x: float, y: float, width: float, height: float) -> dict[str, Any]:
+    return {"x": x, "y": y, "width": width, "height": height}
+
+
+TEXT = Kind(
+    name="text",
+    value=rbd.Text,
+    title="Text",
+    icon="text",
+    fields=(_SHOWN, _ID),
+    sections=(_PLACE, _LOOKS),
+    make=lambda name: rbd.Text(id=name, text="Text", size=8, **_box(10, 10, 80, 20)),
+    summary=lambda v: str(v.text),
+    palette="screen",
+)
+BUTTON = Kind(
+    name="button",
+    value=rbd.Button,
+    title="Button",
+    icon="button",
+    fields=(
+        Field(attribute="text", label="Text", empty=""),
+        _ID,
+        _SENDS,
+        Field(
+            attribute="tag",
+            label="Sets",
+            editor="tag",
+            help="A tag that a touch sets, if any.",
+            placeholder="nothing",
+        ),
+        Field(attribute="value", label="To", help="The value that the tag gets."),
+    ),
+    sections=(_PLACE, _LOOKS),
+    make=lambda name: rbd.Button(
+        id=name, text="OK", event=f"click{name[:1].upper()}{name[1:]}", **_box(35, 75, 30, 15)
+    ),
+    summary=lambda v: f"{v.text} → {v.event}" if v.event else str(v.text),
+    palette="screen",
+)
+IMAGE = Kind(
+    name="image",
+    value=rbd.Image,
+    title="Image",
+    icon="image",
+    fields=(Field(attribute="src", label="File", editor="media", empty=""), _ID),
+    sections=(_PLACE, _LOOKS),
+    make=lambda name: rbd.Image(id=name, src="picture.png", **_box(60, 30, 30, 40)),
+    summary=lambda v: str(v.src),
+    palette="screen",
+)
+MOVIE = Kind(
+    name="movie",
+    value=rbd.Movie,
+    title="Movie",
+    icon="movie",
+    fields=(
+        Field(attribute="src", label="File", editor="media", empty=""),
+        _ID,
+        Field(attribute="done", label="When done", editor="event"),
+    ),
+    sections=(_PLACE, _LOOKS),
+    make=lambda name: rbd.Movie(id=name, src="movie.webm", **_box(10, 30, 45, 40)),
+    summary=lambda v: str(v.src),
+    palette="screen",
+)
+INPUT = Kind(
+    name="input",
+    value=rbd.Input,
+    title="Input",
+    icon="input",
+    fields=(
+        Field(
+            attribute="tag",
+            label="Writes to",
+            editor="tag",
+            help="The tag that gets what is typed.",
+            fixed=True,
+        ),
+        _ID,
+        Field(
+            attribute="kind",
+            label="What",
+            editor="choice",
+            choices=(
+                ("text", "text"),
+                ("number", "a number"),
+                ("date", "a date"),
+                ("pin", "a PIN"),
+            ),
+            fixed=True,
+        ),
+        Field(attribute="max", label="Longest", editor="whole", unit="characters"),
+        Field(
+            attribute="event",
+            label="Sends",
+            editor="event",
+            help="The event at Enter, or when it is full.",
+        ),
+    ),
+    sections=(_PLACE, _LOOKS),
+    make=lambda name: rbd.Input(id=name, tag="user.input", **_box(10, 50, 40, 12)),
+    summary=lambda v: f"→ {v.tag}",
+    palette="screen",
+)
+LIST = Kind(
+    name="list",
+    value=rbd.List,
+    title="List",
+    icon="list",
+    fields=(
+        Field(
+            attribute="items",
+            label="Shows",
+            editor="tag",
+            help="The tag at which the list stands.",
+            fixed=True,
+        ),
+        Field(
+            attribute="label",
+            label="Each as",
+            help="How an entry is shown: {item.name}, room {item.room}",
+            empty="{item}",
+        ),
+        _ID,
+        Field(
+            attribute="tag", label="Choice to", editor="tag", help="The tag that gets the entry."
+        ),
+        Field(attribute="event", label="Sends", editor="event"),
+    ),
+    sections=(_PLACE, _LOOKS),
+    make=lambda name: rbd.List(id=name, items="entries", **_box(10, 30, 80, 40)),
+    summary=lambda v: f"{v.items} → {v.tag}" if v.tag else str(v.items),
+    palette="screen",
+)
+COMPONENTS = (TEXT, BUTTON, IMAGE, MOVIE, INPUT, LIST)
