@@ -16,12 +16,18 @@ MODULES = ("chase_face", "nod", "gaze_sound", "face_caller", "transfer")
 
 
 def main(*arguments: str) -> int:
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    modules: list[subprocess.Popen[bytes]] = []
+    # Told to end while it still starts them, it starts them all first, and loses none.
+    told: list[int] = []
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, lambda number, _: told.append(number))
+    modules = [
+        subprocess.Popen([sys.executable, str(HERE / f"{name}.py"), *arguments]) for name in MODULES
+    ]
     try:
-        for name in MODULES:
-            program = [sys.executable, str(HERE / f"{name}.py"), *arguments]
-            modules.append(subprocess.Popen(program))
+        for number in (signal.SIGTERM, signal.SIGINT):
+            signal.signal(number, signal.default_int_handler)
+        if told:
+            return 0
         _, status = os.wait()
         return os.waitstatus_to_exitcode(status)
     except KeyboardInterrupt:
