@@ -306,3 +306,46 @@ def test_tabs_close_but_for_the_last(studio: Start, project: Copy) -> None:
     used.key(Qt.Key.Key_W, CONTROL)
     assert used.window.tabs.files() == ["conversation.spds.xml"]
     assert used.window.current_file == "conversation.spds.xml"
+
+
+def test_the_lower_panels_fold_and_unfold(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    bottom = used.window.bottom
+    high = used.window.documents.height()
+    used.click(bottom.button("problems"))
+    assert bottom.is_folded
+    assert used.window.documents.height() > high
+    used.click(used.window.status.errors)
+    assert not bottom.is_folded
+
+
+def test_a_panel_that_was_hidden_comes_back_from_the_menu(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    dock = used.window.docks["inspector"]
+    dock.toggleViewAction().trigger()
+    assert not dock.isVisible()
+    dock.toggleViewAction().trigger()
+    assert dock.isVisible()
+
+
+def test_only_what_a_document_can_take_is_offered(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    actions = used.window.actions_.actions
+    assert actions["insert.speech"].isVisible()
+    assert not actions["insert.situation"].isVisible()
+    used.window.open_file("conversation.spds.xml")
+    used.settle()
+    assert not actions["insert.speech"].isVisible()
+    used.click(used.window.palette_.item("situation"))
+    script = used.session.document("conversation.spds.xml")
+    assert [s.name for s in script.situations][-2:] == ["situation", "conversation"]
+    assert used.window.inspector.place == ("situation", "situation")
+
+
+def test_the_outline_is_filtered(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("name")
+    rows = used.window.outline.list.model()
+    assert {"show names", "names"} <= {rows.index(r, 0).data() for r in range(rows.rowCount())}
+    assert "intro" not in {rows.index(r, 0).data() for r in range(rows.rowCount())}

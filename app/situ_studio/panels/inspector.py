@@ -14,7 +14,7 @@ from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import rule
 from situ_studio.panels.form import Form
 from situ_studio.panels.header import TitleBar
-from situ_studio.panels.subject import Subject
+from situ_studio.panels.subject import Subject, translated
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -118,8 +118,9 @@ class Inspector(QWidget):
             place = place[:-1]
             value = places.get(document, place)
             kind = kinds.kind_of(value)
-        if kind is None:
-            self.show_nothing(self.tr("Nothing is selected."))
+        if kind is None or not (kind.fields or kind.sections):
+            about = translated(kind.help) if kind is not None else ""
+            self.show_nothing(about or self.tr("Nothing is selected."))
             return
         if self._form is None or self._form.kind is not kind:
             self._drop_form()

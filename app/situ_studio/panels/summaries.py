@@ -43,7 +43,7 @@ def event_row(document: Document, event: rbd.Event, mark: str = "") -> Row:
     return Row(
         icon="event",
         title=event.name or "at once",
-        detail=phrases,
+        under=(("said as", phrases),) if phrases else (),
         target=leads_to(document, event.next),
         guard=guard,
         mark=mark,
