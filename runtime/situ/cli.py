@@ -27,6 +27,7 @@ GROUPS = (
     "cli_demo",
     "cli_check",
     "cli_export",
+    "cli_diff",
     "cli_simulate",
     "cli_run",
     "cli_board",
