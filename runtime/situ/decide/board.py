@@ -11,6 +11,7 @@ from typing import Any
 from msgspec import Struct
 
 from situ.document import names
+from situ.document.values import reach as reach
 
 
 class Entry(Struct):
@@ -102,17 +103,3 @@ def prefixes(name: str) -> list[str]:
         found.append(name[:cut])
         cut = name.rfind(".", 0, cut)
     return found
-
-
-def reach(value: Any, path: str) -> Any:
-    """The value at dotted fields and 0-based places; None where there is none."""
-    for part in path.split(".") if path else ():
-        if isinstance(value, dict):
-            value = value.get(part)
-        elif (
-            isinstance(value, list) and part.isascii() and part.isdigit() and int(part) < len(value)
-        ):
-            value = value[int(part)]
-        else:
-            return None
-    return value

@@ -12,41 +12,12 @@ from typing import Any
 import msgspec
 
 from situ.document import names
+from situ.document.values import equal as equal
+from situ.document.values import is_number as is_number
+from situ.document.values import read as read
 
 Look = Callable[[str], Any]
 """Gives the value of a name, None where it is missing."""
-
-
-def equal(one: Any, other: Any) -> bool:
-    """Deep equality: numbers by value (``1.0`` is ``1``), ``true`` is never ``1``."""
-    if isinstance(one, bool) or isinstance(other, bool):
-        return one is other
-    if isinstance(one, dict):
-        return (
-            isinstance(other, dict)
-            and one.keys() == other.keys()
-            and all(equal(value, other[key]) for key, value in one.items())
-        )
-    if isinstance(one, list):
-        return (
-            isinstance(other, list)
-            and len(one) == len(other)
-            and all(equal(a, b) for a, b in zip(one, other, strict=True))
-        )
-    return bool(one == other)
-
-
-def is_number(value: Any) -> bool:
-    """Whether the value is a JSON number; true and false are none."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
-def read(text: str) -> Any:
-    """The JSON value that ``text`` reads as; the text itself where it reads as none."""
-    try:
-        return msgspec.json.decode(text)
-    except (msgspec.DecodeError, UnicodeEncodeError):
-        return text
 
 
 def in_text(value: Any) -> str:
