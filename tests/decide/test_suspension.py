@@ -40,8 +40,8 @@ EVERYTHING = (
 
 def test_while_it_does_not_hold_all_it_is_suspended(play: Play) -> None:
     spds = """<modules><module name="app" resources="speech head"/>
-      <module name="m" resources="head"/></modules><situation name="s"><module name="m" priority="2"/>
-      <module name="app" priority="1"/></situation>"""
+      <module name="m" resources="head"/></modules><situation name="s">
+      <module name="m" priority="2"/><module name="app" priority="1"/></situation>"""
     lines = [{"at": 1, "acquire": {"module": "m", "resources": ["head"]}}]
     assert play(state("1", EVERYTHING), lines, spds=spds).lines(since=1) == [
         "1 acquire m [head] <-",
@@ -295,7 +295,7 @@ def test_a_state_entered_without_its_resources_is_entered_suspended(play: Play) 
         '<set tag="y">1</set><robot resource="head" command="nod"/>',
         inside='<timeout next="1">5</timeout>' + SCREEN,
     )
-    lines = [
+    lines: list[dict[str, Any]] = [
         {"at": 0, "acquire": {"module": "m", "resources": ["head"]}},
         {"at": 1, "event": "go"},
         {"at": 3, "abandon": {"module": "m", "resources": ["head"]}},

@@ -281,6 +281,18 @@ def test_unnamed_events_that_lead_to_each_other_are_a_livelock_and_the_state_rea
     assert trace.states()[-1] == (1, "1")
 
 
+def test_after_a_livelock_the_state_stays_until_something_new_comes(play: Play) -> None:
+    """It is not taken up again by a step that has nothing to do with it."""
+    rbd = (
+        loop()
+        .replace('<event next="1"/>', '<event next="1"/><event name="go" next="3"/>')
+        .replace('<event next="2"></event>', '<event next="2"/><event name="go" next="3"/>')
+    )
+    trace = play(rbd + state("3"), [{"at": 1, "set": {"x": 1}}, {"at": 2, "event": "go"}])
+    assert [e["t"] for e in trace.of("error")] == [0]
+    assert trace.states()[-1] == (2, "3")
+
+
 def test_waiting_events_of_all_applications_are_dropped(play: Play) -> None:
     rbd = [
         application("a", loop('<when><data tag="x" is="1"/></when>').replace(
@@ -334,13 +346,6 @@ def test_the_steps_of_one_moment_are_counted_together(play: Play) -> None:
 def test_an_input_begins_the_count_anew(play: Play) -> None:
     lines = [{"at": 1, "event": "go"}, {"at": 1, "event": "go"}]
     assert play(ring(60), lines).of("error") == []
-
-
-def test_time_goes_on_after_a_livelock(play: Play) -> None:
-    rbd = loop() + state("3")
-    trace = play(rbd.replace("<event next=\"1\"/>", '<event next="1"/><event name="go" next="3"/>'),
-                 [{"at": 1, "end": True}])  # fmt: skip
-    assert [e["t"] for e in trace.of("error")] == [0]
 
 
 # -- the start ---------------------------------------------------------------

@@ -154,6 +154,11 @@ class Machine:
                 return raised
         return None
 
+    def stay(self) -> None:
+        """A livelock: what waits is dropped, and the state stays until something new comes."""
+        self.state.queue.clear()
+        self.state.stale.clear()
+
     def judge_event(self) -> None:
         """Takes the event that is next out of the queue and finishes it."""
         raised = self._next()

@@ -219,7 +219,7 @@ class Robot:
             names_ or "situations",
         )
         for machine in self._machines:
-            machine.state.queue.clear()
+            machine.stay()
         return False
 
     def _observe(self) -> None:

@@ -1,0 +1,609 @@
+"""Laws that hold whatever the project and the scenario: random ones, and plain models beside.
+
+formats.md: *SPDS* (authority, situations, mapping), *Conditions*, *Trace*, and
+architecture, idea 2 (the same input gives the same bytes; snapshot and restore).
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from situ.decide import inputs
+from situ.decide.robot import Robot
+from situ.decide.trace import Authority, Mapping, TraceEvent, to_fields, to_line
+from situ.document.condition import Condition, Group
+from situ.document.condition import Test as Leaf
+from situ.document.project import Project
+from situ.document.rbd import (
+    AGAIN,
+    BACK,
+    Action,
+    Add,
+    Always,
+    Application,
+    Event,
+    Launch,
+    Message,
+    Param,
+    Repeat,
+    Screen,
+    Service,
+    Set,
+    Sound,
+    Speech,
+    State,
+    Take,
+    Text,
+    Timeout,
+)
+from situ.document.rbd import Robot as RobotAction
+from situ.document.spds import Declaration, Entry, Situation, Spds
+
+if TYPE_CHECKING:
+    from tests.decide.conftest import Build
+
+FEW = settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+TAGS = ("x", "y")
+RESOURCES = ("arm", "head", "screen", "speech")
+MODULES = ("m", "n", "o")
+NAMES = ("go", "on", "timeout", "said", "resumed")
+SECOND = 1_000_000
+
+# -- random projects ---------------------------------------------------------
+
+values = st.sampled_from([None, 0, 1, 2, True, "a", [1, 2]])
+seconds = st.sampled_from([0.5, 1, 2, 3])
+tests = st.builds(
+    Leaf,
+    st.sampled_from(TAGS),
+    st.sampled_from(["is", "isnot", "above", "atmost", "exists"]),
+    st.sampled_from(["1", "true"]),
+    st.none() | seconds,
+    st.none() | seconds,
+)
+nodes = st.recursive(
+    tests,
+    lambda inner: st.builds(
+        Group,
+        st.sampled_from(["all", "any", "none"]),
+        st.lists(inner, min_size=1, max_size=3).map(tuple),
+    ),
+    max_leaves=4,
+)
+conditions = st.builds(Condition, st.lists(nodes, min_size=1, max_size=2).map(tuple))
+raised = st.none() | st.sampled_from(NAMES)
+silent: st.SearchStrategy[Action] = st.one_of(
+    st.builds(Set, tag=st.sampled_from(TAGS), text=st.sampled_from(["1", "{x}", "a {y}"])),
+    st.builds(Add, tag=st.sampled_from(TAGS), text=st.just("1"), done=raised),
+    st.builds(Take, source=st.just("y"), tag=st.just("x"), order=st.just("random")),
+    st.builds(Message, topic=st.just("t"), text=st.just("{x}"), done=raised),
+    st.builds(
+        Service, name=st.just("s"), url=st.just("http://x/"), done=raised, wait=st.booleans(),
+    ),
+    st.builds(Launch, program=st.just("p"), failed=raised, keep=st.booleans()),
+)  # fmt: skip
+visible: st.SearchStrategy[Action] = st.one_of(
+    st.builds(
+        Speech, text=st.just("Say {x}"), done=raised, wait=st.booleans(), optional=st.booleans(),
+    ),
+    st.builds(Sound, src=st.just("a.ogg"), optional=st.booleans()),
+    st.builds(
+        RobotAction, resource=st.sampled_from(["arm", "head"]), command=st.just("c"),
+        params=st.just((Param("p", "{x}"),)), done=raised, optional=st.booleans(),
+        wait=st.booleans(),
+    ),
+)  # fmt: skip
+screens = st.none() | st.sampled_from(
+    [
+        Screen(),
+        Screen(
+            touched="go",
+            components=(Text(id="t", x=1, y=1, width=1, height=1, text="{x} {y}"),),
+        ),
+    ]
+)
+STATES = ("1", "2", "3")
+targets = st.sampled_from([*STATES, AGAIN, BACK])
+named = st.builds(
+    Event,
+    name=st.sampled_from(NAMES),
+    next=st.none() | targets,
+    when=st.none() | conditions,
+    actions=st.lists(silent, max_size=2).map(tuple),
+)
+repeats = st.just(Event(name="on", actions=(Repeat(),)))
+unnamed = st.builds(Event, next=targets, when=conditions)
+events = st.lists(st.one_of(named, repeats, unnamed), max_size=3).map(tuple)
+timeouts = st.none() | st.builds(Timeout, seconds, st.none() | targets, st.booleans())
+
+
+@st.composite
+def applications(draw: st.DrawFn, name: str) -> Application:
+    states = tuple(
+        State(
+            no=no,
+            timeout=draw(timeouts),
+            screen=draw(screens),
+            actions=draw(st.lists(st.one_of(silent, visible), max_size=3).map(tuple)),
+            events=draw(events),
+        )
+        for no in STATES
+    )
+    return Application(name, "1", Always(events=draw(events)), states)
+
+
+@st.composite
+def scripts(draw: st.DrawFn) -> Spds:
+    modules = (*MODULES, "a", "b")
+    declared = tuple(Declaration(name, RESOURCES) for name in modules)
+    situations = []
+    for number in range(draw(st.integers(0, 3))):
+        keeps: dict[str, Any] = draw(
+            st.sampled_from([{}, {"dwell": 1.0}, {"limit": 2.0}, {"until": None}])
+        )
+        if "until" in keeps:
+            keeps = {"until": draw(conditions)}
+        situations.append(
+            Situation(
+                f"s{number}", condition=draw(conditions), entries=draw(entries(modules)), **keeps
+            )
+        )
+    situations.append(Situation("last", entries=draw(entries(modules))))
+    return Spds("script", (), declared, tuple(situations))
+
+
+@st.composite
+def entries(draw: st.DrawFn, modules: tuple[str, ...]) -> tuple[Entry, ...]:
+    given_ = ((module, draw(st.none() | st.integers(0, 3))) for module in modules)
+    return tuple(Entry(module, priority) for module, priority in given_ if priority is not None)
+
+
+@st.composite
+def projects(draw: st.DrawFn) -> Project:
+    return Project(
+        root=".",
+        name="random",
+        applications={f"{name}.rbd.xml": draw(applications(name)) for name in "ab"},
+        spds=draw(scripts()),
+        tags={"y": [1, 2, 3]},
+    )
+
+
+sets_of_resources = st.lists(st.sampled_from(RESOURCES), unique=True, max_size=3).map(tuple)
+modules = st.sampled_from(MODULES)
+given_inputs: st.SearchStrategy[inputs.AnyInput] = st.one_of(
+    st.builds(
+        inputs.Set, st.dictionaries(st.sampled_from(TAGS), values, min_size=1), st.just("scenario")
+    ),
+    st.builds(inputs.Raise, st.sampled_from(NAMES)),
+    st.just(inputs.Touch()),
+    st.builds(inputs.Acquire, modules, sets_of_resources, sets_of_resources),
+    st.builds(inputs.Abandon, modules, sets_of_resources),
+    st.builds(
+        inputs.Command, modules, st.sampled_from(RESOURCES), st.integers(0, 2), st.none() | seconds
+    ),
+    st.builds(inputs.Lost, modules),
+    st.builds(inputs.Finish, st.sampled_from(["speech", "service", "robot", None])),
+)
+scenarios = st.lists(st.tuples(st.integers(0, 4), given_inputs), max_size=25)
+Scenario = list[tuple[int, inputs.AnyInput]]
+
+
+class Play:
+    """A robot that is fed a scenario: half seconds to wait, then an input."""
+
+    def __init__(self, project: Project, auto_finish: float | None = None) -> None:
+        self.robot = Robot(project)
+        self.events: list[TraceEvent] = []
+        self.now = 0
+        self._take(*self.robot.step(inputs.Start(7, auto_finish), 0))
+
+    def feed(self, scenario: Scenario) -> None:
+        for wait, given_ in scenario:
+            self.now += wait * SECOND // 2
+            self.advance()
+            self._take(*self.robot.step(given_, self.now))
+
+    def advance(self) -> None:
+        while (due := self.robot.due()) is not None and due <= self.now:
+            self._take(*self.robot.step(None, due))
+
+    def _take(self, events: list[TraceEvent], effects: list[Any]) -> None:
+        self.events += events
+
+    @property
+    def bytes(self) -> bytes:
+        return b"".join(map(to_line, self.events))
+
+
+# -- the trace ---------------------------------------------------------------
+
+
+@FEW
+@given(projects(), scenarios)
+def test_the_same_input_gives_the_same_bytes(project: Project, scenario: Scenario) -> None:
+    one, other = Play(project, 1.0), Play(project, 1.0)
+    one.feed(scenario)
+    other.feed(scenario)
+    assert one.bytes == other.bytes
+
+
+@FEW
+@given(projects(), scenarios)
+def test_seq_has_no_gap_and_causes_are_smaller(project: Project, scenario: Scenario) -> None:
+    play = Play(project, 1.0)
+    play.feed(scenario)
+    assert [event.seq for event in play.events] == list(range(1, len(play.events) + 1))
+    assert all(event.cause is None or 0 < event.cause < event.seq for event in play.events)
+    assert all(one.t <= other.t for one, other in pairwise(play.events))
+
+
+@FEW
+@given(projects(), scenarios, scenarios)
+def test_a_robot_goes_on_from_a_snapshot_as_if_nothing_had_been(
+    project: Project, before: Scenario, after: Scenario
+) -> None:
+    play = Play(project, 1.0)
+    play.feed(before)
+    snapshot = play.robot.snapshot()
+    other = Play(project)
+    other.robot.restore(snapshot)
+    other.now, other.events, play.events = play.now, [], []
+    assert other.robot.snapshot() == snapshot
+    play.feed(after)
+    other.feed(after)
+    assert other.bytes == play.bytes
+    assert other.robot.snapshot() == play.robot.snapshot()
+
+
+# -- authority and mapping ---------------------------------------------------
+
+
+class Model:
+    """Priority management, said as plainly as can be: all is worked out anew each time."""
+
+    def __init__(self, script: Spds) -> None:
+        self.priorities = script.priorities(script.situations[-1])
+        self.requests: dict[str, tuple[frozenset[str], frozenset[str], int]] = {}
+        self.holders: dict[str, str] = {}
+        self.count = 0
+
+    def take(self, given_: inputs.AnyInput) -> None:
+        if isinstance(given_, inputs.Acquire):
+            self._ask(given_.module, frozenset(given_.resources), frozenset(given_.optional))
+        elif isinstance(given_, inputs.Abandon) and given_.module in self.requests:
+            wanted, able, _ = self.requests[given_.module]
+            gone = frozenset(given_.resources) or wanted | able
+            self._ask(given_.module, wanted - gone, able - gone)
+        elif isinstance(given_, inputs.Lost):
+            self.requests.pop(given_.module, None)
+        self._grant()
+
+    def _ask(self, module: str, wanted: frozenset[str], able: frozenset[str]) -> None:
+        self.count += 1
+        place = self.requests[module][2] if module in self.requests else self.count
+        if wanted or able:
+            self.requests[module] = (wanted, able - wanted, place)
+        else:
+            self.requests.pop(module, None)
+
+    def _grant(self) -> None:
+        def turn(module: str) -> tuple[int, bool, int]:
+            wanted, able, place = self.requests[module]
+            has = any(self.holders.get(resource) == module for resource in wanted | able)
+            return -self.priorities[module], not has, place
+
+        holders: dict[str, str] = {}
+        for module in sorted(filter(self.priorities.__contains__, self.requests), key=turn):
+            wanted, able, _ = self.requests[module]
+            if not wanted & holders.keys():
+                holders.update(dict.fromkeys(wanted | (able - holders.keys()), module))
+        self.holders = holders
+
+
+only_modules = st.lists(
+    st.one_of(
+        st.builds(inputs.Acquire, modules, sets_of_resources, sets_of_resources),
+        st.builds(inputs.Abandon, modules, sets_of_resources),
+        st.builds(inputs.Lost, modules),
+    ),
+    max_size=30,
+)
+
+
+@FEW
+@given(entries(MODULES), only_modules)
+def test_authority_is_as_the_plain_model_has_it(
+    given_: tuple[Entry, ...], asked: list[inputs.AnyInput]
+) -> None:
+    declared = tuple(Declaration(name, RESOURCES) for name in MODULES)
+    script = Spds("script", (), declared, (Situation("s", entries=given_),))
+    robot, model = Robot(Project(root=".", name="p", spds=script)), Model(script)
+    robot.step(inputs.Start(), 0)
+    holders: dict[str, str | None] = {}
+    for moment, one in enumerate(asked, 1):
+        events, _ = robot.step(one, moment)
+        for event in events:
+            if isinstance(event, Authority):
+                assert holders.get(event.resource) == event.source
+                holders[event.resource] = event.to
+        model.take(one)
+        assert {r: m for r, m in holders.items() if m is not None} == model.holders
+        # All or none; and nobody waits for what is free.
+        for module, (wanted, _, _) in model.requests.items():
+            held = {r for r in wanted if holders.get(r) == module}
+            assert held in (set(), wanted)
+            if module in model.priorities and wanted and not held:
+                assert any(holders.get(r) is not None for r in wanted)
+
+
+@FEW
+@given(projects(), scenarios)
+def test_what_moves_the_robot_is_the_holders_valid_command(
+    project: Project, scenario: Scenario
+) -> None:
+    play = Play(project, 1.0)
+    holders: dict[str, str | None] = {}
+    moved: dict[str, Any] = {}
+    made: dict[tuple[str, str], tuple[Any, int | None]] = {}
+    wanted: dict[str, set[str]] = {}
+    for wait, one in scenario:
+        play.feed([(wait, one)])
+        for event in play.events:
+            if isinstance(event, Authority):
+                lost = (event.source or "", event.resource)
+                if lost in made and made[lost][1] is None:
+                    del made[lost]
+                holders[event.resource] = event.to
+            elif isinstance(event, Mapping):
+                assert event.module == holders.get(event.resource)
+                moved[event.resource] = event.value
+        play.events = []
+        if isinstance(one, inputs.Command):
+            until = None if one.valid is None else play.now + int(one.valid * SECOND)
+            holds = holders.get(one.resource) == one.module
+            made[one.module, one.resource] = (one.value if holds or until else None, until)
+        elif isinstance(one, inputs.Lost):
+            made = {key: value for key, value in made.items() if key[0] != one.module}
+            wanted.pop(one.module, None)
+        elif isinstance(one, inputs.Abandon):
+            gone = one.resources or RESOURCES
+            made = {k: v for k, v in made.items() if k[0] != one.module or k[1] not in gone}
+            wanted.get(one.module, set()).difference_update(gone)
+        elif isinstance(one, inputs.Acquire):
+            asked = {*one.resources, *one.optional}
+            for resource in wanted.get(one.module, set()) - asked:
+                made.pop((one.module, resource), None)
+            wanted[one.module] = asked
+        for resource, holder in holders.items():
+            entry = play.robot.board.get(f"robot/{resource}")
+            assert moved.get(resource) == (None if entry is None else entry.value)
+            if holder is None:
+                assert entry is None
+            if holder in MODULES:
+                value, until = made.get((holder, resource), (None, None))
+                valid = until is None or until > play.now
+                assert (None if entry is None else entry.value) == (value if valid else None)
+
+
+# -- conditions --------------------------------------------------------------
+
+Writes = list[tuple[int, dict[str, Any]]]
+
+
+class History:
+    """Direct evaluation: every test is judged from the list of all writes up to a moment."""
+
+    def __init__(self, writes: Writes) -> None:
+        self.writes = writes
+
+    def holds(self, node: Leaf | Group | Condition, at: int) -> bool:
+        if isinstance(node, Condition):
+            return all(self.holds(child, at) for child in node.children)
+        if isinstance(node, Group):
+            found = [self.holds(child, at) for child in node.children]
+            return {"all": all(found), "any": any(found), "none": not any(found)}[node.kind]
+        if not self._test(node, self._value(node.tag, at)):
+            return False
+        if node.within is not None:
+            last = max((t for t, tags in self.writes if node.tag in tags and t <= at), default=None)
+            if last is None or at >= last + int(node.within * SECOND):
+                return False
+        if node.hold is not None:
+            since = at
+            for moment, tags in reversed([w for w in self.writes if w[0] <= at]):
+                if node.tag in tags:
+                    if not self._test(node, tags[node.tag]):
+                        break
+                    since = moment
+            else:
+                if self._test(node, None):
+                    since = 0
+            return at >= since + int(node.hold * SECOND)
+        return True
+
+    def _value(self, tag: str, at: int) -> Any:
+        return next((w[tag] for t, w in reversed(self.writes) if tag in w and t <= at), None)
+
+    @staticmethod
+    def _test(test: Leaf, value: Any) -> bool:
+        number = isinstance(value, (int, float)) and not isinstance(value, bool)
+        wanted: Any = True if test.value == "true" else 1
+        if test.test == "exists":
+            return value is not None
+        if test.test in ("is", "isnot"):
+            return (type(value) is type(wanted) and value == wanted) is (test.test == "is")
+        if wanted is True or not number:
+            return False
+        return bool(value > 1 if test.test == "above" else value <= 1)
+
+
+# Moments are odd half seconds apart from the ends of within and for, which are judged
+# between them; deletions of what is missing are no writes.
+write_times = st.lists(
+    st.tuples(
+        st.integers(1, 5),
+        st.dictionaries(st.sampled_from(TAGS), st.sampled_from([0, 1, 2, True, None]), min_size=1),
+    ),
+    min_size=1,
+    max_size=10,
+)
+
+
+@settings(FEW, max_examples=150)
+@given(conditions, write_times)
+def test_conditions_are_as_direct_evaluation_has_them(
+    condition: Condition, given_: list[tuple[int, dict[str, Any]]]
+) -> None:
+    script = Spds("s", (), (), (Situation("a", condition=condition), Situation("b")))
+    robot = Robot(Project(root=".", name="p", spds=script))
+    events, _ = robot.step(inputs.Start(), 0)
+    now, holds = 0, [event for event in events if to_fields(event)["kind"] == "condition"] != []
+    written: Writes = []
+    missing: dict[str, Any] = {}
+    assert holds is History([]).holds(condition, 0)
+    for wait, tags in given_:
+        now += wait * 510_000
+        while (due := robot.due()) is not None and due <= now:
+            holds = after(robot.step(None, due)[0], holds)
+            assert holds is History(written).holds(condition, due)
+        holds = after(robot.step(inputs.Set(tags, "m"), now)[0], holds)
+        real = {t: v for t, v in tags.items() if v is not None or missing.get(t) is not None}
+        missing.update(tags)
+        written.append((now, real))
+        assert holds is History(written).holds(condition, now)
+
+
+def after(events: list[TraceEvent], holds: bool) -> bool:
+    for event in events:
+        fields = to_fields(event)
+        if fields["kind"] == "condition":
+            assert fields["holds"] is not holds
+            holds = fields["holds"]
+    return holds
+
+
+# -- situations --------------------------------------------------------------
+
+TRUE = tuple(Leaf(tag, "is", "true") for tag in ("p", "q", "u"))
+kept = st.sampled_from(
+    [{}, {"dwell": 2.0}, {"limit": 3.0}, {"until": 1}, {"until": 1, "limit": 3.0}]
+)
+flips = st.lists(
+    st.tuples(
+        st.integers(1, 7),
+        st.dictionaries(st.sampled_from("pqu"), st.booleans(), min_size=1),
+    ),
+    max_size=14,
+)
+
+
+class Watch:
+    """One situation, said plainly. since: when it became current in this time of holding."""
+
+    def __init__(self, source: Situation) -> None:
+        self.source = source
+        self.since: int | None = None
+        self.spent = False
+
+    def length(self) -> int | None:
+        length = self.source.dwell if self.source.dwell is not None else self.source.limit
+        return None if length is None else int(length * SECOND)
+
+    def holds(self, condition: bool, until: bool, now: int) -> bool:
+        source = self.source
+        if not condition:
+            self.spent = False
+        length = self.length()
+        over = self.since is not None and length is not None and now >= self.since + length
+        if source.dwell is not None:
+            held = condition or (self.since is not None and not over)
+        elif self.since is not None and (source.until is not None or source.limit is not None):
+            held = not until and not over
+            if not held:
+                self.spent = condition
+        else:
+            held = condition and not until and not self.spent
+        if not held:
+            self.since = None
+        return held
+
+
+@settings(FEW, max_examples=120)
+@given(kept, kept, flips)
+def test_situations_are_as_the_plain_model_has_them(
+    one: dict[str, Any], other: dict[str, Any], given_: list[tuple[int, dict[str, bool]]]
+) -> None:
+    until = Condition((TRUE[2],))
+    sources = tuple(
+        Situation(
+            name,
+            condition=Condition((test,)),
+            until=until if "until" in keeps else None,
+            dwell=keeps.get("dwell"),
+            limit=keeps.get("limit"),
+        )
+        for name, test, keeps in (("a", TRUE[0], one), ("b", TRUE[1], other))
+    )
+    robot = Robot(
+        Project(root=".", name="p", spds=Spds("s", (), (), (*sources, Situation("rest"))))
+    )
+    robot.step(inputs.Start(), 0)
+    watches = [Watch(source) for source in sources]
+    tags = {"p": False, "q": False, "u": False}
+
+    def judge(now: int) -> str:
+        held = [
+            watch.holds(tags[tag], tags["u"] and watch.source.until is not None, now)
+            for watch, tag in zip(watches, "pq", strict=True)
+        ]
+        for watch, holds in zip(watches, held, strict=True):
+            if holds:
+                if watch.since is None:
+                    watch.since = now
+                return watch.source.name
+        return "rest"
+
+    def current() -> Any:
+        return robot.board.look("situation.name")
+
+    now = 0
+    for wait, flip in given_:
+        now += wait * 400_000
+        while (due := robot.due()) is not None and due <= now:
+            robot.step(None, due)
+            assert current() == judge(due)
+        tags.update(flip)
+        robot.step(inputs.Set(dict(flip), "m"), now)
+        assert current() == judge(now)
+
+
+# -- speed does not depend on how many there are ----------------------------
+
+
+@pytest.mark.parametrize("others", [10, 400])
+def test_a_write_judges_no_condition_that_does_not_look_at_it(build: Build, others: int) -> None:
+    """What a step does is counted, not timed: calls into the conditions that changed."""
+    more = "".join(
+        f'<situation name="s{n}"><condition><data tag="t{n}" is="1"/></condition></situation>'
+        for n in range(others)
+    )
+    first = '<situation name="a"><condition><data tag="x" is="1"/></condition></situation>'
+    robot = Robot(build((), f'{first}{more}<situation name="rest"/>'))
+    robot.step(inputs.Start(), 0)
+    assert robot._situations is not None
+    judged: list[int] = []
+    judge = robot._situations._judge
+
+    def counting(number: int, cause: int | None) -> None:
+        judged.append(number)
+        judge(number, cause)
+
+    robot._situations._judge = counting  # type: ignore[method-assign]
+    robot.step(inputs.Set({"x": 1}, "m"), 1)
+    assert judged == [0]
