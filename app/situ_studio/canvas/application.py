@@ -124,7 +124,7 @@ class ApplicationCanvas(Canvas):
         elif moved is None or self._slices.isActive():
             # Very many: a slice at a time, with the window usable; straight lines until then.
             self._routing = self._router.routing(
-                self._boxes(self._picture.cards), list(self._pipes(links.values()).values())
+                self._boxes(self._picture.cards), self._all_pipes()
             )
             self.look.unrouted = True
             self._slices.start()
@@ -148,7 +148,12 @@ class ApplicationCanvas(Canvas):
             if id not in links:
                 self._said.pop(id)
         pipes.update(self._pipes(near))
+        pipes.update(self._stubs(c for u in cards if (c := self._picture.cards.get(u))))
         self._show_routes(self._router.change(boxes, pipes))
+
+    def _all_pipes(self) -> list[Pipe]:
+        pipes = self._pipes(self._picture.links.values())
+        return [*pipes.values(), *self._stubs(self._picture.cards.values()).values()]
 
     def _route_slice(self) -> None:
         deadline = time.perf_counter() + SLICE
@@ -196,6 +201,30 @@ class ApplicationCanvas(Canvas):
                     chip=chip_width(entering.no),
                     timeout=link.exit == TIMEOUT,
                     folded=leaving.kind == "always",
+                )
+        return pipes
+
+    def _stubs(self, cards: Iterable[Card]) -> dict[PipeId, Pipe]:
+        """What takes room at an exit without leading to a card: chips of #back, #again, errors."""
+        pipes: dict[PipeId, Pipe] = {}
+        for card in cards:
+            view = self.graph.nodes[card.uid].view
+            for leaving in card.exits:
+                if not leaving.short:
+                    continue
+                x, y = card.port(leaving.id)
+                start = (view.x() + x, view.y() + y)
+                # No card is called so: each stands for itself.
+                id = (card.uid, leaving.id, f" {leaving.id}")
+                self._said[id] = "", False, ""
+                pipes[id] = Pipe(
+                    id=id,
+                    source=card.uid,
+                    target=id[2],
+                    start=start,
+                    end=start,
+                    chip=chip_width(leaving.short, not leaving.missing),
+                    folded=True,
                 )
         return pipes
 

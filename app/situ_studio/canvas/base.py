@@ -72,6 +72,7 @@ class Canvas(QWidget):
         self.viewer.settled.connect(self.settle)
         self.viewer.cancelled.connect(self._on_cancelled)
         self.viewer.zoomed.connect(self._on_zoomed)
+        self.viewer.looked.connect(self._show_minimap)
         self.viewer.double_click.connect(self._on_double_click)
         self.viewer.clicked.connect(self._on_clicked)
         self.viewer.menu_wanted.connect(self._on_menu)
@@ -130,7 +131,7 @@ class Canvas(QWidget):
         self._moved_timer.stop()
         few = len(links) <= self.few or first or 3 * len(changed) > len(cards)
         self._route(None if few else changed)
-        self.minimap.update()
+        self._show_minimap()
         self._on_selection()
         if not self._fitted and cards and self.isVisible():
             self._fitted = True
@@ -161,8 +162,17 @@ class Canvas(QWidget):
         self.minimap.move(
             self.width() - self.minimap.width() - 8, self.height() - self.minimap.height() - 8
         )
-        room = self.height() >= 560 and self.width() >= 500
-        self.minimap.setVisible(room and self.minimap.wanted)
+        self._show_minimap()
+
+    def _show_minimap(self) -> None:
+        """Where there is room, and something out of sight."""
+        room = self.minimap.wanted and self.height() >= 560 and self.width() >= 500
+        if room:
+            seen = self.viewer._scene_range
+            room = not all(seen.contains(self.card_area(uid)) for uid in self.graph.cards)
+        self.minimap.setVisible(room)
+        if room:
+            self.minimap.update()
 
     # -- zoom ---------------------------------------------------------------------------
 
@@ -233,7 +243,6 @@ class Canvas(QWidget):
 
     def _on_zoomed(self, zoom: float) -> None:
         self.zoom_bar.set_zoom(zoom)
-        self.minimap.update()
         if self._editor is not None:
             self._editor.close_editor()
         self.zoomed.emit(zoom)
@@ -484,7 +493,7 @@ class Canvas(QWidget):
     def name_area(self, uid: str) -> QRectF:
         """Where the card's name stands, in the scene."""
         area = self.card_area(uid)
-        return QRectF(area.left() + 30, area.top() + 2, area.width() - 34, 24)
+        return QRectF(area.left() + 29, area.top() + 2, area.width() - 33, 24)
 
     def edit_name(self, uid: str) -> None:
         if self._editor is not None:

@@ -204,7 +204,7 @@ class CardItem(NodeFace):
         if self._large is None or self._large[0] != pixels:
             number = Label(card.no, pixels - 3, 600)
             chip = max(30.0, number.width + 12) if card.no else 0.0
-            room = card.width - chip - 24 - (26 if card.mark else 0)
+            room = card.width - chip - 32 - (26 if card.mark else 0)
             self._large = pixels, number, Label(card.name, pixels, 600, room)
         _, number, name = self._large
         left = 10.0

@@ -56,6 +56,11 @@ class FollowMenu(QFrame):
             "QListWidget::item { height: 26px; padding-left: 4px; border-radius: 4px; }"
             f"QListWidget::item:selected {{ background: {theme.accent_soft};"
             f" color: {theme.text}; }}"
+            "QScrollBar:vertical { width: 8px; background: transparent; margin: 0; }"
+            f"QScrollBar::handle:vertical {{ background: {theme.line_strong};"
+            " border-radius: 4px; min-height: 24px; }"
+            "QScrollBar::add-line, QScrollBar::sub-line { height: 0; }"
+            "QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }"
         )
         self._filter("")
         self.setFixedSize(280, 46 + 26 * min(11, len(self.choices)))

@@ -45,6 +45,9 @@ class Face(Protocol):
         ...
 
     def port(self, name: str) -> tuple[float, float]: ...
+    def hint(self, name: str = "") -> str:
+        """What is said of the node, or of one of its exits, while the mouse rests on it."""
+        ...
 
 
 class Spot(PortItem):
@@ -121,6 +124,7 @@ class NodeFace(NodeItem):
         self._rect = self.room(face)
         self._shape = QPainterPath()
         self._shape.addRect(QRectF(0, 0, face.width, face.height))
+        self.setToolTip(face.hint())
         self.prepare()
         self.update()
 
@@ -279,6 +283,7 @@ class Node(BaseNode):
             if name not in kept:
                 kept[name] = self._port(kind, name)
             kept[name].view.place(*self.face.port(name))
+            kept[name].view.setToolTip(self.face.hint(name) if kind == OUT else "")
         ports[:] = [kept[name] for name in names]
         models.clear()
         models.update((name, kept[name].model) for name in names)

@@ -105,6 +105,24 @@ class Card(Struct, frozen=True):
         index = next(i for i, e in enumerate(self.exits) if e.id == name)
         return WIDTH, FIRST + PITCH * index
 
+    def hint(self, name: str = "") -> str:
+        """The whole of what the card, or one exit's row, has room for only in part."""
+        if name == NEW:
+            return "Drag to where a new event leads"
+        leaving = self.exit(name)
+        if leaving is None:
+            return "\n".join(part for part in (f"{self.no} {self.name}".strip(), self.line) if part)
+        parts = [leaving.label]
+        if leaving.phrase:
+            parts.append(f"“{leaving.phrase}”")
+        if leaving.guard:
+            parts.append(f"if {leaving.guard}")
+        if leaving.missing:
+            parts.append(f"leads to state {leaving.next}, which does not exist")
+        elif leaving.next is None:
+            parts.append("stays in the state")
+        return "\n".join(parts)
+
     def exit(self, name: str) -> Exit | None:
         return next((e for e in self.exits if e.id == name), None)
 

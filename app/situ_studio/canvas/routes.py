@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from situ_studio.canvas.labels import Labels
 from situ_studio.canvas.space import Box, PipeId, Point, length
-from situ_studio.canvas.ways import IN, Pipe, Ways
+from situ_studio.canvas.ways import IN, OUT, Pipe, Ways
 
 __all__ = ["Box", "Pipe", "Point", "Route", "Router"]
 
@@ -261,7 +261,7 @@ class Router:
             return Route(folded=True, trunk=trunk.id)
         (x, y), points = pipe.start, route.points
         if len(points) == 2:
-            lane, height = min(x + 20, points[1][0] - IN), points[0][1]
+            lane, height = min(x + OUT, points[1][0] - IN), points[0][1]
         else:
             lane, height = points[1][0], points[1][1]
             low, high = sorted((height, points[2][1]))
@@ -309,6 +309,9 @@ def _trunk(group: Sequence[Pipe]) -> Pipe:
 def _effort(pipe: Pipe) -> tuple[float, ...]:
     """Short ways first: they take the inner lanes. Of one card's, the one nearest to its goal."""
     (x1, y1), (x2, y2) = pipe.start, pipe.end
+    if pipe.source == pipe.target:
+        # Loops have no choice.
+        return (-1.0, y1, x1, y2, x2)
     back = 400.0 if x2 < x1 else 0.0
     return (
         round((abs(x2 - x1) + abs(y2 - y1) + back) / 40),

@@ -96,6 +96,12 @@ class ScriptNode(Struct, frozen=True):
     def outputs(self) -> tuple[str, ...]:
         return () if self.kind == "resource" else (OUT,)
 
+    def hint(self, name: str = "") -> str:
+        """What the node has no room for: long names, all tests."""
+        if name:
+            return "Drag to where it leads"
+        return "\n".join((self.name, *self.lines) if self.lines else (self.name, self.detail))
+
     def port(self, name: str) -> tuple[float, float]:
         """A port's centre, from the corner."""
         if name == OUT:

@@ -79,6 +79,8 @@ class Viewer(NodeViewer):
     moved = Signal()
     """Cards are where they were not; the pipes have to follow."""
     zoomed = Signal(float)
+    looked = Signal()
+    """Another part of the drawing is seen."""
     menu_wanted = Signal(object, QPoint)
 
     def __init__(self, look: Look, parent: Widget | None = None) -> None:
@@ -468,6 +470,7 @@ class Viewer(NodeViewer):
             self.layer.setVisible(self.look.level in ("full", "half"))
         if changed:
             self.zoomed.emit(zoom)
+        self.looked.emit()
         self.viewport().update()
 
     def resizeEvent(self, event: Any) -> None:
@@ -528,7 +531,7 @@ class Viewer(NodeViewer):
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
         look = self.look
         painter.fillRect(rect, look["canvas"])
-        if look.zoom >= 0.35:
+        if look.level in ("full", "half"):
             painter.save()
             painter.setPen(Qt.PenStyle.NoPen)
             brush = QBrush(self._dotted())
@@ -542,8 +545,13 @@ class Viewer(NodeViewer):
             self.on_ground(painter)
 
     def _dotted(self) -> QPixmap:
-        """One 16-unit tile with its dot, at the zoom of now."""
-        size = max(4, round(16 * self.look.zoom))
+        """One tile with its dot, 12 to 24 px on screen and a power of two of 16 units."""
+        size = 16 * self.look.zoom
+        while size < 12:
+            size *= 2
+        while size >= 24:
+            size /= 2
+        size = max(4, round(size))
         key = size * 1000 + self.look.version
         if self._dots is None or self._dots[0] != key:
             tile = QPixmap(size, size)
@@ -552,8 +560,7 @@ class Viewer(NodeViewer):
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(self.look["dots"])
-            radius = max(0.7, 0.8 * self.look.zoom)
-            painter.drawEllipse(QPointF(size / 2, size / 2), radius, radius)
+            painter.drawEllipse(QPointF(size / 2, size / 2), 0.8, 0.8)
             painter.end()
             self._dots = key, tile
         return self._dots[1]

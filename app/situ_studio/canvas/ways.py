@@ -272,7 +272,7 @@ class Ways:
         cost = 0.0
         for chip in self.chips.get(pipe.source, ()):
             if chip.left - 3 < lane < chip.right + 3 and chip.top < bottom and top < chip.bottom:
-                cost += 40.0
+                cost += 64.0
         return cost
 
     def clear_level(self, y: float, left: float, right: float, own: tuple[str, ...]) -> bool:
@@ -317,7 +317,7 @@ class Ways:
                         and chip.top < high
                         and low < chip.bottom
                     ):
-                        cost += 40.0
+                        cost += 64.0
         return cost
 
     def _search(self, pipe: Pipe) -> tuple[Point, ...]:
