@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from situ.decide.effects import AnyEffect
 from situ.decide.inputs import AnyInput, Start
 from situ.decide.robot import Robot
 from situ.decide.trace import TraceEvent
 from situ.document.project import Project
 from situ.rehearse.expect import Expect, Expectations
 from situ.rehearse.scenario import End, Line
+
+
+Carry = Callable[[list[AnyEffect]], None]
+"""Gets the effects of each step, before its events are told."""
 
 
 class Rehearsal:
@@ -21,10 +26,12 @@ class Rehearsal:
         tell: Callable[[list[TraceEvent]], None],
         seed: int = 0,
         auto_finish: float | None = None,
+        carry: Carry | None = None,
     ) -> None:
         self.robot = Robot(project)
         self.now = 0
         self._tell = tell
+        self._carry = carry
         self._do(Start(seed, auto_finish), 0)
 
     def advance(self, to: int) -> None:
@@ -39,7 +46,9 @@ class Rehearsal:
         self._do(given, at)
 
     def _do(self, given: AnyInput | None, now: int) -> None:
-        events, _ = self.robot.step(given, now)
+        events, effects = self.robot.step(given, now)
+        if self._carry is not None:
+            self._carry(effects)
         self._tell(events)
 
 
@@ -49,11 +58,12 @@ def simulate(
     seed: int = 0,
     auto_finish: float | None = None,
     tell: Callable[[list[TraceEvent]], None] | None = None,
+    carry: Carry | None = None,
 ) -> Expectations:
     """Plays a scenario to its end; the expectations tell what failed.
 
     The project must have no errors. ``tell`` gets every trace event as it comes, also
-    when an expectation fails.
+    when an expectation fails; ``carry`` the effects.
     """
     verdict = Expectations()
 
@@ -62,7 +72,7 @@ def simulate(
         if tell is not None:
             tell(events)
 
-    rehearsal = Rehearsal(project, heard, seed, auto_finish)
+    rehearsal = Rehearsal(project, heard, seed, auto_finish, carry)
     for line in scenario:
         if line.at > rehearsal.now:
             # The moment before is over: nothing more can come to it.
