@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from PySide6.QtCore import QMimeData, QPointF, QTimer
+from PySide6.QtCore import QMimeData, QPointF
 from PySide6.QtGui import QCursor, QGuiApplication, Qt
 from PySide6.QtWidgets import QWidget
 
@@ -15,32 +14,25 @@ from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio.canvas import gestures, layout
 from situ_studio.canvas.base import Canvas, Place
-from situ_studio.canvas.cards import CardItem, chip_width
+from situ_studio.canvas.cards import CardItem
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.menu import FollowMenu
 from situ_studio.canvas.nodes import NodeFace, Spot
-from situ_studio.canvas.pipes import GUARD_HEIGHT, LABEL_HEIGHT, RoutedPipe
+from situ_studio.canvas.pipes import RoutedPipe
+from situ_studio.canvas.piping import Piping
 from situ_studio.canvas.projection import (
     ALWAYS,
     NEW,
-    TIMEOUT,
     Card,
-    Link,
     Picture,
     Projector,
     exit_of,
     identified,
     place_of,
 )
-from situ_studio.canvas.routes import Router
-from situ_studio.canvas.space import Box, PipeId
-from situ_studio.canvas.style import Label
-from situ_studio.canvas.ways import Pipe
 from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 
-SLICE = 0.008
-"""Seconds of routing at a time, where there are more."""
 MIME = "application/x-situ-states+xml"
 """Copied states on the clipboard: an application of their own, as a file has it."""
 
@@ -53,15 +45,9 @@ class ApplicationCanvas(Canvas):
         self.document: Application = Application(name="")
         self._projector = Projector()
         self._picture = Picture({}, {}, {})
-        self._router = Router()
+        self._piping = Piping(self.graph, self)
         self._laid: dict[str, tuple[float, float]] = {}
         self._drop: tuple[str, str, QPointF] | None = None
-        self._widths: dict[str, float] = {}
-        self._said: dict[PipeId, tuple[str, bool, str]] = {}
-        self._routing: Iterator[None] = iter(())
-        self._slices = QTimer(self)
-        self._slices.setInterval(0)
-        self._slices.timeout.connect(self._route_slice)
         self.menu: FollowMenu | None = None
         self.viewer.dropped.connect(self._on_dropped)
 
@@ -73,175 +59,19 @@ class ApplicationCanvas(Canvas):
         self.render_document()
 
     def render_document(self) -> None:
-        self._lay_out_missing()
+        # Cards without a place in the file keep the one that they get while they are shown.
+        self._laid.update(layout.missing(self.document, self._laid))
         self._picture = self._projector.picture(self.document, self._problems, self._laid)
         self._show(self._picture.cards, self._picture.links)
-
-    def _lay_out_missing(self) -> None:
-        """A place for cards that have none in the file; they keep it while they are shown."""
-        missing = [
-            (uid, value)
-            for uid, value in identified(self.document)
-            if value.aside.position is None and uid not in self._laid
-        ]
-        if not missing:
-            return
-        arranged = layout.arrange(self.document)
-        placed = [v.aside.position for _, v in identified(self.document) if v.aside.position]
-        if not placed and not self._laid:
-            self._laid.update(arranged)
-            return
-        if [uid for uid, _ in missing] == [f"{ALWAYS} "] and placed:
-            left, top = min(p[0] for p in placed), min(p[1] for p in placed)
-            rows = max(3, len(_ports(missing[0][1])))
-            self._laid[missing[0][0]] = (left, top - (62 + 18 * rows) - layout.ABOVE)
-            return
-        taken = [
-            (*at, 176.0, 62 + 18.0 * max(3, len(v.events) + 1))
-            for uid, v in identified(self.document)
-            if (at := v.aside.position or self._laid.get(uid)) is not None
-        ]
-        below = max((y + h for _, y, _, h in taken), default=0.0) + 64
-        left = min((x for x, _, _, _ in taken), default=24.0)
-        for uid, _ in missing:
-            spot = layout.beside(taken, left, below)
-            self._laid[uid] = spot
-            taken.append((*spot, 176.0, 116.0))
 
     def _item_kind(self, card: Any) -> type[NodeFace]:
         return CardItem
 
     def _route(self, moved: Iterable[str] | None = None) -> None:
-        """All pipes anew; or only what these cards, being dragged or changed, ask for."""
-        links = self._picture.links
-        if moved is None and len(links) <= self.few:
-            self._slices.stop()
-            self.look.unrouted = False
-            self._router.route(
-                self._boxes(self._picture.cards), self._pipes(links.values()).values()
-            )
-            self._show_routes(links)
-        elif moved is None or self._slices.isActive():
-            # Very many: a slice at a time, with the window usable; straight lines until then.
-            self._routing = self._router.routing(
-                self._boxes(self._picture.cards), self._all_pipes()
-            )
-            self.look.unrouted = True
-            self._slices.start()
+        if moved is None:
+            self._piping.route(self._picture, self.few)
         else:
-            self._reroute(moved)
-
-    def _reroute(self, moved: Iterable[str]) -> None:
-        """What changes when some cards are elsewhere, other or gone."""
-        links = self._picture.links
-        cards = set(moved)
-        boxes: dict[str, Box | None] = dict.fromkeys(cards)
-        boxes.update(self._boxes({u: c for u in cards if (c := self._picture.cards.get(u))}))
-        groups = {
-            (x.source, x.target) for x in links.values() if x.source in cards or x.target in cards
-        }
-        near = [x for x in links.values() if (x.source, x.target) in groups]
-        pipes: dict[PipeId, Pipe | None] = dict.fromkeys(
-            id for id in self._said if id[0] in cards or id[2] in cards
-        )
-        for id in pipes:
-            if id not in links:
-                self._said.pop(id)
-        pipes.update(self._pipes(near))
-        pipes.update(self._stubs(c for u in cards if (c := self._picture.cards.get(u))))
-        self._show_routes(self._router.change(boxes, pipes))
-
-    def _all_pipes(self) -> list[Pipe]:
-        pipes = self._pipes(self._picture.links.values())
-        return [*pipes.values(), *self._stubs(self._picture.cards.values()).values()]
-
-    def _route_slice(self) -> None:
-        deadline = time.perf_counter() + SLICE
-        for _ in self._routing:
-            if time.perf_counter() > deadline:
-                return
-        self._slices.stop()
-        self.look.unrouted = False
-        self._show_routes(self._picture.links)
-        self.viewer.viewport().update()
-
-    def _boxes(self, cards: Mapping[str, Card]) -> dict[str, Box]:
-        """What pipes go round: each card where it is now, with what hangs below it."""
-        boxes = {}
-        for uid, card in cards.items():
-            view = self.graph.nodes[uid].view
-            x, y = view.x(), view.y()
-            boxes[uid] = Box(x, y, x + card.width, y + card.height + (8 if card.chips else 0))
-        return boxes
-
-    def _pipes(self, links: Iterable[Link]) -> dict[PipeId, Pipe]:
-        """What to route for these links; those between the same two cards share their label."""
-        groups: dict[tuple[str, str], list[Link]] = {}
-        for link in links:
-            groups.setdefault((link.source, link.target), []).append(link)
-        pipes: dict[PipeId, Pipe] = {}
-        for (source, target), group in groups.items():
-            pill = len(group) == 1 and bool(group[0].guard)
-            text = group[0].guard if pill else ", ".join(dict.fromkeys(x.label for x in group))
-            width = self._text_width(text) + (36 if pill else 10)
-            leaving, entering = self._picture.cards[source], self._picture.cards[target]
-            from_view, to_view = self.graph.nodes[source].view, self.graph.nodes[target].view
-            for link in group:
-                ax, ay = leaving.port(link.exit)
-                bx, by = entering.port(link.entry)
-                self._said[link.id] = text, pill, entering.no
-                pipes[link.id] = Pipe(
-                    id=link.id,
-                    source=source,
-                    target=target,
-                    start=(from_view.x() + ax, from_view.y() + ay),
-                    end=(to_view.x() + bx, to_view.y() + by),
-                    width=width,
-                    height=GUARD_HEIGHT if pill else LABEL_HEIGHT,
-                    chip=chip_width(entering.no),
-                    timeout=link.exit == TIMEOUT,
-                    folded=leaving.kind == "always",
-                )
-        return pipes
-
-    def _stubs(self, cards: Iterable[Card]) -> dict[PipeId, Pipe]:
-        """What takes room at an exit without leading to a card: chips of #back, #again, errors."""
-        pipes: dict[PipeId, Pipe] = {}
-        for card in cards:
-            view = self.graph.nodes[card.uid].view
-            for leaving in card.exits:
-                if not leaving.short:
-                    continue
-                x, y = card.port(leaving.id)
-                start = (view.x() + x, view.y() + y)
-                # No card is called so: each stands for itself.
-                id = (card.uid, leaving.id, f" {leaving.id}")
-                self._said[id] = "", False, ""
-                pipes[id] = Pipe(
-                    id=id,
-                    source=card.uid,
-                    target=id[2],
-                    start=start,
-                    end=start,
-                    chip=chip_width(leaving.short, not leaving.missing),
-                    folded=True,
-                )
-        return pipes
-
-    def _show_routes(self, ids: Iterable[PipeId]) -> None:
-        for id in ids:
-            item = self.graph.pipe(id)
-            route = self._router.routes.get(id)
-            if item is not None and route is not None:
-                item.set_route(route, *self._said[id])
-
-    def _text_width(self, text: str) -> float:
-        width = self._widths.get(text)
-        if width is None:
-            if len(self._widths) > 20000:
-                self._widths.clear()
-            width = self._widths[text] = Label(text, 12, 500, 220).width
-        return width
+            self._piping.reroute(self._picture, moved)
 
     def set_live(self, live: LiveView | None) -> None:
         """Highlights of the running robot; None for none. They live in the view only."""
@@ -401,7 +231,7 @@ class ApplicationCanvas(Canvas):
         if uids:
             area = self.card_area(uids[-1])
             return layout.beside(taken, area.left() + 230, area.top())
-        middle = self.viewer._scene_range.center()
+        middle = self.viewer.seen().center()
         return layout.beside(taken, gestures.snap(middle.x() - 88), gestures.snap(middle.y() - 58))
 
     def add_state(self, kind: str = "state", at: QPointF | None = None) -> None:
@@ -548,8 +378,7 @@ class ApplicationCanvas(Canvas):
     def _on_clicked(self, item: Any, spot: QPointF) -> None:
         if isinstance(item, RoutedPipe) and item.route.folded and item.link is not None:
             if self.viewer.held & Qt.KeyboardModifier.AltModifier:
-                self._router.drawn.add(item.link.id)
-                self._route({item.link.source})
+                self._piping.draw(self._picture, item.link.id)
             else:
                 target = self._picture.cards[item.link.target]
                 self.select([target.place])
@@ -573,11 +402,6 @@ class ApplicationCanvas(Canvas):
 
 def _differ(old: Mapping[Any, Any], new: Mapping[Any, Any], key: Any) -> bool:
     return bool(old.get(key) != new.get(key))
-
-
-def _ports(value: Any) -> tuple[Any, ...]:
-    """What has a port on the card: its events, and its timeout."""
-    return (*value.events, *([value.timeout] if value.timeout is not None else []))
 
 
 def _number(text: str) -> int:

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
+from PySide6.QtCore import QMimeData, QPoint, QPointF, QRect, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
 from situ_studio import kinds
+from situ_studio.canvas import walk
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
-from situ_studio.canvas.overlay import MiniMap, NameEditor, ZoomBar
+from situ_studio.canvas.overlay import InPlace, MiniMap, ZoomBar, name_editor
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.style import Look
 from situ_studio.canvas.viewer import Viewer
@@ -54,7 +55,7 @@ class Canvas(QWidget):
         self._row: tuple[str, str] | None = None
         self._quiet = 0
         self._fitted = False
-        self._editor: NameEditor | None = None
+        self._editor: InPlace | None = None
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.viewer)
@@ -126,7 +127,7 @@ class Canvas(QWidget):
                 self._row = None
         finally:
             self._quiet -= 1
-        if self._editor is not None and self._editor.uid not in cards:
+        if self._editor is not None and self._editor.key not in cards:
             self._editor.close_editor()
         self._moved_timer.stop()
         few = len(links) <= self.few or first or 3 * len(changed) > len(cards)
@@ -168,7 +169,7 @@ class Canvas(QWidget):
         """Where there is room, and something out of sight."""
         room = self.minimap.wanted and self.height() >= 560 and self.width() >= 500
         if room:
-            seen = self.viewer._scene_range
+            seen = self.viewer.seen()
             room = not all(seen.contains(self.card_area(uid)) for uid in self.graph.cards)
         self.minimap.setVisible(room)
         if room:
@@ -205,7 +206,7 @@ class Canvas(QWidget):
             if uid is not None:
                 area = area.united(self.card_area(uid))
         if not area.isEmpty():
-            wide = self.viewer._scene_range
+            wide = self.viewer.seen()
             if area.width() > wide.width() or area.height() > wide.height():
                 self.viewer.show_area(area.adjusted(-40, -40, 40, 40))
             elif self.look.zoom < 0.4:
@@ -437,42 +438,21 @@ class Canvas(QWidget):
         if not uids:
             self._go(next(iter(self.graph.cards), None))
             return
-        here = self.card_area(uids[-1]).center()
-        best: tuple[float, str] | None = None
-        for uid in self.graph.cards:
-            if uid in uids:
-                continue
-            way = self.card_area(uid).center() - here
-            ahead = way.x() * across + way.y() * down
-            aside = abs(way.x() * down) + abs(way.y() * across)
-            if ahead <= 4 or aside > ahead * 2:
-                continue
-            score = ahead + 2 * aside
-            if best is None or score < best[0]:
-                best = score, uid
-        if best is not None:
-            self._go(best[1])
+        spots = {u: self.card_area(u).center().toTuple() for u in self.graph.cards}
+        self._go(walk.beside(spots, uids[-1], across, down))
 
     def step_in_order(self, by: int) -> None:
         """Selects the next card in document order."""
-        order = list(self.graph.cards)
-        if not order:
-            return
         uids = self.selected_uids()
-        index = order.index(uids[-1]) + by if uids else 0 if by > 0 else len(order) - 1
-        self._go(order[index % len(order)])
+        self._go(walk.onwards(list(self.graph.cards), uids[-1] if uids else None, by))
 
     def step_to_letter(self, letter: str) -> bool:
         """Selects the next card whose name or number begins so."""
-        order = list(self.graph.cards)
         uids = self.selected_uids()
-        begin = order.index(uids[-1]) + 1 if uids else 0
-        for uid in order[begin:] + order[:begin]:
-            card = self.graph.cards[uid]
-            if card.name.casefold().startswith(letter.casefold()) or uid.startswith(letter):
-                self._go(uid)
-                return True
-        return False
+        names = {u: (c.name, c.no) for u, c in self.graph.cards.items()}
+        found = walk.beginning(names, uids[-1] if uids else None, letter)
+        self._go(found)
+        return found is not None
 
     def _go(self, uid: str | None) -> None:
         if uid is None:
@@ -500,18 +480,15 @@ class Canvas(QWidget):
             self._editor.close_editor()
         self.viewer.reveal(self.card_area(uid))
         corner = self.viewer.mapFromScene(self.name_area(uid).topLeft())
-        zoom = self.look.zoom
-        size = self.name_area(uid).size() * zoom
-        editor = NameEditor(uid, self.graph.cards[uid].name, self.look, self.viewer.viewport())
-        editor.setGeometry(
-            corner.x(), corner.y(), max(120, round(size.width())), max(24, round(size.height()))
-        )
+        size = self.name_area(uid).size() * self.look.zoom
+        name = self.graph.cards[uid].name
+        editor = name_editor(uid, name, self.look, self.viewer.viewport())
         editor.finished.connect(self._on_named)
         self._editor = editor
-        editor.show()
-        editor.setFocus()
+        wide, high = max(120, round(size.width())), max(24, round(size.height()))
+        editor.open_at(QRect(corner.x(), corner.y(), wide, high))
 
-    def _on_named(self, uid: str, name: str, onwards: int) -> None:
+    def _on_named(self, uid: str, name: str | None, onwards: int) -> None:
         self._editor = None
         self.viewer.setFocus()
         if name and uid in self.graph.cards and name != self.graph.cards[uid].name:
@@ -522,5 +499,5 @@ class Canvas(QWidget):
 
     def cards_in_view(self) -> Sequence[str]:
         """Uids of the cards that are at least partly seen."""
-        seen = self.viewer._scene_range
+        seen = self.viewer.seen()
         return [uid for uid in self.graph.cards if seen.intersects(self.card_area(uid))]

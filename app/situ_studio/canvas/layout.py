@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from situ.document.rbd import Application
+from situ.document.rbd import Always, Application, State
 from situ_studio.canvas.projection import (
     COLUMN,
     FIRST,
@@ -36,10 +36,7 @@ def arrange(application: Application, band: int = BAND) -> dict[str, tuple[float
         number = getattr(value, "no", None)
         if number is not None:
             by_no.setdefault(number, uid)
-    heights = {
-        uid: 62 + PITCH * max(3, len(value.events) + (value.timeout is not None))
-        for uid, value in cards
-    }
+    heights = {uid: _height(value) for uid, value in cards}
     leads: dict[str, list[str]] = {
         uid: list(
             dict.fromkeys(
@@ -138,6 +135,44 @@ def _untangle(columns: list[list[str]], leads: Mapping[str, list[str]]) -> list[
             )
         done.append(column)
     return done
+
+
+def missing(
+    application: Application, laid: Mapping[str, tuple[float, float]]
+) -> dict[str, tuple[float, float]]:
+    """Places for the cards that have none, neither in the file nor in ``laid``; by uid.
+
+    All of them by the automatic layout where no card has a place, else below the others,
+    and what every state has above them.
+    """
+    cards = list(identified(application))
+    wanted = [u for u, v in cards if v.aside.position is None and u not in laid]
+    if not wanted:
+        return {}
+    if not laid and all(v.aside.position is None for _, v in cards):
+        return arrange(application)
+    taken = [
+        (*at, WIDTH, _height(value))
+        for uid, value in cards
+        if (at := value.aside.position or laid.get(uid)) is not None
+    ]
+    left = min((x for x, _, _, _ in taken), default=LEFT)
+    top = min((y for _, y, _, _ in taken), default=TOP)
+    below = max((y + h for _, y, _, h in taken), default=0.0) + GAP / 2
+    placed: dict[str, tuple[float, float]] = {}
+    for uid, value in cards:
+        if uid not in wanted:
+            continue
+        if not hasattr(value, "no"):
+            placed[uid] = (left, top - _height(value) - ABOVE)
+            continue
+        placed[uid] = beside(taken, left, below, _height(value))
+        taken.append((*placed[uid], WIDTH, _height(value)))
+    return placed
+
+
+def _height(value: Always | State) -> float:
+    return 62 + PITCH * max(3, len(value.events) + (value.timeout is not None))
 
 
 def beside(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidget
 
@@ -112,7 +112,7 @@ class MiniMap(QWidget):
             elif self._canvas.graph.nodes[uid].view.isSelected():
                 color = look["accent"]
             painter.fillRect(QRectF(card.x, card.y, card.width, card.height), color)
-        seen = self._viewer._scene_range.intersected(area)
+        seen = self._viewer.seen().intersected(area)
         painter.setPen(QPen(look["accent"], 1 / scale))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(seen)
@@ -122,9 +122,7 @@ class MiniMap(QWidget):
         left = (self.width() - area.width() * scale) / 2
         top = (self.height() - area.height() * scale) / 2
         spot = area.topLeft() + (event.position() - QPointF(left, top)) / scale
-        way = spot - self._viewer._scene_range.center()
-        self._viewer._set_viewer_pan(way.x(), way.y())
-        self.update()
+        self._viewer.look_at(spot)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._go(event)
@@ -134,34 +132,43 @@ class MiniMap(QWidget):
             self._go(event)
 
 
-class NameEditor(QLineEdit):
-    """A card's name while it is edited: Enter takes it, Esc leaves it, Tab goes on."""
+class InPlace(QLineEdit):
+    """A text edited where it stands: Enter takes it, Esc leaves it, Tab takes it and goes on.
 
-    finished = Signal(str, str, int)
-    """uid, the new name (empty to leave it), and which card is next: 1, -1, or 0 for none."""
+    key: what it is the text of.
+    """
 
-    def __init__(self, uid: str, name: str, look: Look, parent: QWidget) -> None:
-        super().__init__(name, parent)
-        self.uid = uid
+    finished = Signal(object, object, int)
+    """key, the text (None where it is left as it was), which is next: 1, -1, or 0 for none."""
+
+    def __init__(self, key: object, text: str, size: float, parent: QWidget) -> None:
+        super().__init__(text, parent)
+        self.key = key
         self._done = False
-        self.setAccessibleName("Name")
-        self.setFont(font(max(11.0, min(28.0, 13.5 * look.zoom)), 600))
-        self.setStyleSheet(
-            f"QLineEdit {{ background: {look.theme.panel}; color: {look.theme.text};"
-            f" border: 2px solid {look.theme.accent}; border-radius: 4px; padding: 0 4px;"
-            f" selection-background-color: {look.theme.accent};"
-            f" selection-color: {look.theme.on_accent}; }}"
-        )
+        self.setFont(font(size, 600))
         self.selectAll()
 
-    def close_editor(self, name: str = "", onwards: int = 0) -> None:
+    def dress(self, theme: Theme, radius: int) -> None:
+        self.setStyleSheet(
+            f"QLineEdit {{ background: {theme.panel}; color: {theme.text};"
+            f" border: 2px solid {theme.accent}; border-radius: {radius}px; padding: 0 4px;"
+            f" selection-background-color: {theme.accent};"
+            f" selection-color: {theme.on_accent}; }}"
+        )
+
+    def open_at(self, area: QRect) -> None:
+        self.setGeometry(area)
+        self.show()
+        self.setFocus()
+
+    def close_editor(self, text: str | None = None, onwards: int = 0) -> None:
         """Says ``finished`` once and goes away."""
         if self._done:
             return
         self._done = True
         self.hide()
         self.deleteLater()
-        self.finished.emit(self.uid, name, onwards)
+        self.finished.emit(self.key, text, onwards)
 
     def event(self, event: QEvent) -> bool:
         # Before Qt moves the focus by Tab.
@@ -183,3 +190,20 @@ class NameEditor(QLineEdit):
     def focusOutEvent(self, event: Any) -> None:
         super().focusOutEvent(event)
         self.close_editor(self.text())
+
+
+def name_editor(uid: str, name: str, look: Look, parent: QWidget) -> InPlace:
+    """For a card's name, as large as it stands there."""
+    editor = InPlace(uid, name, max(11.0, min(28.0, 13.5 * look.zoom)), parent)
+    editor.setAccessibleName("Name")
+    editor.dress(look.theme, 4)
+    return editor
+
+
+def priority_editor(key: object, text: str, look: Look, parent: QWidget) -> InPlace:
+    """For a priority in its pill: a whole number, or *none*."""
+    editor = InPlace(key, text, 12, parent)
+    editor.setAccessibleName("Priority")
+    editor.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    editor.dress(look.theme, 13)
+    return editor

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QKeyEvent, QPainter
+from PySide6.QtWidgets import QWidget
 
 from situ.document.problem import Problem
 from situ.document.spds import Spds
@@ -18,6 +18,7 @@ from situ_studio.canvas.gestures import Follow
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.menu import FollowMenu
 from situ_studio.canvas.nodes import NodeFace
+from situ_studio.canvas.overlay import InPlace, priority_editor
 from situ_studio.canvas.script_nodes import ScriptItem
 from situ_studio.canvas.script_projection import (
     LEFT,
@@ -33,7 +34,7 @@ from situ_studio.canvas.script_projection import (
     uid,
 )
 from situ_studio.canvas.style import Label
-from situ_studio.theme import Theme, font
+from situ_studio.theme import Theme
 
 TAKES = {
     "data": ("condition", "situation"),
@@ -52,7 +53,7 @@ class ScriptCanvas(Canvas):
         self._picture = ScriptPicture({}, {}, {}, TOP)
         self._taken_over: list[InheritedPipe] = []
         self._drop: tuple[Any, Any, QPointF] | None = None
-        self._pill_editor: PriorityEditor | None = None
+        self._pill_editor: InPlace | None = None
         self._titles = [(LEFT[k], Label(t, 12, 600)) for k, t in TITLES.items()]
         self.menu: FollowMenu | None = None
         self.minimap.wanted = False
@@ -327,7 +328,7 @@ class ScriptCanvas(Canvas):
     def edit_priority(self, link: ScriptLink | None, item: Any, typed: str = "") -> None:
         """Opens the pill's editor: of an entry's pipe, or of one that is taken over."""
         if self._pill_editor is not None:
-            self._pill_editor.close_editor(None)
+            self._pill_editor.close_editor()
         if link is not None:
             node = self._picture.cards[link.source]
             situation, module = node.name, self._picture.cards[link.target].name
@@ -335,28 +336,26 @@ class ScriptCanvas(Canvas):
         else:
             situation, module = item.value.situation, item.value.module
             text = str(item.value.priority)
-        area = self.viewer.mapFromScene(item.pill()).boundingRect()
-        editor = PriorityEditor(typed or text, self.look.theme, self.viewer.viewport())
-        centre = area.center()
-        editor.setGeometry(centre.x() - 28, centre.y() - 13, 56, 26)
-        editor.finished.connect(lambda value: self._on_priority(situation, module, value))
+        centre = self.viewer.mapFromScene(item.pill()).boundingRect().center()
+        key = situation, module
+        editor = priority_editor(key, typed or text, self.look, self.viewer.viewport())
+        editor.finished.connect(self._on_priority)
         self._pill_editor = editor
-        editor.show()
-        editor.setFocus()
+        editor.open_at(QRect(centre.x() - 28, centre.y() - 13, 56, 26))
         if typed:
             editor.deselect()
             editor.setCursorPosition(len(typed))
 
-    def _on_priority(self, situation: str, module: str, value: str | None) -> None:
+    def _on_priority(self, key: tuple[str, str], value: str | None, _: int) -> None:
         self._pill_editor = None
         self.viewer.setFocus()
         if value is None:
             return
         value = value.strip()
         if value in ("none", "-", ""):
-            self._edit(*gestures.prioritise(self.document, situation, module, None))
+            self._edit(*gestures.prioritise(self.document, *key, None))
         elif value.removeprefix("-").isdigit():
-            self._edit(*gestures.prioritise(self.document, situation, module, int(value)))
+            self._edit(*gestures.prioritise(self.document, *key, int(value)))
         else:
             self.status.emit(f"A priority is a whole number or none, not {value}")
 
@@ -473,43 +472,3 @@ class ScriptCanvas(Canvas):
             if found is not None:
                 return found, (OUT if len(place) > end else None)
         return None, None
-
-
-class PriorityEditor(QLineEdit):
-    """A priority while it is typed: a whole number, or *none*."""
-
-    finished = Signal(object)
-
-    def __init__(self, text: str, theme: Theme, parent: QWidget) -> None:
-        super().__init__(text, parent)
-        self._done = False
-        self.setAccessibleName("Priority")
-        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.setFont(font(12, 600))
-        self.setStyleSheet(
-            f"QLineEdit {{ background: {theme.panel}; color: {theme.text};"
-            f" border: 2px solid {theme.accent}; border-radius: 13px; padding: 0 4px;"
-            f" selection-background-color: {theme.accent};"
-            f" selection-color: {theme.on_accent}; }}"
-        )
-        self.selectAll()
-
-    def close_editor(self, value: str | None) -> None:
-        if self._done:
-            return
-        self._done = True
-        self.hide()
-        self.deleteLater()
-        self.finished.emit(value)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            self.close_editor(self.text())
-        elif event.key() == Qt.Key.Key_Escape:
-            self.close_editor(None)
-        else:
-            super().keyPressEvent(event)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.close_editor(self.text())

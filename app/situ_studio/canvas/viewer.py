@@ -10,32 +10,24 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSizeF, Qt, Signal
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
-    QBrush,
     QContextMenuEvent,
     QDragEnterEvent,
     QDragMoveEvent,
     QDropEvent,
     QKeyEvent,
     QMouseEvent,
-    QNativeGestureEvent,
-    QPainter,
-    QPen,
-    QPixmap,
-    QTransform,
-    QWheelEvent,
 )
-from PySide6.QtWidgets import QApplication, QGraphicsItem, QGraphicsView
+from PySide6.QtWidgets import QApplication
 from PySide6.QtWidgets import QWidget as Widget
 
-from situ_studio.canvas.library import AbstractNodeItem, NodeViewer
+from situ_studio.canvas.ground import Ground
 from situ_studio.canvas.nodes import OUT, NodeFace, Spot
 from situ_studio.canvas.pipes import LivePipe, RoutedPipe
 from situ_studio.canvas.style import Look
 from situ_studio.kinds import MIME
 
-ZOOM_LEAST, ZOOM_MOST = 0.04, 4.0
 SLOP = 3.0
 """How far off a press may be, in px on screen."""
 
@@ -53,18 +45,16 @@ class _Press:
         return Qt.MouseButton.LeftButton
 
 
-class Viewer(NodeViewer):
+class Viewer(Ground):
     """touched: uids whose picture may differ from the document since the last ``settled``.
 
     held: modifiers of the latest mouse event. on_key: what to do with a key; True
-    where it was for us. straight_lines: every pipe as a QLineF, and those just taken.
-    on_ground: draws on the ground, under everything. accepts: whether a pipe from
-    an exit to an input means something. pipe_kind: the items that pipes are.
+    where it was for us. accepts: whether a pipe from an exit to an input means
+    something. pipe_kind: the items that pipes are.
     """
 
     # NodeGraphQt's own, untyped.
     _LIVE_PIPE: Any
-    _scene_range: QRectF
     _start_port: Any
     _detached_port: Any
 
@@ -78,13 +68,9 @@ class Viewer(NodeViewer):
     """A press and release at one place: the node's item or None, where on it."""
     moved = Signal()
     """Cards are where they were not; the pipes have to follow."""
-    zoomed = Signal(float)
-    looked = Signal()
-    """Another part of the drawing is seen."""
     menu_wanted = Signal(object, QPoint)
 
     def __init__(self, look: Look, parent: Widget | None = None) -> None:
-        self.look = look
         self.touched: set[str] = set()
         self._buried: list[Any] = []
         self._old: list[Any] = []
@@ -94,19 +80,14 @@ class Viewer(NodeViewer):
         self._space = False
         self._pressed: tuple[QPoint, Any] | None = None
         self._travelled = False
-        self._dots: tuple[int, QPixmap] | None = None
         self.held = Qt.KeyboardModifier.NoModifier
         self.on_key: Callable[[QKeyEvent], bool] = lambda event: False
-        self.straight_lines: Callable[[], tuple[list[Any], list[Any]]] = lambda: ([], [])
-        self.on_ground: Callable[[QPainter], None] | None = None
         self.accepts: Callable[[Any, Any], bool] = lambda start, end: True
         self.pipe_kind: type[RoutedPipe] = RoutedPipe
-        self.layer = _Layer()
-        super().__init__(parent)
+        super().__init__(look, parent)
         # A top-level widget of the library's that nobody asked for.
         self._search_widget.setParent(self)
         self._search_widget.hide()
-        self.scene().addItem(self.layer)
         stock: Any = self._LIVE_PIPE
         self.scene().removeItem(stock)
         self._old = [stock]
@@ -115,15 +96,6 @@ class Viewer(NodeViewer):
         self.scene().addItem(self._LIVE_PIPE)
         self._cursor_text.setVisible(False)
         self.acyclic = False
-        self.setFrameShape(QGraphicsView.Shape.NoFrame)
-        self.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
-        self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.SmartViewportUpdate)
-        self.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
-        self.setTransformationAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
-        self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
-        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
-        self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontSavePainterState, True)
-        self.setMinimumSize(120, 90)
         self.viewport().setMouseTracking(True)
 
     # -- keeping items alive ----------------------------------------------------------
@@ -386,26 +358,6 @@ class Viewer(NodeViewer):
         self.menu_wanted.emit(item, event.globalPos())
         event.accept()
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        zooms = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
-        pixels = event.pixelDelta()
-        if not zooms and not pixels.isNull() and event.phase() != Qt.ScrollPhase.NoScrollPhase:
-            # Two fingers on a trackpad move the canvas.
-            self._set_viewer_pan(-pixels.x() / self.look.zoom, -pixels.y() / self.look.zoom)
-        else:
-            turned = event.angleDelta().y() or event.angleDelta().x()
-            self.zoom_by(1.0015**turned, event.position())
-        event.accept()
-
-    def viewportEvent(self, event: QEvent) -> bool:
-        if (
-            isinstance(event, QNativeGestureEvent)
-            and event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture
-        ):
-            self.zoom_by(1 + event.value(), event.position())
-            return True
-        return bool(super().viewportEvent(event))
-
     # -- drops -----------------------------------------------------------------------
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
@@ -450,147 +402,3 @@ class Viewer(NodeViewer):
             self.viewport().setCursor(Qt.CursorShape.OpenHandCursor)
         else:
             self.viewport().unsetCursor()
-
-    # -- zoom and place -----------------------------------------------------------------
-
-    def _update_scene(self) -> None:
-        """Shows ``_scene_range`` from its upper left corner, exactly: at 100 % a unit is a px."""
-        area = self._scene_range
-        size = self.viewport().size()
-        if area.width() <= 0 or size.width() <= 0:
-            return
-        zoom = max(ZOOM_LEAST, min(ZOOM_MOST, size.width() / area.width()))
-        left, top = round(area.left() * zoom) / zoom, round(area.top() * zoom) / zoom
-        self._scene_range = QRectF(QPointF(left, top), QSizeF(size) / zoom)
-        self.setSceneRect(self._scene_range)
-        if self.transform().m11() != zoom:
-            self.setTransform(QTransform.fromScale(zoom, zoom))
-        changed = self.look.zoom != zoom
-        if self.look.set_zoom(zoom, self.devicePixelRatioF()):
-            self.layer.setVisible(self.look.level in ("full", "half"))
-        if changed:
-            self.zoomed.emit(zoom)
-        self.looked.emit()
-        self.viewport().update()
-
-    def resizeEvent(self, event: Any) -> None:
-        """The upper left corner and the zoom stay."""
-        QGraphicsView.resizeEvent(self, event)
-        zoom = self.look.zoom
-        self._scene_range = QRectF(
-            self._scene_range.topLeft(), QSizeF(self.viewport().size()) / zoom
-        )
-        self._last_size = self.size()
-        self._update_scene()
-
-    def zoom_by(self, factor: float, at: QPointF | None = None) -> None:
-        """Zooms so that the point under ``at`` (px of the viewport) stays where it is."""
-        self.zoom_to(self.look.zoom * factor, at)
-
-    def zoom_to(self, zoom: float, at: QPointF | None = None) -> None:
-        zoom = max(ZOOM_LEAST, min(ZOOM_MOST, zoom))
-        if at is None:
-            at = QPointF(self.viewport().rect().center())
-        area = self._scene_range
-        spot = QPointF(area.left() + at.x() / self.look.zoom, area.top() + at.y() / self.look.zoom)
-        corner = spot - at / zoom
-        self._scene_range = QRectF(corner, QSizeF(self.viewport().size()) / zoom)
-        self._update_scene()
-
-    def show_area(self, area: QRectF, most: float = 1.0) -> None:
-        """Zooms and moves so that ``area`` is seen whole, at most at ``most``."""
-        size = QSizeF(self.viewport().size())
-        if area.isEmpty() or size.isEmpty():
-            return
-        zoom = min(most, size.width() / area.width(), size.height() / area.height())
-        zoom = max(ZOOM_LEAST, zoom)
-        wide = size / zoom
-        corner = area.center() - QPointF(wide.width() / 2, wide.height() / 2)
-        self._scene_range = QRectF(corner, wide)
-        self._update_scene()
-
-    def reveal(self, area: QRectF, margin: float = 40.0) -> None:
-        """Moves as little as needed so that ``area`` is seen; the zoom stays."""
-        seen = self._scene_range
-        margin = margin / self.look.zoom
-        wanted = area.adjusted(-margin, -margin, margin, margin)
-        x = y = 0.0
-        if wanted.left() < seen.left():
-            x = wanted.left() - seen.left()
-        elif wanted.right() > seen.right():
-            x = wanted.right() - seen.right()
-        if wanted.top() < seen.top():
-            y = wanted.top() - seen.top()
-        elif wanted.bottom() > seen.bottom():
-            y = wanted.bottom() - seen.bottom()
-        if x or y:
-            self._set_viewer_pan(x, y)
-
-    # -- ground ------------------------------------------------------------------------
-
-    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
-        look = self.look
-        painter.fillRect(rect, look["canvas"])
-        if look.level in ("full", "half"):
-            painter.save()
-            painter.setPen(Qt.PenStyle.NoPen)
-            brush = QBrush(self._dotted())
-            brush.setTransform(QTransform.fromScale(1 / look.zoom, 1 / look.zoom))
-            painter.setBrushOrigin(0, 0)
-            painter.fillRect(rect, brush)
-            painter.restore()
-        if look.level in ("quarter", "tiny") or look.unrouted:
-            self._draw_straight(painter)
-        if self.on_ground is not None:
-            self.on_ground(painter)
-
-    def _dotted(self) -> QPixmap:
-        """One tile with its dot, 12 to 24 px on screen and a power of two of 16 units."""
-        size = 16 * self.look.zoom
-        while size < 12:
-            size *= 2
-        while size >= 24:
-            size /= 2
-        size = max(4, round(size))
-        key = size * 1000 + self.look.version
-        if self._dots is None or self._dots[0] != key:
-            tile = QPixmap(size, size)
-            tile.fill(Qt.GlobalColor.transparent)
-            painter = QPainter(tile)
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(self.look["dots"])
-            painter.drawEllipse(QPointF(size / 2, size / 2), 0.8, 0.8)
-            painter.end()
-            self._dots = key, tile
-        return self._dots[1]
-
-    def _draw_straight(self, painter: QPainter) -> None:
-        """Far out: every pipe a straight line, all of them at once."""
-        lines, taken = self.straight_lines()
-        painter.setPen(QPen(self.look["pipe"], 0))
-        # Smooth lines cost more than all cards together where thousands are seen.
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, len(lines) < 500)
-        painter.drawLines(lines)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        if taken:
-            painter.setPen(QPen(self.look["live"], 2.5 / self.look.zoom))
-            painter.drawLines(taken)
-
-    def all_nodes(self) -> list[Any]:
-        return [i for i in self.scene().items() if isinstance(i, AbstractNodeItem)]
-
-
-class _Layer(QGraphicsItem):
-    """Holds all pipes, under the cards, so that they can be hidden in one call."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, True)
-        self.setZValue(-1)
-
-    def boundingRect(self) -> QRectF:
-        return QRectF()
-
-    def paint(self, painter: QPainter, option: Any, widget: Widget | None = None) -> None:
-        return

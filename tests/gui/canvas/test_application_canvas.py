@@ -133,7 +133,7 @@ def test_tab_renames_the_next_card(made: Any) -> None:
     QTest.keyClick(made.canvas._editor, Qt.Key.Key_Tab)
     hand.settle()
     assert made.edits == ["Rename state 2 to two"]
-    assert made.canvas._editor.uid == "3"
+    assert made.canvas._editor.key == "3"
     made.canvas._editor.close_editor()
 
 
@@ -644,7 +644,7 @@ def test_a_large_drawing_is_routed_in_slices(desk: Make, qt: QApplication) -> No
     )
     made = desk(Application(name="large", states=states))
     canvas = made.canvas
-    while canvas._slices.isActive():
+    while canvas._piping.is_routing():
         qt.processEvents()
     pipes = [canvas.graph.pipe(i) for i in canvas.graph.links]
     assert len(pipes) == 400
@@ -652,7 +652,7 @@ def test_a_large_drawing_is_routed_in_slices(desk: Make, qt: QApplication) -> No
     # One edit touches only what it must.
     ways = {i: canvas.graph.pipe(i).route for i in canvas.graph.links}
     made.change(replace(made.document, states=(replace(states[0], name="first"), *states[1:])))
-    assert not canvas._slices.isActive()
+    assert not canvas._piping.is_routing()
     changed = [i for i in canvas.graph.links if canvas.graph.pipe(i).route is not ways.get(i)]
     assert len(changed) < 250
 

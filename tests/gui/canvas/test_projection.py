@@ -1,0 +1,98 @@
+"""What cards show of their states, and that what did not change is the same value."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from situ.document.condition import Condition, Group
+from situ.document.condition import Test as Question
+from situ.document.problem import Problem
+from situ.document.rbd import Application, Event, Say, Service, State
+from situ_studio.canvas import words
+from situ_studio.canvas.projection import NEW, Projector, exit_of, place_of
+
+
+def test_a_card_shows_its_state(small: Application) -> None:
+    cards = Projector().picture(small).cards
+    start = cards["1"]
+    assert (start.kind, start.no, start.name) == ("start", "1", "start")
+    assert (start.line, start.line_icon) == ("Touch me to begin", "speech")
+    assert [e.label for e in start.exits] == ["touched", "human", "30 s"]
+    assert start.exits[1].phrase == "hello"
+    assert cards["2"].icons == ("speech", "service", "robot")
+    assert cards["2"].exits[0].guard == "patients.0 exists"
+    assert cards["5"].kind == "end"
+    assert cards["always "].kind == "always"
+
+
+def test_always_is_chips_on_every_card_but_those_that_leave_it_out(small: Application) -> None:
+    cards = Projector().picture(small).cards
+    assert all(c.chips == ("Home",) for c in cards.values() if c.kind != "always")
+    without = replace(small, states=(replace(small.states[0], always=False), *small.states[1:]))
+    assert Projector().picture(without).cards["1"].chips == ()
+
+
+def test_pipes_are_what_leads_to_a_state_that_is_there(small: Application) -> None:
+    links = Projector().picture(small).links
+    assert ("1", "0", "2") in links
+    assert ("1", "timeout", "1") in links
+    assert ("always ", "0", "1") in links
+    assert not [i for i in links if i[0] == "3" and i[1] in ("2", "3")]
+    names = Projector().picture(small).cards["3"]
+    assert [(e.short, e.missing) for e in names.exits[2:]] == [("#again", False), ("17", True)]
+
+
+def test_a_card_is_the_same_value_while_nothing_on_it_changed(small: Application) -> None:
+    projector = Projector()
+    before = projector.picture(small).cards
+    renamed = replace(small.states[1], name="other")
+    after = projector.picture(replace(small, states=(small.states[0], renamed, *small.states[2:])))
+    assert [u for u in before if after.cards[u] is not before[u]] == ["2"]
+    added = replace(small, states=(*small.states, State(no="17")))
+    again = projector.picture(added).cards
+    # State 3 led to 17, which is there now.
+    assert {u for u in before if again[u] != before[u]} == {"3"}
+
+
+def test_a_problem_marks_its_card_and_errors_outweigh_warnings(small: Application) -> None:
+    error = Problem(file="f", code="e", message="m", place=("state", "2", "event", "0"))
+    warning = Problem(file="f", severity="warning", code="w", message="m", place=("state", "2"))
+    for order in ([error, warning], [warning, error]):
+        assert Projector().picture(small, order).cards["2"].mark == "error"
+
+
+def test_places_and_exits_are_each_other_s_reverse(small: Application) -> None:
+    cards = Projector().picture(small).cards
+    for card in cards.values():
+        assert exit_of(card.place) is None
+        assert place_of(card.uid, NEW, card) == card.place
+        for leaving in card.exits:
+            assert exit_of(place_of(card.uid, leaving.id, card)) == leaving.id
+
+
+def test_a_card_without_speech_says_what_it_does() -> None:
+    states = (
+        State(no="1", actions=(Service(name="find", url="http://x"),)),
+        State(no="2", flow="part.rbd.xml"),
+        State(no="3", name="", events=(Event(next="1", says=(Say("go"),)),)),
+    )
+    cards = Projector().picture(Application(name="a", states=states)).cards
+    assert (cards["1"].line, cards["1"].line_icon) == ("find", "service")
+    assert (cards["2"].kind, cards["2"].line) == ("part", "part.rbd.xml")
+    assert cards["3"].name == "state 3"
+    assert cards["3"].exits[0].label == "at once"
+
+
+def test_conditions_in_words() -> None:
+    both = Condition(
+        (
+            Question("a", "is", "true", within=5),
+            Group("any", (Question("b", "below", "1.5"), Question("c", "exists", "false"))),
+            Group("none", (Question("d", "in", '["x", "y"]', hold=0.5),)),
+        )
+    )
+    assert words.condition(both) == (
+        "a is true, within 5 s and (b below 1.5 or c is missing)"
+        " and (none of: d is one of x, y, for 0.5 s)"
+    )
+    assert words.condition(Condition((Question("list", "isnot", "[]"),))) == "list is not [ ]"
