@@ -49,7 +49,10 @@ def _children() -> set[tuple[int, str]]:
     """This process's children that still run, with their command lines."""
     found = set()
     for listed in Path("/proc/self/task").glob("*/children"):
-        for pid in map(int, listed.read_text().split()):
+        pids: list[int] = []
+        with contextlib.suppress(OSError):  # the thread ended just now
+            pids = [int(pid) for pid in listed.read_text().split()]
+        for pid in pids:
             with contextlib.suppress(OSError):  # it ended just now
                 line = Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ").decode()
                 if line:  # one that ended and was not waited for yet has none
