@@ -48,7 +48,7 @@ $(READY): pyproject.toml constraints.txt
 		exit 2; fi
 	@$(PYTHON) packaging/system_check.py venv
 	@echo "setting up $(VENV), once; this takes a minute or two"
-	@[ -x $(BIN)/python ] || $(PYTHON) -m venv $(VENV)
+	@[ -x $(BIN)/pip ] || $(PYTHON) -m venv --clear $(VENV)
 	@$(BIN)/python -m pip install -qq --disable-pip-version-check \
 		-e '.[studio,dev]' -c constraints.txt
 	@touch $@
