@@ -35,7 +35,7 @@ def add(commands: Any) -> None:
         "--wanted", action="store_true", help="what is required and nobody provides"
     )
 
-    trace = _command(commands, "trace", _trace, "print the trace as it comes, one JSON a line")
+    trace = _command(commands, "trace", _trace, "follow the trace (one JSON object a line)")
     trace.add_argument(
         "--since", type=int, metavar="SEQ", help="from this event on; 1: all there is"
     )
