@@ -14,7 +14,7 @@ from msgspec import Struct
 from situ.decide import trace
 from situ.decide.board import reach
 from situ.decide.effects import Begin, Cancel
-from situ.decide.program import Program, is_optional, name_of, resource_of
+from situ.decide.program import Ended, Program, is_optional, name_of, resource_of
 from situ.decide.quick import QUICK, perform
 from situ.decide.step import FINISH
 from situ.decide.texts import translator
@@ -70,14 +70,17 @@ class ActionsState(Struct):
 
 
 class Actions:
-    """The actions of one application; ``raise_event(name, cause)`` takes their events."""
+    """The actions of one application; ``raise_event(name, cause, holder)`` takes their events.
+
+    holder: the path of the only state that may take the event, or None.
+    """
 
     def __init__(
         self,
         world: World,
         program: Program,
         owner: str,
-        raise_event: Callable[[str, int | None], None],
+        raise_event: Callable[[str, int | None, str | None], None],
     ) -> None:
         self.state = ActionsState()
         self.suspended = False
@@ -149,6 +152,10 @@ class Actions:
             run.marks[place] = QUEUED
             self.state.voice.append((number, place))
             return
+        if isinstance(action, Ended):
+            self._raise(action.name, cause, action.holder)
+            self._ended(number, place, cause)
+            return
         if isinstance(action, Repeat):
             self.repeat(cause)
             self._ended(number, place, cause)
@@ -216,7 +223,7 @@ class Actions:
         where = self._where(run.state)
         seq = perform(self._world, self._program.name, run.state, where, action, cause)
         if action.done is not None:
-            self._raise(action.done, seq)
+            self._raise(action.done, seq, None)
         self._ended(number, place, seq)
 
     # -- ending --------------------------------------------------------------
@@ -243,7 +250,7 @@ class Actions:
             self._results(running, ok, result, error, status, seq)
         event = running.done if ok else running.failed
         if event is not None:
-            self._raise(event, seq)
+            self._raise(event, seq, None)
         if running.action in ("speech", "sound"):
             self._next_voice(seq)
         elif running.action == "movie" and running.name is not None:

@@ -1,71 +1,63 @@
 """The behaviour execution of one application (seed 001, III; formats.md, *RBD*).
 
 A state machine that knows no clock and no screen: events come in by ``raise_event``
-and are judged one at a time when the robot says so.
+and are judged one at a time when the robot says so. Where it runs parts, several states are
+active together, one inside the other; it stands in the innermost, which knows the others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
-from msgspec import UNSET, Struct, field
+from msgspec import UNSET, Struct, UnsetType, field
 
 from situ.decide import trace
 from situ.decide.actions import Actions, ActionsState
-from situ.decide.program import Candidate, Program, StateProgram, shows_nothing
-from situ.decide.screens import ScreenProgram, Shown
-from situ.decide.step import TIMEOUT
+from situ.decide.display import Display, DisplayState
+from situ.decide.program import Candidate, Program, StateProgram
 from situ.decide.texts import heard_as, translator
+from situ.decide.timeouts import Timeouts, TimeoutState
 from situ.decide.values import template
 from situ.decide.world import World
-from situ.document.rbd import AGAIN, BACK, Application, Component, Screen
+from situ.document.rbd import AGAIN, BACK, Application, Component
 
 Asked = Callable[[str, int], None]
 """Told that a module asks for something else than before, and the seq of that event."""
 
 RESUMED = "resumed"
 TIMED_OUT = "timeout"
+DONE = "done"
 
 
 class Raised(Struct):
-    """An event that waits. own: raised by the application's own actions or timeout."""
+    """An event that waits. own: raised by the application's own actions, parts or timeout.
+
+    holder: the path of the only state that may take it, that whose part has ended; or None.
+    """
 
     order: int
     name: str
     cause: int | None
     own: bool
-
-
-class Clock(Struct):
-    """The timeout of the current state. due None: it stands still with ``remaining`` µs."""
-
-    remaining: int
-    started: int
-    cause: int | None
-    due: int | None = None
+    holder: str | None = None
 
 
 class MachineState(Struct):
-    """base: the state whose own screen is kept. shown: (base, with ``always``) that is
-    on the screen by this application's command, None where nothing is. stale: keys of
-    the unnamed events that may hold now, each with what caused that.
+    """no: the path of the innermost state. stacks: by level, the states to go back to.
+    entered: the outermost level of the states entered last. stale: keys of the unnamed events
+    that may hold now, each with what caused that.
     """
 
     no: str = ""
-    base: str | None = None
-    shown: tuple[str | None, bool] | None = None
-    components: list[Shown] = []
-    background: str | None = None
-    stack: list[str] = []
+    entered: int = 0
+    stacks: list[list[str]] = []
     queue: list[Raised] = []
     suspended: bool = False
     begun: bool = False
     granted: int | None = None
-    clock: Clock | None = None
-    token: int = 0
     stale: dict[int, int | None] = {}
-    screen_stale: bool = False
-    screen_cause: int | None = None
+    timeout: TimeoutState = field(default_factory=TimeoutState)
+    display: DisplayState = field(default_factory=DisplayState)
     actions: ActionsState = field(default_factory=ActionsState)
 
 
@@ -74,24 +66,20 @@ class Machine:
 
     def __init__(self, world: World, source: Application, number: int, asked: Asked) -> None:
         self.name = source.name
-        self.state = MachineState()
         self._world = world
         self._asked = asked
-        self._owner = f"application:{number}"
-        self.program = Program(source, world.conditions, self._watch)
+        self.program = Program(source, world.conditions, self._watch, world.project.flow)
         self.actions = Actions(world, self.program, f"action:{number}", self._raise_own)
-        self.actions.state = self.state.actions
-        self._always = _screen(source.always.screen if source.always is not None else None)
-        self._screens = {no: _screen(s.screen) for no, s in self.program.states.items()}
-        self._tags: dict[tuple[str | None, bool] | None, set[str]] = {None: set()}
-        every = [one for one in (self._always, *self._screens.values()) if one is not None]
-        world.board.listen(
-            sorted({"language", *(tag for one in every for tag in one.tags())}), self._written
-        )
+        self.timeouts = Timeouts(world.step, f"application:{number}")
+        self.display = Display(world, self.program, self.actions)
+        self.state = MachineState()
+        self.restore(self.state)
 
     def restore(self, state: MachineState) -> None:
         """Goes on from a state that was taken of the same application."""
         self.state = state
+        self.timeouts.state = state.timeout
+        self.display.state = state.display
         self.actions.state = state.actions
         self.actions.suspended = state.suspended
 
@@ -129,15 +117,11 @@ class Machine:
 
     def component(self, component_id: str) -> Component | None:
         """A component of the screen that this application shows now."""
-        for screen in reversed(self._parts()):
-            found = screen.component(component_id)
-            if found is not None:
-                return found
-        return None
+        return self.display.component(component_id)
 
     def touched(self) -> str | None:
         """The event of a touch on no component of the screen shown."""
-        return next((s.source.touched for s in self._parts() if s.source.touched), None)
+        return self.display.touched()
 
     # -- events --------------------------------------------------------------
 
@@ -145,8 +129,9 @@ class Machine:
         """An event from outside; ``order`` is shared by all applications it goes to."""
         self.state.queue.append(Raised(order, name, cause, own=False))
 
-    def _raise_own(self, name: str, cause: int | None) -> None:
-        self.state.queue.append(Raised(self._world.next_raise(), name, cause, own=True))
+    def _raise_own(self, name: str, cause: int | None, holder: str | None = None) -> None:
+        raised = Raised(self._world.next_raise(), name, cause, own=True, holder=holder)
+        self.state.queue.append(raised)
 
     def _next(self) -> Raised | None:
         for raised in self.state.queue:
@@ -169,14 +154,30 @@ class Machine:
         if self.state.suspended:
             self._world.step.trace(trace.Ignored, seq, self.name, raised.name, "suspended")
             return
-        candidates = self.here.named.get(raised.name, ())
+        if raised.holder is not None:
+            self._judge_done(raised.name, raised.holder, seq)
+        else:
+            self._offer(raised.name, self.here.named.get(raised.name, ()), seq)
+        self._settle_idle()
+
+    def _offer(self, name: str, candidates: Sequence[Candidate], seq: int) -> None:
         taken = self._first(candidates)
         if taken is not None:
             self._take(taken, seq)
         else:
             reason = "guard" if candidates else "unexpected"
-            self._world.step.trace(trace.Ignored, seq, self.name, raised.name, reason)
-        self._settle_idle()
+            self._world.step.trace(trace.Ignored, seq, self.name, name, reason)
+
+    def _judge_done(self, name: str, holder: str, seq: int) -> None:
+        """A part has ended: ``done.x``, or else ``done``, for the state that holds it alone."""
+        named = self.here.named
+        level = next((n for n, one in enumerate(self.here.levels) if one.path == holder), None)
+        taken = self._first([one for one in named.get(name, ()) if one.level == level])
+        if taken is not None:
+            self._take(taken, seq)
+            return
+        second = self._world.step.trace(trace.Event, seq, self.name, DONE)
+        self._offer(DONE, [one for one in named.get(DONE, ()) if one.level == level], second)
 
     def unnamed(self) -> Candidate | None:
         """The first unnamed event that holds now."""
@@ -192,18 +193,20 @@ class Machine:
 
     def take_unnamed(self, taken: Candidate) -> None:
         if taken.next is not None:
-            self._transition(taken.next, taken.actions, self.state.stale[taken.key], None)
+            self._transition(taken, self.state.stale[taken.key])
             self._settle_idle()
 
-    def _first(self, candidates: tuple[Candidate, ...] | list[Candidate]) -> Candidate | None:
+    def _first(self, candidates: Sequence[Candidate]) -> Candidate | None:
         return next((one for one in candidates if self._passes(one)), None)
 
     def _passes(self, one: Candidate) -> bool:
-        return (one.guard is None or one.guard()) and (one.next != BACK or bool(self.state.stack))
+        return (one.guard is None or one.guard()) and (
+            one.next != BACK or bool(self.state.stacks[one.level])
+        )
 
     def _take(self, taken: Candidate, cause: int) -> None:
         if taken.next is not None:
-            self._transition(taken.next, taken.actions, cause, taken.name)
+            self._transition(taken, cause)
             return
         self.actions.begin(taken.actions, self.state.no, cause)
 
@@ -219,42 +222,62 @@ class Machine:
 
     def start(self) -> None:
         """Time 0: enters the start state."""
-        self._enter(self.program.start, None)
+        self._enter(self.program.start, 0, None)
         self._settle_idle()
 
-    def _transition(
-        self, to: str, keys: list[int], cause: int | None, event: str | None, timeout: bool = False
-    ) -> None:
-        state, step = self.state, self._world.step
-        source = state.no
-        left = step.trace(trace.Exit, cause, self.name, source)
-        self._stop_clock()
-        self.actions.leave(left)
-        if to == AGAIN:
-            target = source
-        elif to == BACK:
-            target = state.stack.pop()
-        else:
-            target = to
-            state.stack.append(source)
-        seq = step.trace(
-            trace.Transition, cause, self.name, source, target, event, True if timeout else UNSET
-        )
-        self.actions.begin(keys, target, seq)
-        self._enter(target, seq)
+    def _transition(self, taken: Candidate, cause: int | None) -> None:
+        if taken.next is not None:
+            self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
 
-    def _enter(self, no: str, cause: int | None) -> None:
+    def _move(
+        self,
+        to: str,
+        level: int,
+        keys: list[int],
+        cause: int | None,
+        event: str | None,
+        timeout: bool | UnsetType,
+    ) -> None:
+        """Leaves the state of ``level`` with all inside it for another of the same file."""
+        step, levels = self._world.step, self.here.levels
+        self.timeouts.stop()
+        # What runs belongs to the innermost state, which is left in any case.
+        self.actions.leave(step.trace(trace.Exit, cause, self.name, self.state.no))
+        for outer in reversed(levels[level:-1]):
+            step.trace(trace.Exit, cause, self.name, outer.path)
+        source, stack = levels[level], self.state.stacks[level]
+        if to == AGAIN:
+            to = source.no
+        elif to == BACK:
+            to = stack.pop()
+        else:
+            stack.append(source.no)
+        target = source.prefix + to
+        seq = step.trace(trace.Transition, cause, self.name, source.path, target, event, timeout)
+        if keys:
+            self.actions.begin(keys, self.program.innermost[target], seq)
+        self._enter(target, level, seq)
+
+    def _enter(self, path: str, level: int, cause: int | None) -> None:
+        """Enters a state of ``level``, and the start of the part that it runs, if any."""
         state = self.state
-        state.no = no
+        state.no = self.program.innermost[path]
+        state.entered = level
         state.begun = False
-        state.clock = None
+        self.timeouts.forget()
         here = self.here
-        if no == self.program.start:
-            state.stack.clear()
-        seq = self._world.step.trace(trace.Enter, cause, self.name, no)
+        del state.stacks[level + 1 :]
+        for one in here.levels[level:]:
+            if len(state.stacks) == level:
+                state.stacks.append([])
+            elif one.path == one.start:
+                state.stacks[level].clear()
+            level += 1
+            cause = self._world.step.trace(trace.Enter, cause, self.name, one.path)
+        seq = cause
         self._watch_all(seq)
         uses = set(here.uses)
-        if self._display() is not None:
+        if self.display.wanted(here) is not None:
             uses.add("screen")
         asked = self._world.priorities.ask(self.name, tuple(uses), tuple(here.may_use - uses), seq)
         if asked is not None:
@@ -271,15 +294,17 @@ class Machine:
         state, here = self.state, self.here
         state.begun = True
         self.actions.suspended = False
-        if here.screen is not None:
-            state.base = None if shows_nothing(here.screen) else state.no
-            self.actions.state.played.clear()
-        if here.screen is not None or self._display() != state.shown:
-            self._show(cause)
-        self.actions.begin(here.actions, state.no, cause, entry=True)
+        self.display.begin(here, cause)
+        self.actions.begin(self._entry(here), state.no, cause, entry=True)
         if here.timeout is not None:
-            state.clock = Clock(here.timeout, self._world.step.now, cause)
-            self._run_clock()
+            self.timeouts.begin(here.timeout, cause)
+
+    def _entry(self, here: StateProgram) -> list[int]:
+        """The actions of the state, and what tells of the parts that it ends, innermost first."""
+        if len(here.levels) == 1:
+            return here.actions
+        entered = reversed(here.ended[self.state.entered :])
+        return [*here.actions, *(key for key in entered if key is not None)]
 
     def _publish(self, cause: int | None) -> None:
         value = {
@@ -315,8 +340,8 @@ class Machine:
         state = self.state
         state.suspended = True
         seq = self._world.step.trace(trace.Suspend, cause, self.name, tuple(missing))
-        self._stop_clock()
-        state.shown = None
+        self.timeouts.stop()
+        self.display.lose()
         self.actions.suspend(seq)
         self._publish(seq)
 
@@ -339,70 +364,45 @@ class Machine:
         if not state.begun:
             self._begin(seq)
         else:
-            if self._display() is not None:
-                self._show(seq)
+            self.display.resume(self.here, seq)
             self.actions.resume(seq)
-            if state.clock is not None:
-                state.clock.cause, state.clock.started = seq, step.now
-                self._run_clock()
+            self.timeouts.go_on(seq)
         self._settle_idle()
 
     # -- the timeout ---------------------------------------------------------
 
     def due(self, token: int) -> None:
         """The timeout falls due."""
-        state, here = self.state, self.here
-        clock = state.clock
-        if token != state.token or clock is None or clock.due is None:
+        here, clock = self.here, self.timeouts.clock
+        if clock is None or not self.timeouts.is_due(token):
             return
         if here.next is None:
             self._raise_own(TIMED_OUT, clock.cause)
-        elif here.next != BACK or state.stack:
-            self._transition(here.next, [], clock.cause, None, timeout=True)
+        elif here.next != BACK or self.state.stacks[here.timeout_level]:
+            self._move(here.next, here.timeout_level, [], clock.cause, None, True)
             self._settle_idle()
             return
         else:
             self._world.step.trace(trace.Ignored, clock.cause, self.name, TIMED_OUT, "guard")
-        self._restart_clock()
+        self.timeouts.restart()
 
     def attend(self) -> None:
         """A person touched, typed or was heard: an ``idle`` timeout counts anew."""
-        clock = self.state.clock
+        clock = self.timeouts.clock
         if clock is None or not self.here.idle or self.state.suspended:
             return
         if clock.due is not None or not self.actions.speaking:
-            self._restart_clock()
+            self.timeouts.restart()
 
     def _settle_idle(self) -> None:
         """An ``idle`` timeout stands still while the state speaks and counts anew after it."""
-        state = self.state
-        if not state.no or state.clock is None or not self.here.idle or state.suspended:
+        state, clock = self.state, self.timeouts.clock
+        if clock is None or not state.no or not self.here.idle or state.suspended:
             return
         if self.actions.speaking:
-            self._stop_clock()
-        elif state.clock.due is None:
-            self._restart_clock()
-
-    def _restart_clock(self) -> None:
-        clock = self.state.clock
-        if clock is not None and self.here.timeout is not None:
-            clock.remaining = self.here.timeout
-            clock.started = self._world.step.now
-            self._run_clock()
-
-    def _run_clock(self) -> None:
-        clock = self.state.clock
-        assert clock is not None
-        self.state.token += 1
-        clock.due = self._world.step.now + clock.remaining
-        self._world.step.at(clock.due, TIMEOUT, self._owner, self.state.token, clock.started)
-
-    def _stop_clock(self) -> None:
-        clock = self.state.clock
-        self.state.token += 1
-        if clock is not None and clock.due is not None:
-            clock.remaining = clock.due - self._world.step.now
-            clock.due = None
+            self.timeouts.stop()
+        elif clock.due is None:
+            self.timeouts.restart()
 
     # -- actions that end ----------------------------------------------------
 
@@ -415,97 +415,16 @@ class Machine:
         status: int | None,
         cause: int | None,
     ) -> None:
-        """X."""
+        """An action ended; an ``idle`` timeout may count again."""
         self.actions.finish(action_id, ok, result, error, status, cause)
         self._settle_idle()
 
     # -- screen and phrases --------------------------------------------------
 
-    def _display(self) -> tuple[str | None, bool] | None:
-        """What this application has to show in its state: (state of the screen, always too).
-
-        A state without a screen keeps what was shown: a screen that was never shown, its state
-        having been left suspended, is not kept.
-        """
-        here = self.here
-        base = self.state.base
-        if here.screen is not None:
-            base = None if shows_nothing(here.screen) else self.state.no
-        shared = self._always is not None and here.source.always
-        return None if base is None and not shared else (base, shared)
-
-    def _parts(self) -> list[ScreenProgram]:
-        if self.state.shown is None:
-            return []
-        base, shared = self.state.shown
-        own = self._screens.get(base) if base is not None else None
-        return [one for one in (own, self._always if shared else None) if one is not None]
-
-    def _resolve(self, missing: list[str] | None) -> tuple[list[Shown], str | None]:
-        board = self._world.board
-        translate = translator(self._world.project, board)
-        parts = self._parts()
-        shown = [c.show(board, translate, missing) for part in parts for c in part.components]
-        background = next((p.background for p in parts if p.background is not None), None)
-        return shown, None if background is None else background.text(board.look)
-
-    def _show(self, cause: int | None) -> None:
-        state, world = self.state, self._world
-        self.actions.end_movies(cause)
-        state.shown = self._display()
-        missing: list[str] = []
-        state.components, state.background = self._resolve(missing)
-        for sentence in dict.fromkeys(missing):
-            world.step.warn(cause, sentence, f"{self.name}, state {state.no}")
-        movies = [movie for part in self._parts() for movie in part.movies()]
-        played = self.actions.state.played
-        ids = [0 if movie.id in played else world.next_id() for movie in movies]
-        seq = self._trace_screen(cause, tuple(ids))
-        sources = {c["id"]: c["src"] for c in state.components if c["type"] == "movie"}
-        self.actions.begin_movies(
-            [(number, movie, sources[movie.id]) for number, movie in zip(ids, movies, strict=True)],
-            state.no,
-            seq,
-        )
-
-    def _trace_screen(self, cause: int | None, ids: tuple[int, ...]) -> int:
-        state = self.state
-        background = state.background
-        state.screen_stale = False
-        seq = self._world.step.trace(
-            trace.Screen, cause, self.name, state.no, state.components,
-            UNSET if background is None else background,
-        )  # fmt: skip
-        if state.shown is not None:
-            value = {"components": state.components, "background": background}
-            self._world.priorities.command(self.name, "screen", value, None, seq, ids)
-        return seq
-
     def refresh(self) -> None:
         """The end of a step: a live text that changed is shown once more."""
-        state = self.state
-        if not state.screen_stale:
-            return
-        state.screen_stale = False
-        if state.shown is None:
-            return
-        components, background = self._resolve(None)
-        if (components, background) == (state.components, state.background):
-            return
-        state.components, state.background = components, background
-        ids = tuple(r.id for r in self.actions.state.running.values() if r.action == "movie")
-        self._trace_screen(state.screen_cause, ids)
-
-    def _written(self, tag: str, cause: int | None) -> None:
-        shown = self.state.shown
-        if shown is None:
-            return
-        tags = self._tags.get(shown)
-        if tags is None:
-            tags = self._tags[shown] = {"language", *(t for p in self._parts() for t in p.tags())}
-        if tag in tags:
-            self.state.screen_stale = True
-            self.state.screen_cause = cause
+        if self.state.display.stale:
+            self.display.refresh(self.here)
 
     def _phrases(self) -> list[tuple[str, str]]:
         state = self.state
@@ -519,7 +438,3 @@ class Machine:
             for phrase in candidate.says
             if candidate.name is not None
         ]
-
-
-def _screen(source: Screen | None) -> ScreenProgram | None:
-    return None if source is None or shows_nothing(source) else ScreenProgram(source)

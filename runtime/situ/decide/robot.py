@@ -173,7 +173,7 @@ class Robot:
         if kind == "action":
             return timer.token in self._machines[int(name)].actions.state.running
         if kind == "application":
-            return self._machines[int(name)].state.token == timer.token
+            return self._machines[int(name)].timeouts.state.token == timer.token
         return True
 
     # -- what follows --------------------------------------------------------

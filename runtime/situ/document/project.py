@@ -62,6 +62,10 @@ class Project(Struct, frozen=True, kw_only=True):
     private: tuple[str, ...] = ()
     settings: tuple[Setting, ...] = ()
 
+    def flow(self, file: str) -> Application | None:
+        """What a ``flow`` that names ``file`` runs."""
+        return self.parts.get(file) or self.applications.get(file)
+
     def module(self, name: str) -> Module | None:
         """What the module information says of ``name``."""
         every = self.modules.modules if self.modules is not None else ()

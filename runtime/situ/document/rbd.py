@@ -267,6 +267,12 @@ class State(Struct, frozen=True):
     events: tuple[Event, ...] = ()
     aside: Aside = NOTHING
 
+    @property
+    def is_end(self) -> bool:
+        """Whether none of its own events and no timeout of its own leaves it."""
+        timeout = self.timeout.next if self.timeout is not None else None
+        return timeout is None and all(event.next is None for event in self.events)
+
 
 class Always(Struct, frozen=True):
     """What is part of every state of the file."""
