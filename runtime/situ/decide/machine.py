@@ -192,9 +192,8 @@ class Machine:
         return None
 
     def take_unnamed(self, taken: Candidate) -> None:
-        if taken.next is not None:
-            self._transition(taken, self.state.stale[taken.key])
-            self._settle_idle()
+        self._take(taken, self.state.stale[taken.key])
+        self._settle_idle()
 
     def _first(self, candidates: Sequence[Candidate]) -> Candidate | None:
         return next((one for one in candidates if self._passes(one)), None)
@@ -206,9 +205,9 @@ class Machine:
 
     def _take(self, taken: Candidate, cause: int) -> None:
         if taken.next is not None:
-            self._transition(taken, cause)
-            return
-        self.actions.begin(taken.actions, self.state.no, cause)
+            self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
+        else:
+            self.actions.begin(taken.actions, self.state.no, cause)
 
     def _watch(self, key: int, cause: int | None) -> None:
         """An unnamed event may have come to hold; those of other states do not matter."""
@@ -225,10 +224,6 @@ class Machine:
         self._enter(self.program.start, 0, None)
         self._settle_idle()
 
-    def _transition(self, taken: Candidate, cause: int | None) -> None:
-        if taken.next is not None:
-            self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
-
     def _move(
         self,
         to: str,
@@ -243,8 +238,9 @@ class Machine:
         self.timeouts.stop()
         # What runs belongs to the innermost state, which is left in any case.
         self.actions.leave(step.trace(trace.Exit, cause, self.name, self.state.no))
-        for outer in reversed(levels[level:-1]):
-            step.trace(trace.Exit, cause, self.name, outer.path)
+        if len(levels) > 1:
+            for outer in reversed(levels[level:-1]):
+                step.trace(trace.Exit, cause, self.name, outer.path)
         source, stack = levels[level], self.state.stacks[level]
         if to == AGAIN:
             to = source.no
@@ -396,7 +392,8 @@ class Machine:
 
     def _settle_idle(self) -> None:
         """An ``idle`` timeout stands still while the state speaks and counts anew after it."""
-        state, clock = self.state, self.timeouts.clock
+        state = self.state
+        clock = state.timeout.clock
         if clock is None or not state.no or not self.here.idle or state.suspended:
             return
         if self.actions.speaking:

@@ -1,0 +1,81 @@
+"""The timeout of an application's current state: it counts, stands still, counts anew."""
+
+from __future__ import annotations
+
+from msgspec import Struct
+
+from situ.decide.step import TIMEOUT, Step
+
+
+class Clock(Struct):
+    """length: of the whole timeout, in µs. due None: it stands still with ``remaining`` µs."""
+
+    length: int
+    remaining: int
+    started: int
+    cause: int | None
+    due: int | None = None
+
+
+class TimeoutState(Struct):
+    """clock: None where the state has no timeout. token: of the timer that counts."""
+
+    token: int = 0
+    clock: Clock | None = None
+
+
+class Timeouts:
+    """The clock of one application; ``owner`` stands in its timers."""
+
+    def __init__(self, step: Step, owner: str) -> None:
+        self.state = TimeoutState()
+        self._step = step
+        self._owner = owner
+
+    @property
+    def clock(self) -> Clock | None:
+        return self.state.clock
+
+    def is_due(self, token: int) -> bool:
+        """Whether a timer of this token is that of the timeout now."""
+        clock = self.state.clock
+        return token == self.state.token and clock is not None and clock.due is not None
+
+    def begin(self, length: int, cause: int | None) -> None:
+        """Begins to count ``length`` µs."""
+        self.state.clock = Clock(length, length, self._step.now, cause)
+        self._run()
+
+    def go_on(self, cause: int | None) -> None:
+        """Counts what remained; ``cause`` now stands behind it."""
+        clock = self.state.clock
+        if clock is not None:
+            clock.cause, clock.started = cause, self._step.now
+            self._run()
+
+    def restart(self) -> None:
+        """Counts anew."""
+        clock = self.state.clock
+        if clock is not None:
+            clock.remaining = clock.length
+            clock.started = self._step.now
+            self._run()
+
+    def stop(self) -> None:
+        """Stands still with what remains."""
+        clock = self.state.clock
+        self.state.token += 1
+        if clock is not None and clock.due is not None:
+            clock.remaining = clock.due - self._step.now
+            clock.due = None
+
+    def forget(self) -> None:
+        """The state that it belonged to is left."""
+        self.state.clock = None
+
+    def _run(self) -> None:
+        clock = self.state.clock
+        assert clock is not None
+        self.state.token += 1
+        clock.due = self._step.now + clock.remaining
+        self._step.at(clock.due, TIMEOUT, self._owner, self.state.token, clock.started)
