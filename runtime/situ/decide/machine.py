@@ -203,7 +203,7 @@ class Machine:
             one.next != BACK or bool(self.state.stacks[one.level])
         )
 
-    def _take(self, taken: Candidate, cause: int) -> None:
+    def _take(self, taken: Candidate, cause: int | None) -> None:
         if taken.next is not None:
             self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
         else:
