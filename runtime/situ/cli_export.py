@@ -23,6 +23,11 @@ def add(commands: Any) -> None:
         metavar="DIR",
         help="a folder that does not exist yet, or is empty",
     )
+    parser.add_argument(
+        "--flat",
+        action="store_true",
+        help="write applications without parts and without <always> that do the same",
+    )
     parser.set_defaults(run=run)
 
 
@@ -31,6 +36,7 @@ def run(args: argparse.Namespace) -> int:
     import tempfile
 
     from situ.document.export import deployable
+    from situ.document.flatten import flatten
     from situ.document.ready import load_ready
     from situ.errors import UsageError
 
@@ -39,7 +45,8 @@ def run(args: argparse.Namespace) -> int:
         raise UsageError(f"{output}: there is a file of this name; name another folder with -o")
     if output.is_dir() and any(output.iterdir()):
         raise UsageError(f"{output}: is not empty; name a new or an empty folder with -o")
-    files = deployable(load_ready(args.project))
+    project = load_ready(args.project)
+    files = deployable(flatten(project) if args.flat else project)
     # All or nothing: the folder appears when everything is in it.
     parent = output.absolute().parent
     parent.mkdir(parents=True, exist_ok=True)
