@@ -36,6 +36,7 @@ from msgspec.structs import fields, replace
 
 from situ.document import codec
 from situ.document.aside import NOTHING, Aside
+from situ.document.condition import Condition, Test
 from situ.document.project import Project
 from situ.document.rbd import (
     AGAIN,
@@ -57,10 +58,11 @@ from situ.document.rbd import (
 )
 from situ.errors import UsageError
 
-LIMIT = 5_000
+LIMIT = 2_000
 """More copies of states than this are not looked at."""
 
 NOTHING_TAG = "flat-export.nothing"
+NEVER = Condition((Test(NOTHING_TAG, "exists", "true"),))
 _AT_ONCE = (Set, Add, Append, Take, Clear, Message)
 
 
@@ -285,6 +287,9 @@ class _Flattening:
                 if event.name == "resumed" and to is not None and node.shows:
                     self.check_resumed(node)
                 yield bare(replace(event, next=to))
+            elif event.name is not None:
+                # Refused like a guard, but its phrases are listened for.
+                yield Event(name=event.name, when=NEVER, says=bare(event.says))
 
     def ends(self, node: _Node, levels: Levels) -> Iterator[Event]:
         """What the states around it do when their parts end."""
@@ -379,7 +384,7 @@ class _Flattening:
         )
 
     def check_resumed(self, node: _Node) -> None:
-        if self.has_always_screen:
+        if self.has_always_screen and self.project.spds is not None:
             raise self.refuse(
                 f"the event resumed leaves state {node.path} before its screen was shown, "
                 "and <always> has a screen"
