@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
 from situ_studio import kinds
-from situ_studio.canvas import walk
+from situ_studio.canvas import accessible, walk
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.overlay import InPlace, MiniMap, ZoomBar, name_editor
@@ -44,11 +44,15 @@ class Canvas(QWidget):
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        accessible.install()
         self.look = Look(theme)
         self.viewer = Viewer(self.look, self)
         self.graph = Graph(self.viewer, self.look, self._item_kind)
         self.viewer.straight_lines = self.graph.lines
         self.viewer.on_key = self._key
+        self.viewer.cards_in_order = lambda: [
+            self.graph.nodes[uid].view for uid in self.graph.cards
+        ]
         self.document: Any = None
         self._problems: tuple[Problem, ...] = ()
         self._told: tuple[Place, ...] = ()
@@ -341,6 +345,9 @@ class Canvas(QWidget):
         now = self.selection()
         if now != self._told:
             self._told = now
+            uids = self.selected_uids()
+            if len(uids) == 1:
+                accessible.tell_focus(self.viewer, list(self.graph.cards).index(uids[0]))
             self.selection_changed.emit(now)
 
     # -- mouse and keys ---------------------------------------------------------------------
