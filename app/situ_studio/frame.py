@@ -93,9 +93,11 @@ class Frame(QMainWindow):
         column.setSpacing(0)
         self.tabs = DocumentTabs(self.theme)
         column.addWidget(self.tabs)
+        self.recovered = Notice(self.theme)
+        self.incomplete = Notice(self.theme)
         self.notice = Notice(self.theme)
-        self.notice.hide()
-        column.addWidget(self.notice)
+        for strip in (self.recovered, self.incomplete, self.notice):
+            column.addWidget(strip)
         self.documents = QStackedWidget()
         column.addWidget(self.documents, 1)
         self.stack.addWidget(centre)

@@ -23,6 +23,7 @@ from situ_studio.edit import Document, Place
 from situ_studio.frame import Frame
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
+from situ_studio.recovery import Recovery
 from situ_studio.robot import RobotSide
 from situ_studio.session import Session
 from situ_studio.theme import Theme
@@ -53,6 +54,8 @@ class MainWindow(Frame):
         self.dialogs: Dialogs = Dialogs(self)
         self.views: dict[str, DocumentView] = {}
         self.current_file: str | None = None
+        home = Path(settings.fileName()).parent / "recovery"
+        self.recovery = Recovery(session, home, self.recovered)
         self.commands = Commands(self)
         self.robot = RobotSide(self)
         self.add_commands(Actions(self.commands, self.theme, self))
@@ -81,8 +84,6 @@ class MainWindow(Frame):
         self.inspector.place_asked.connect(self.select)
         self.problems.chosen.connect(self._on_problem)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
-        self.notice.theirs.connect(self._on_theirs)
-        self.notice.mine.connect(self._on_mine)
         welcome = self.welcome
         welcome.new_asked.connect(self.commands.new_project)
         welcome.open_asked.connect(self.commands.open_project)
@@ -116,6 +117,7 @@ class MainWindow(Frame):
         self.tabs.clear()
         self.current_file = None
         self.notice.hide()
+        self.incomplete.hide()
         self.project_tree.show_project(project, self.session.files)
         for dock in self.docks.values():
             dock.show()
@@ -160,6 +162,7 @@ class MainWindow(Frame):
             self.tabs.views.show_choice(view.mode)
         self._settle_title()
         self._settle_problems()
+        self._settle_incomplete()
         self.project_tree.show_current(self.current_file)
         self._settle_document()
 
@@ -256,7 +259,14 @@ class MainWindow(Frame):
         if file is None:
             return
         view = self.views.get(file)
-        self.session.commit(file, after, text, view.selected if view is not None else ())
+        if not self.session.is_incomplete(file):
+            self.session.commit(file, after, text, view.selected if view is not None else ())
+            return
+        self.say(self.tr("{0} has errors: it can be read, not changed.").format(stem(file)))
+        document = self.session.document(file)
+        if view is not None and document is not None:
+            view.show_document(document, self._problems_of(file))
+            self._settle_selection()
 
     def _on_form(self, after: Document, text: str, place: Place) -> None:
         self.commit(after, text)
@@ -371,12 +381,23 @@ class MainWindow(Frame):
             try:
                 self.session.take_from_disk(file)
             except Exception as error:
-                self.notice.show_for(file, str(error), can_take=False)
+                text = self.tr("Another program changed {0}, and it has errors now: {1}")
+                self.notice.ask(
+                    text.format(file, error),
+                    (self.tr("Keep mine"), lambda: self._on_mine(file)),
+                    about=file,
+                )
                 return
+            if self.notice.about == file:
+                self.notice.hide()
+            self._settle_incomplete()
             self.say(self.tr("{0} was changed by another program: read anew.").format(file))
             return
-        self.notice.show_for(
-            file, self.tr("Another program changed {0}; you have changed it too.").format(file)
+        self.notice.ask(
+            self.tr("Another program changed {0}; you have changed it too.").format(file),
+            (self.tr("Take the one on disk"), lambda: self._on_theirs(file)),
+            (self.tr("Keep mine"), lambda: self._on_mine(file)),
+            about=file,
         )
 
     def _on_theirs(self, file: str) -> None:
@@ -387,6 +408,18 @@ class MainWindow(Frame):
 
     def _on_mine(self, file: str) -> None:
         self.session.keep_mine(file)
+
+    def _settle_incomplete(self) -> None:
+        """Says that the shown file can not be changed, where that is so."""
+        file = self.current_file
+        if file is None or not self.session.is_incomplete(file):
+            self.incomplete.hide()
+            return
+        text = self.tr(
+            "{0} has errors, and what they name is not shown. It can not be changed here until "
+            "they are mended in a text editor; then it is read anew."
+        )
+        self.incomplete.ask(text.format(file))
 
     # -- bringing panels up to date ----------------------------------------------------------
 
@@ -472,6 +505,7 @@ class MainWindow(Frame):
             event.ignore()
             return
         self.keep()
+        self.recovery.forget()
         self.disconnect_robot()
         super().closeEvent(event)
 
