@@ -22,6 +22,8 @@ from situ_studio.insert import NotHere, insert
 from situ_studio.theme import Theme
 
 Place = tuple[str, ...]
+BAR = 40.0
+"""The lower edge that the zoom bar takes."""
 ZOOMS = (0.1, 0.15, 0.25, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0)
 
 
@@ -191,14 +193,14 @@ class Canvas(QWidget):
 
     def zoom_to_fit(self) -> None:
         """The whole drawing, at most at 100 %."""
-        self.viewer.show_area(self.extent().adjusted(-24, -24, 24, 24))
+        self.viewer.show_area(self.extent().adjusted(-24, -24, 24, 8), below=BAR)
 
     def zoom_to_begin(self) -> None:
         """The whole drawing where it can be read so, else its upper left corner at 80 %."""
         area = self.extent().adjusted(-24, -24, 24, 24)
         size = self.viewer.viewport().size()
-        if size.width() / area.width() >= 0.7 and size.height() / area.height() >= 0.7:
-            self.viewer.show_area(area)
+        if min(size.width() / area.width(), (size.height() - BAR) / area.height()) >= 0.7:
+            self.zoom_to_fit()
         else:
             self.viewer.show_area(QRectF(area.topLeft(), QSizeF(size) / 0.8), 0.8)
 
