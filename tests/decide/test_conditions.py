@@ -263,6 +263,17 @@ def test_within_counts_from_the_tag_that_a_name_reads(play: Play) -> None:
     assert changes(play, near, [{"at": 1, "set": {"face": {"size": 2}}}]) == [1, 3]
 
 
+def test_a_deleted_tag_gives_way_to_the_shorter_one_that_a_name_reads(play: Play) -> None:
+    """``face.size`` is then a field of ``face``, which was set long ago."""
+    near = '<data tag="face.size" above="1" within="3"/>'
+    lines: list[dict[str, Any]] = [
+        {"at": 1, "set": {"face": {"size": 2}}},
+        {"at": 6, "set": {"face.size": 3}},
+        {"at": 7, "set": {"face.size": None}},
+    ]
+    assert changes(play, near, lines) == [1, 4, 6, 7]
+
+
 def test_within_under_none_comes_to_hold_when_it_ends(play: Play) -> None:
     quiet = f"<none>{CALLED}</none>"
     assert changes(play, quiet, [{"at": 1, "set": {"x": True}}]) == [0, 1, 4]

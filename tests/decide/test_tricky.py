@@ -218,7 +218,8 @@ def test_suspended_and_resumed_within_one_moment(play: Play) -> None:
 def test_a_service_that_ends_while_suspended_sets_its_results_at_once(play: Play) -> None:
     rbd = state(
         "1",
-        '<speech>A</speech><service name="s" url="http://x/" done="got"><result tag="r"/></service>',
+        '<speech>A</speech><service name="s" url="http://x/" done="got">'
+        '<result tag="r"/></service>',
         '<event next="2"><when><data tag="r" exists="true"/></when></event>',
     ) + state("2", "", '<event name="got"><set tag="late">1</set></event>')
     lines = [
@@ -529,6 +530,48 @@ def test_an_unnamed_event_of_one_looks_at_the_state_of_the_other(play: Play) -> 
     # a goes to 2; the unnamed event comes before b's own ``go``.
     assert trace.states("b") == [(0, "1"), (1, "2"), (1, "4")]
     assert trace.lines("transition")[1] == "1 transition b 1 2 - <enter"
+
+
+def test_finish_may_name_the_application(play: Play) -> None:
+    game = '<launch program="game"/>'
+    rbd = [application("a", state("1", game)), application("b", state("1", game))]
+    lines = [
+        {"at": 1, "finish": {"action": "launch", "application": "b"}},
+        {"at": 2, "finish": {"action": "launch"}},
+        {"at": 3, "finish": {"action": "launch", "application": "b"}},
+    ]
+    trace = play(rbd, lines, spds=script(a=1, b=1))
+    assert trace.lines("finished", "warning") == [
+        "1 finished b launch game ok null <-",
+        "2 finished a launch game ok null <-",
+        "3 warning no launch is running <-",
+    ]
+
+
+def test_a_resume_names_the_authority_that_it_waited_for(play: Play) -> None:
+    """At the same step ``screen`` goes elsewhere, later by name."""
+    rbd = state("1", NOD)
+    lines = [
+        acquire(1, "m", "head"),
+        acquire(2, "n", "screen", "base"),
+        acquire(3, "o", "base"),
+        abandon(4, "o", "base"),
+        abandon(5, "m", "head"),
+    ]
+    spds = script(
+        '<situation name="t"><condition><data tag="x" is="1"/></condition>'
+        '<module name="app" priority="1"/><module name="n" priority="1"/></situation>',
+        app=1, m=2, n=1, o=4,
+    )  # fmt: skip
+    lines[4:] = [{"at": 5, "set": {"x": 1}}]
+    lines[3:4] = []
+    trace = play(rbd, lines, spds=spds)
+    assert trace.lines("authority", "resume", since=5) == [
+        "5 authority base o n <situation",
+        "5 authority head m app <situation",
+        "5 authority screen - n <situation",
+        "5 resume app [] <authority^1",
+    ]
 
 
 # -- optional resources ------------------------------------------------------

@@ -276,6 +276,8 @@ class Machine:
             self.actions.state.played.clear()
         if here.screen is not None or self._display() != state.shown:
             self._show(cause)
+        # What an event began and what was held up while the state was entered suspended.
+        self.actions.resume(cause)
         self.actions.begin(here.actions, state.no, cause, entry=True)
         if here.timeout is not None:
             state.clock = Clock(here.timeout, self._world.step.now, cause)
