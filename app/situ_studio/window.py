@@ -10,6 +10,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QApplication,
+    QDockWidget,
 )
 
 from situ.document.problem import Problem
@@ -54,6 +55,8 @@ class MainWindow(Frame):
         self.dialogs: Dialogs = Dialogs(self)
         self.views: dict[str, DocumentView] = {}
         self.current_file: str | None = None
+        self._before_welcome: str | None = None
+        self._docks_before: list[QDockWidget] = []
         home = Path(settings.fileName()).parent / "recovery"
         self.recovery = Recovery(session, home, self.recovered)
         self.commands = Commands(self)
@@ -82,9 +85,12 @@ class MainWindow(Frame):
         self.palette_.kind_asked.connect(self.commands.insert)
         self.inspector.edited.connect(self._on_form)
         self.inspector.place_asked.connect(self.select)
+        self.inspector.added.connect(self.fill_in)
+        self.inspector.refused.connect(self.say)
         self.problems.chosen.connect(self._on_problem)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
         welcome = self.welcome
+        welcome.back_asked.connect(self.leave_welcome)
         welcome.new_asked.connect(self.commands.new_project)
         welcome.open_asked.connect(self.commands.open_project)
         welcome.connect_asked.connect(self.commands.connect_robot)
@@ -194,6 +200,11 @@ class MainWindow(Frame):
         self.welcome.show_connect(self.can_connect)
         self.welcome.show_examples(self._list_examples())
         self.welcome.themes.show_choice(self.theme_choice)
+        if self.stack.currentIndex() == 1:
+            self._before_welcome = self.current_file
+            self._docks_before = [d for d in self.docks.values() if not d.isHidden()]
+        project = self.session.project
+        self.welcome.show_back(project.name if project is not None else None)
         self.stack.setCurrentIndex(0)
         for dock in self.docks.values():
             dock.hide()
@@ -201,6 +212,20 @@ class MainWindow(Frame):
         self.current_file = None
         self.setWindowTitle(self.tr("Situ Studio"))
         self._settle_document()
+
+    def leave_welcome(self) -> None:
+        """Goes back to the project that is open, as it was left."""
+        if self.session.project is None or self.stack.currentIndex() == 1:
+            return
+        for dock in self._docks_before:
+            dock.show()
+        self.stack.setCurrentIndex(1)
+        if self._before_welcome in self.tabs.files():
+            self.tabs.choose(str(self._before_welcome))
+        else:
+            self.show_file("")
+        if self.current_view is not None:
+            self.current_view.current_view().setFocus()
 
     # -- what is shown ------------------------------------------------------------------
 
@@ -234,6 +259,12 @@ class MainWindow(Frame):
         view.select(chosen)
         view.selected = chosen
         self._settle_selection()
+
+    def fill_in(self, place: Place, attribute: str = "") -> None:
+        """Selects a place and puts the cursor into its form: into the first field unless named."""
+        self.select(place)
+        if self.inspector.form is not None and self.inspector.place == place:
+            self.inspector.form.begin(attribute)
 
     def go_to(self, file: str, place: Place) -> None:
         """Shows a document and a place in it."""
@@ -329,13 +360,7 @@ class MainWindow(Frame):
 
     def _on_activated(self, place: Place) -> None:
         """A double click or Enter on a card: its form gets the focus."""
-        self.select(tuple(place))
-        form = self.inspector.form
-        if form is not None and form.kind.fields:
-            try:
-                form.field(form.kind.fields[0].attribute).setFocus()
-            except LookupError:
-                return
+        self.fill_in(tuple(place))
 
     # -- problems and the disk -------------------------------------------------------------
 

@@ -72,13 +72,13 @@ STATE = Kind(
             fields=(
                 Field(
                     attribute="final",
-                    label="The end is meant",
+                    label="It may end here",
                     editor="flag",
-                    help="Nothing leads out of this state, on purpose.",
+                    help="Nothing leads out of this state, and that is meant.",
                 ),
                 Field(
                     attribute="always",
-                    label="With Always",
+                    label="Has what Always adds",
                     editor="flag",
                     help="What Always adds to every state is part of this one too.",
                 ),
