@@ -387,6 +387,12 @@ def test_a_condition_that_stays_is_not_traced(play: Play) -> None:
     assert trace.lines(since=1) == ["1 data x 3 scenario v2 <-"]
 
 
+def test_of_several_tags_of_one_set_the_last_is_the_cause(play: Play) -> None:
+    both = '<data tag="x" is="1"/><data tag="y" is="1"/>'
+    trace = watched(play, both, [{"at": 1, "set": {"y": 1, "x": 1, "z": 1}}])
+    assert trace.lines("condition") == ["1 condition a true <data^1"]
+
+
 def test_a_condition_may_look_at_what_the_runtime_keeps(play: Play) -> None:
     rbd = (
         '<state no="1"><expectedevents><event name="go" next="2"/></expectedevents></state>'

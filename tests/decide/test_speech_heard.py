@@ -123,6 +123,24 @@ def test_what_fits_no_phrase_is_not_understood(play: Play, text: str) -> None:
     ]
 
 
+def test_a_phrase_whose_when_does_not_hold_is_heard_and_ignored(play: Play) -> None:
+    rbd = state(
+        "1",
+        '<event name="go" next="2"><when><data tag="x" is="1"/></when><say>go on</say></event>',
+    ) + state("2")
+    assert play(rbd, [heard(1, "go on")]).lines("event", "ignored") == [
+        "1 event app go <data",
+        "1 ignored app go guard <event",
+    ]
+
+
+def test_without_a_confidence_a_text_counts(play: Play) -> None:
+    line = {"at": 1, "set": {"heard": {"text": "go on"}}}
+    assert play(state("1", YES) + state("2"), [line]).lines("event") == [
+        "1 event app clickYes <data"
+    ]
+
+
 def test_while_listen_is_empty_nothing_is_heard(play: Play) -> None:
     rbd = state("1", YES, "<speech>A</speech>") + state("2")
     trace = play(rbd, [heard(1, "go on")])

@@ -132,8 +132,8 @@ def test_it_judges_no_unnamed_event(play: Play) -> None:
     assert play(rbd, lines, pauses="speech").states() == [(0, "1")]
 
 
-def test_what_raises_timeout_waits_too(play: Play) -> None:
-    """The timeout fell due in the very step in which the application was suspended."""
+def test_the_event_timeout_waits_for_the_resume_too(play: Play) -> None:
+    """Its clock stands still; the fifth second comes after the resume."""
     rbd = state(
         "1", "<speech>A</speech>", '<event name="timeout" next="2"/>',
         '<timeout>5</timeout>',

@@ -47,7 +47,8 @@ class Clock(Struct):
 
 class MachineState(Struct):
     """base: the state whose own screen is kept. shown: (base, with ``always``) that is
-    on the screen by this application's command, None where nothing is. stale: keys of
+    on the screen by this application's command, None where nothing is. lacking: what was
+    told to be missing on it. stale: keys of
     the unnamed events that may hold now, each with what caused that.
     """
 
@@ -56,6 +57,7 @@ class MachineState(Struct):
     shown: tuple[str | None, bool] | None = None
     components: list[Shown] = []
     background: str | None = None
+    lacking: list[str] = []
     stack: list[str] = []
     queue: list[Raised] = []
     suspended: bool = False
@@ -457,8 +459,8 @@ class Machine:
         state.shown = self._display()
         missing: list[str] = []
         state.components, state.background = self._resolve(missing)
-        for sentence in dict.fromkeys(missing):
-            world.step.warn(cause, sentence, f"{self.name}, state {state.no}")
+        state.lacking = []
+        self._warn(missing, cause)
         movies = [movie for part in self._parts() for movie in part.movies()]
         played = self.actions.state.played
         ids = [0 if movie.id in played else world.next_id() for movie in movies]
@@ -483,6 +485,14 @@ class Machine:
             self._world.priorities.command(self.name, "screen", value, None, seq, ids)
         return seq
 
+    def _warn(self, missing: list[str], cause: int | None) -> None:
+        """Tells what the screen lacks, unless that was told when it was shown before."""
+        state = self.state
+        for sentence in dict.fromkeys(missing):
+            if sentence not in state.lacking:
+                self._world.step.warn(cause, sentence, f"{self.name}, state {state.no}")
+        state.lacking = missing
+
     def refresh(self) -> None:
         """The end of a step: a live text that changed is shown once more."""
         state = self.state
@@ -491,10 +501,12 @@ class Machine:
         state.screen_stale = False
         if state.shown is None:
             return
-        components, background = self._resolve(None)
+        missing: list[str] = []
+        components, background = self._resolve(missing)
         if (components, background) == (state.components, state.background):
             return
         state.components, state.background = components, background
+        self._warn(missing, state.screen_cause)
         ids = tuple(r.id for r in self.actions.state.running.values() if r.action == "movie")
         self._trace_screen(state.screen_cause, ids)
 
