@@ -322,7 +322,7 @@ def judged(test: Single, start: float, sets: list[tuple[float, Any]]) -> bool:
         return False
     since = None
     for age, value in begins:
-        if not passes(value, {}.get):
+        if not passes(value, lambda name: None):
             since = None
         elif since is None:
             since = age
@@ -339,7 +339,7 @@ def test_within_and_for_are_decided_exactly(seed: int) -> None:
     # One value for each way in which the tests take values.
     ways: dict[tuple[bool, ...], Any] = {}
     for value in VALUES:
-        way = tuple(compile_test(t.test, t.value)[0](value, {}.get) for t in found)
+        way = tuple(compile_test(t.test, t.value)[0](value, lambda name: None) for t in found)
         ways.setdefault(way, value)
     pool = list(ways.values())[:5]
     if len(ways) > 5:

@@ -73,7 +73,8 @@ def some(nodes: Iterable[Node]) -> Node:
 class Moment:
     """Answers for ``conditions``: all that will be asked about must be among them.
 
-    domain: what is known of a name's values beforehand.
+    domain: what is known of a name's values beforehand. spent: the looks at a literal that
+    the last question took.
     """
 
     def __init__(
@@ -82,12 +83,17 @@ class Moment:
         known = list(conditions)
         given = [test for one in known for test in every_test(one)]
         self.variables = Variables(given, domain)
+        self.spent = 0
         self._implied: dict[int, Node] = {}
         self._conditions = {id(one): (one, self._all(one.children)) for one in known}
 
     def node(self, condition: Condition | None) -> Node:
         """The node of one of ``conditions``; of None, what always holds."""
         return ALWAYS if condition is None else self._conditions[id(condition)][1]
+
+    def part(self, child: Test | Group) -> Node:
+        """The node of a part of one of ``conditions``."""
+        return self._one(child)
 
     def opposite(self, node: Node) -> Node:
         """What holds exactly where ``node`` does not."""
@@ -113,6 +119,8 @@ class Moment:
             return self._search({}, list(nodes))
         except Spent:
             return None
+        finally:
+            self.spent = budget - self.variables.left
 
     # -- conditions as nodes ---------------------------------------------------
 
