@@ -91,6 +91,13 @@ def test_equal_commands_of_two_actions_are_both_carried_out(build: Build) -> Non
     assert ids[0] != ids[1]
 
 
+def test_an_event_for_an_application_that_is_not_there_is_refused(build: Build) -> None:
+    robot, _ = started(build)
+    events, effects = robot.step(Raise("go", "nobody"), 1)
+    assert [type(event).__name__ for event in events] == ["Failed"]
+    assert [type(effect).__name__ for effect in effects] == ["Refuse"]
+
+
 @pytest.mark.parametrize("typing", [True, False])
 def test_typing_counts_an_idle_timeout_anew(build: Build, typing: bool) -> None:
     rbd = f"""<state no="1"><timeout next="2" idle="true">3</timeout><screen><components>

@@ -141,6 +141,20 @@ def test_without_a_confidence_a_text_counts(play: Play) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("value", "events"),
+    [
+        ("go on", []),
+        ({"confidence": 1}, []),
+        ({"text": 5}, []),
+        ({"text": "go on", "confidence": "high"}, ["notunderstood"]),
+    ],
+)
+def test_what_is_no_utterance_is_not_heard(play: Play, value: object, events: list[str]) -> None:
+    trace = play(state("1", YES) + state("2"), [{"at": 1, "set": {"heard": value}}])
+    assert [e["name"] for e in trace.of("event")] == events
+
+
 def test_while_listen_is_empty_nothing_is_heard(play: Play) -> None:
     rbd = state("1", YES, "<speech>A</speech>") + state("2")
     trace = play(rbd, [heard(1, "go on")])
