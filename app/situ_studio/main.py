@@ -201,7 +201,11 @@ def _window(options: argparse.Namespace, settings: QSettings) -> MainWindow:
     if options.size is not None:
         window.resize(*options.size)
     if options.view is not None:
-        show_view(window, options.view)
+        try:
+            show_view(window, options.view)
+        except SituError:
+            window.deleteLater()
+            raise
     return window
 
 
@@ -249,6 +253,7 @@ def screenshot(window: MainWindow, out: str, connect: str | None, at: float = 0.
         raise UsageError(f"{out}: can not be written")
     window.session.blockSignals(True)
     window.close()
+    window.deleteLater()
     return 0
 
 

@@ -20,7 +20,7 @@ _EVENTS = Section(
     title="Expected events",
     attribute="events",
     editor="events",
-    hint="first that fits is taken",
+    hint="the first that fits",
 )
 SCREEN = Kind(
     name="screen",
@@ -78,9 +78,9 @@ STATE = Kind(
                 ),
                 Field(
                     attribute="always",
-                    label="Has what Always adds",
+                    label="As in every state",
                     editor="flag",
-                    help="What Always adds to every state is part of this one too.",
+                    help="What “In every state” adds is part of this one too.",
                 ),
             ),
         ),
@@ -92,7 +92,7 @@ STATE = Kind(
 ALWAYS = Kind(
     name="always",
     value=rbd.Always,
-    title="Always",
+    title="In every state",
     icon="always",
     help="What is part of every state.",
     fields=(_TIMEOUT,),
