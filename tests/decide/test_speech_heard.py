@@ -84,6 +84,22 @@ def test_a_suspended_application_listens_for_nothing(build: Build) -> None:
     assert listening(robot) == ["Yes, please!", "go on"]
 
 
+def test_nor_while_suspended_after_its_speech(play: Play) -> None:
+    rbd = state("1", YES, '<speech>A</speech><robot resource="head" command="nod"/>') + state("2")
+    lines = [
+        {"at": 1, "finish": {"action": "speech"}},
+        {"at": 2, "set": {"busy": True}},
+        heard(3, "go on"),
+        {"at": 4, "set": {"busy": False}},
+        heard(5, "go on"),
+    ]
+    trace = play(rbd, lines, pauses="speech head")
+    assert trace.lines("event") == [
+        "4 event app resumed <resume",
+        "5 event app clickYes <data",
+    ]
+
+
 def test_phrases_are_in_the_language_spoken(build: Build) -> None:
     texts = {"ja": {"Yes, please!": "はい", "go on": "続けて"}}
     project = build(

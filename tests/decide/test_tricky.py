@@ -240,6 +240,13 @@ def test_a_service_that_ends_while_suspended_sets_its_results_at_once(play: Play
     ]
 
 
+def test_a_state_without_timeout_gets_none_by_a_suspension(play: Play) -> None:
+    rbd = state("1", "", GO, '<timeout next="3">3</timeout>') + state("2", NOD) + state("3")
+    lines = [{"at": 1, "event": "go"}, {"at": 2, **STOP}, {"at": 3, **GO_ON}, END]
+    trace = play(rbd, lines, pauses="head")
+    assert trace.states() == [(0, "1"), (1, "2")]
+
+
 # -- idle --------------------------------------------------------------------
 
 
