@@ -114,7 +114,7 @@ def _why_not(args: argparse.Namespace, project: Project, recording: Recording) -
     if answer.happened is not None:
         print("It did happen: " + Teller(project).line(answer.happened))
         return 0
-    already = answer.reasons[0].code == "already"
+    already = all(one.code == "already" for one in answer.reasons[:1])
     print(f"By {moment(answer.at)} it had happened:" if already else f"Not at {moment(answer.at)}:")
     for line in lines(answer.reasons):
         print(line)

@@ -94,7 +94,7 @@ def _agrees(project: Project, recording: Recording) -> None:
             if way.to == "#back":
                 assert past.back(name, way) == event["to"]
             else:
-                assert leads_to(way, event["from"], event["to"])
+                assert leads_to(project, name, way, event["from"], event["to"])
         past.take(event)
 
 

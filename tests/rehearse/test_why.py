@@ -432,6 +432,189 @@ def test_an_action_that_is_nowhere(lab: Project, record: Record) -> None:
     assert told == "- app has no such action"
 
 
+BUSY = """<application name="busy">
+<state no="1"><screen touched="poked"><components>
+<movie id="film" x="1" y="1" width="9" height="9" src="f.webm" done="seen"/></components></screen>
+<backgroundactions>
+  <speech>One</speech><sound src="two.ogg"/><service name="s" url="http://x/" wait="true"/>
+  <launch program="game" done="played"/></backgroundactions>
+<timeout>5</timeout>
+<expectedevents>
+  <event name="poked"><when><data tag="a" is="1"/></when><message topic="hello">hi</message></event>
+  <event name="timeout" next="2"/><event name="seen" next="2"/><event name="played" next="2"/>
+  <event name="resumed" next="2"/><event name="notunderstood" next="2"/><event name="a"><set
+  tag="x" done="b">1</set></event><event name="b"><set tag="x" done="a">1</set></event>
+  <event next="3"><when><data tag="loop" is="1"/></when></event>
+</expectedevents></state>
+<state no="2"><backgroundactions><speech>Hello</speech></backgroundactions><expectedevents>
+  <event name="b"><launch program="game"/></event></expectedevents></state>
+<state no="3"><timeout next="2" idle="true">5</timeout><expectedevents><event next="1"><when>
+<data tag="loop" is="1"/></when></event><event name="go"/><event name="go" next="2"/>
+</expectedevents></state>
+</application>"""
+
+
+def test_an_action_whose_voice_is_taken_or_that_has_begun(make: Make, record: Record) -> None:
+    busy = make(BUSY)
+    recording = record(busy, {"at": 2, "end": True})
+    told = _ask(busy, recording, 1, "action", action="sound")
+    assert told == "- the voice was taken by speech “One” since 0 s"
+    told = _ask(busy, recording, 1, "action", action="speech", text="One")
+    assert told == "- it began at 0 s already"
+    told = _ask(busy, recording, 1, "action", action="launch", state="1")
+    assert told == "- it waits for service s, running since 0 s"
+    ends = {"at": 0.5, "finish": {"action": "service"}}, {"at": 0.6, "finish": {"action": "launch"}}
+    told = _ask(busy, record(busy, *ends), 1, "action", action="launch", state="2")
+    assert told.splitlines()[0] == "- event b did not come while busy was in 2, since 0.6 s"
+
+
+def test_of_several_actions_that_fit_each_is_told(make: Make, record: Record) -> None:
+    busy = make(BUSY)
+    told = _ask(busy, record(busy, {"at": 1, "touch": True}), 1, "action").splitlines()
+    assert "- speech “One” of state 1" in told
+    assert "- 6 more actions fit; name its state to be told of one" in told
+    told = _ask(
+        busy, record(busy, {"at": 1, "touch": True}), 1, "action", action="message"
+    ).splitlines()
+    assert told == ["- poked came at 1 s, but its guard did not hold: a is 1: it was never set"]
+    told = _ask(busy, record(busy), 1, "action", action="set").splitlines()
+    assert told[0] == "- set x = 1 of an event of state 1"
+    assert told[1] == "  - event a did not come while busy was in 1, since 0 s"
+    told = _ask(busy, record(busy), 1, "action", action="launch").splitlines()
+    assert "- launch game of an event of state 2" in told
+
+
+def test_a_speech_in_another_language_is_the_same_action(make: Make, record: Record) -> None:
+    lab = make(APP, SCRIPT, languages=("en", "ja"), texts={"ja": {"First": "一"}})
+    recording = record(lab, {"at": 0, "set": {"language": "ja"}}, {"at": 1, "event": "go"})
+    told = _ask(lab, recording, 2, "action", action="speech", text="Hello Ann")
+    assert told == "- it waits for speech “First”, running since 1 s"
+
+
+def test_an_action_of_a_suspended_state(lab: Project, record: Record) -> None:
+    recording = record(
+        lab, {"at": 1, "set": {"light": 1}}, {"at": 2, "set": {"name": "x"}},
+    )  # fmt: skip
+    told = _ask(lab, recording, 2, "action", action="robot", name="wait").splitlines()
+    assert told[0] == (
+        "- the state is the right one, but app was suspended since 1 s: it did not hold base"
+    )
+    assert told[1] == "  - app has no priority in situation dark"
+
+
+def test_what_would_have_raised_an_event(make: Make, record: Record) -> None:
+    busy = make(BUSY)
+
+    def ask(name: str, *more: dict[str, Any]) -> list[str]:
+        return _ask(busy, record(busy, *more), 2, "event", name=name).splitlines()[1:]
+
+    assert ask("poked") == ["  - a touch of the screen raises it"]
+    assert ask("seen") == ["  - movie film of its screen raises it by its end"]
+    assert ask("played") == ["  - launch game raises it when it ends well: it had not begun"]
+    assert ask("timeout") == ["  - its timeout of 5 s had not run out: 2 s had passed"]
+    assert ask("resumed") == ["  - it comes when a suspension ends"]
+    assert "none of the phrases" in ask("notunderstood")[0]
+    # a and b raise each other: that is told once.
+    assert len(ask("a")) == 4
+
+
+def test_a_timeout_that_stands_still_or_goes_on(make: Make, record: Record) -> None:
+    lab = make(APP.replace('<state no="1">', '<state no="1"><timeout next="2">9</timeout>'), SCRIPT)
+    told = _ask(lab, record(lab, {"at": 1, "set": {"light": 1}}), 3, "enter", state="2")
+    assert "its timeout of 9 s had not run out; it stands still, since app was suspended" in told
+    back = {"at": 1, "set": {"light": 1}}, {"at": 2, "set": {"light": 9}}
+    told = _ask(lab, record(lab, *back, {"at": 4, "end": True}), 3, "enter", state="2")
+    assert "its timeout of 9 s had not run out" in told.splitlines()[-1]
+
+
+def test_an_unnamed_event_that_a_livelock_kept_from_being_taken(make: Make, record: Record) -> None:
+    busy = make(BUSY)
+    recording = record(busy, {"at": 1, "set": {"loop": 1}})
+    state = [e for e in recording.events if e["kind"] == "enter"][-1]["state"]
+    other = "3" if state == "1" else "1"
+    answer = why_not(busy, recording, {"kind": "enter", "state": other}, 1.5)
+    assert "livelock" in [reason.code for reason in answer.reasons]
+
+
+def test_an_unnamed_event_of_a_suspended_application(
+    lab: Project, make: Make, record: Record
+) -> None:
+    unnamed = '<event next="2"><when><data tag="x" is="1"/></when></event></expectedevents>'
+    lab = make(APP.replace("</expectedevents>", unnamed), SCRIPT)
+    recording = record(lab, {"at": 1, "set": {"light": 1}}, {"at": 2, "set": {"x": 1}})
+    told = _ask(lab, recording, 3, "enter", state="2")
+    assert "- its unnamed event could be taken, but app was suspended since 1 s" in told
+    assert "besides, app was suspended" in told
+    two = unnamed.replace('next="2"', 'next="1"').replace("</expectedevents>", "") + unnamed
+    lab = make(APP.replace("</expectedevents>", two), SCRIPT)
+    told = _ask(lab, record(lab, {"at": 2, "set": {"x": 1}}), 2, "enter", state="2")
+    assert "its unnamed event could be taken, but by then app was leaving" in told
+
+
+TAKEN = """<application name="a"><state no="1"><timeout next="2" idle="true">5</timeout>
+<expectedevents><event name="go"/><event name="go" next="2"/>
+<event name="do"><service name="s" url="http://x/" wait="true"/><set tag="x">1</set></event>
+</expectedevents></state><state no="2"/></application>"""
+
+
+def test_an_event_that_another_took_without_leaving(make: Make, record: Record) -> None:
+    project = make(TAKEN)
+    told = _ask(project, record(project, {"at": 2, "event": "go"}), 3, "enter", state="2")
+    assert told.splitlines() == [
+        "- go came at 2 s, and an event before this one took it: event go stays",
+        (
+            "- its timeout of 5 s had not run out; it counts anew from the end of speech and "
+            "from every touch"
+        ),
+    ]
+
+
+def test_an_action_of_an_event_that_was_taken(make: Make, record: Record) -> None:
+    project = make(TAKEN)
+    told = _ask(project, record(project, {"at": 2, "event": "do"}), 3, "action", action="set")
+    assert told == "- do came at 2 s and was taken"
+
+
+def test_nothing_had_started_yet(door: Project) -> None:
+    nothing = Recording.of([])
+    for kind, wanted in (("enter", {"state": "2"}), ("event", {"name": "x"}), ("resume", {}),
+                         ("transition", {"from": "1", "to": "2"})):  # fmt: skip
+        assert _ask(door, nothing, 1, kind, **wanted) == "- door had not started yet"
+    with pytest.raises(UsageError, match="no situation"):
+        _ask(door, nothing, 1, "situation", to="x")
+    assert _ask(door, nothing, 1, "authority", resource="screen", to="door") == (
+        "- door did not ask for screen"
+    )
+
+
+def test_a_trace_cut_off_in_a_transition(door: Project, record: Record) -> None:
+    events = record(door, {"at": 1, "set": {"distance": 1}}).events
+    cut = events[: [e["kind"] for e in events].index("transition") + 1]
+    told = _ask(door, Recording.of(cut), 5, "enter", state="5")
+    assert told == "- door was in 1 shut since 0 s, and no way leads from there to 5 nowhere"
+
+
+def test_more_of_authority_and_situations(lab: Project, make: Make, record: Record) -> None:
+    told = _ask(lab, record(lab), 1, "situation", to="calm")
+    assert told == "- calm was current already, since 0 s"
+    kept = SCRIPT.replace('dwell="10"', 'limit="10"').replace(
+        '<situation name="held" limit="10"><condition><data tag="hold" is="true"/></condition>',
+        '<situation name="held" limit="10"><condition><data tag="hold" is="true"/></condition>'
+        '<until><data tag="stop" is="1"/></until>',
+    )
+    held = {"at": 1, "set": {"hold": True}}, {"at": 2, "set": {"hold": False}}
+    project = make(APP, kept)
+    told = _ask(project, record(project, *held), 2, "situation", to="calm")
+    assert told == (
+        "- situation held, which goes before calm, was current since 1 s; "
+        "it stays until stop is 1 and it ends after 10 s at the latest"
+    )
+    free = make(APP)
+    told = _ask(free, record(free), 1, "authority", resource="head", to="app")
+    assert told == "- app did not ask for head, only for base"
+    assert _ask(lab, record(lab), 1, "resume", application="app") == "- app was not suspended"
+
+
 # -- what only the inputs tell --------------------------------------------------------
 
 

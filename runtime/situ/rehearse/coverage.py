@@ -62,7 +62,8 @@ class SeenCondition(Seen, kw_only=True, rename={"held": "true", "failed": "false
             self.failed += 1
 
 
-Key = tuple[str, str, Place]
+Key = tuple[str, str, str, Place]
+"""Application, what stands before the numbers of its run of a part, file, place."""
 
 
 class Coverage:
@@ -89,8 +90,10 @@ class Coverage:
                 where = f"{way.file} {' '.join(way.place)}"
                 self._condition(way.file, (*way.place, "when"), where, way.event.when)
             if way.to is not None:
-                key = (application, way.file, way.place)
-                source = "always" if way.source == "always" else self._named(application, no)
+                key = (application, way.before, way.file, way.place)
+                source = way.source
+                if source != "always":
+                    source = self._named(application, source)
                 to = self._named(application, way.to)
                 label = f"{application}, {source} – {way.exit} → {to}"
                 self.transitions.setdefault(
@@ -157,18 +160,15 @@ class Coverage:
             past.pass_time(event["t"])
             here = past.applications.get(name)
             if here is not None and here.suspended is None:
-                self._tried(past.tried(name, event["name"]))
+                for way, passed in past.tried(name, event["name"]):
+                    self._guard(way, passed)
         elif kind == "transition":
             past.pass_time(event["t"])
-            way = past.taken(event)
-            if way is not None:
-                self._count(self.transitions.get((name, way.file, way.place)))
-                if way.exit == "at once":
-                    self._guard(way, True)
-
-    def _tried(self, tried: list[tuple[Way, bool]]) -> None:
-        for way, passed in tried:
-            self._guard(way, passed)
+            taken = past.taken(event)
+            if taken is not None:
+                self._count(self.transitions.get((name, taken.before, taken.file, taken.place)))
+                if taken.exit == "at once":
+                    self._guard(taken, True)
 
     def _start(self, past: Past) -> None:
         """A condition that does not hold at the start is traced only when it comes to hold."""

@@ -13,14 +13,13 @@ from msgspec import Struct, field
 
 from situ.decide.board import Board
 from situ.decide.conditions import Compiled, Conditions
-from situ.decide.step import SECOND, microseconds
-from situ.decide.step import Step as Clock
+from situ.decide.step import SECOND, Step, microseconds
 from situ.document import words
 from situ.document.condition import Condition, Group, GroupName, Test
 from situ.document.names import only_reference
 from situ.document.project import Project
 from situ.document.rbd import AGAIN, BACK
-from situ.rehearse.recording import Fields, Hidden, Recording, Step
+from situ.rehearse.recording import Fields, Hidden, Recording
 from situ.rehearse.telling import kept_by_runtime, moment, value_words
 from situ.rehearse.ways import Way, frames, name_of_state, ways
 
@@ -75,7 +74,7 @@ class Past:
         self.robot: dict[str, Fields] = {}
         self.lost: dict[str, Fields] = {}
         self.board = Board()
-        self._clock = Clock()
+        self._clock = Step()
         self._conditions = Conditions(self.board, self._clock)
         self._tests: dict[Test, Compiled] = {}
         self._written: dict[str, Fields] = {}
@@ -107,24 +106,17 @@ class Past:
         if self.board.write(hidden.tag, hidden.value, hidden.writer, self._clock.now) is not None:
             self.board.tell({hidden.tag: None})
 
-    def steps(self, recording: Recording) -> Iterator[Step]:
-        """Takes a recording step by step; a step is given when all of it has been taken."""
+    def until(self, recording: Recording, t: float) -> None:
+        """Takes all steps of a recording up to and at ``t``, which is then the time."""
         for step in recording.steps:
+            if step.t > t:
+                break
             for hidden in step.before:
                 self.keep(hidden)
             for event in step.events:
                 self.take(event)
             for hidden in step.after:
                 self.keep(hidden)
-            yield step
-
-    def until(self, recording: Recording, t: float) -> None:
-        """Takes all steps of a recording up to and at ``t``, which is then the time."""
-        for step in recording.steps:
-            if step.t > t:
-                break
-            for _ in self.steps(Recording([step], recording.whole)):
-                pass
         self.pass_time(t)
 
     def pass_time(self, t: float) -> None:

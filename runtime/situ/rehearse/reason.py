@@ -13,7 +13,7 @@ from situ.rehearse.recording import Fields
 Code = Literal[
     "input", "guard", "earlier", "suspended", "back", "timeout", "elsewhere", "no-way", "condition",
     "order", "until", "kept", "spent", "request", "priority", "resources", "command", "wait",
-    "voice", "optional", "already", "note",
+    "voice", "optional", "livelock", "already", "note",
 ]  # fmt: skip
 
 

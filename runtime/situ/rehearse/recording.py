@@ -111,7 +111,10 @@ def read_trace(path: str | Path) -> list[Fields]:
         if not line.strip():
             continue
         try:
-            event = _decoder.decode(line)
+            event = _line.decode(line)
+            known = _KINDS.get(event.kind)
+            if known is not None:
+                known.decode(line)
         except (msgspec.DecodeError, UnicodeDecodeError) as error:
             raise UsageError(
                 f"{path}:{number}: not an event of a trace: {error}; give what situ simulate "
@@ -135,4 +138,9 @@ class _Line(Struct):
     cause: int | None
 
 
-_decoder = msgspec.json.Decoder(_Line)
+_line = msgspec.json.Decoder(_Line)
+_KINDS = {
+    str(kind.__struct_config__.tag): msgspec.json.Decoder(kind)
+    for kind in TraceEvent.__subclasses__()
+}
+"""Those of the simulator; a live trace has some more."""

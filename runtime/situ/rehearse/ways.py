@@ -160,11 +160,25 @@ def _states(project: Project, file: str, before: str, seen: tuple[str, ...]) -> 
             yield from _states(project, state.flow, f"{path}/", (*seen, file))
 
 
-def leads_to(way: Way, here: str, target: str) -> bool:
-    """Whether a way out of ``here`` may lead to ``target``; back may lead anywhere."""
+def entered(project: Project, application: str, way: Way) -> str | None:
+    """The state that a way ends in, of a part its start; None where only the run can tell."""
+    to = way.to
+    if to is None or to in (AGAIN, BACK):
+        return None
+    while found := frames(project, application, to):
+        flow = found[-1].state.flow
+        part = None if flow is None else _document(project, flow)
+        if part is None or part.start_no is None:
+            break
+        to = f"{to}/{part.start_no}"
+    return to
+
+
+def leads_to(project: Project, application: str, way: Way, here: str, target: str) -> bool:
+    """Whether a way out of ``here``, not back, leads to ``target``."""
     if way.to == AGAIN:
         return here == target
-    return way.to == target or (way.to is not None and target.startswith(f"{way.to}/"))
+    return target in (way.to, entered(project, application, way))
 
 
 def actions(project: Project, application: str) -> Iterator[tuple[str, Place, Frame, Action]]:

@@ -19,7 +19,7 @@ from situ.rehearse.recording import Fields, Recording
 from situ.rehearse.stays import stays
 from situ.rehearse.telling import moment
 from situ.rehearse.ways import frames, leads_to, ways
-from situ.rehearse.why_action import applications_of, why_not_begun
+from situ.rehearse.why_action import why_not_begun
 from situ.rehearse.why_held import why_not_held, why_not_moved
 from situ.rehearse.why_situation import why_not_current
 from situ.rehearse.why_state import Stuck
@@ -93,7 +93,7 @@ class _Question:
 
     def application(self) -> str:
         """The application meant: named, or the only one that has the state."""
-        known = applications_of(self.project)
+        known = [one.name for one in self.project.applications.values()]
         named = self.wanted.get("application")
         if named is not None:
             if named not in known:
@@ -115,7 +115,7 @@ class _Question:
 def _enter(asked: _Question) -> list[Reason]:
     state = asked.field("state")
     _, stuck, application = asked.stuck()
-    here = [stay for stay in stuck.now() if stay.state == state]
+    here = [stay for stay in stuck.now() if f"{stay.state}/".startswith(f"{state}/")]
     if here:
         since = moment(here[-1].entered["t"])
         said = f"{application} was in {state} already, since {since}"
@@ -135,7 +135,7 @@ def _transition(asked: _Question) -> list[Reason]:
         for way in ways(asked.project, application, stay.state):
             name = None if way.event is None else way.event.name
             named = "event" not in asked.wanted or asked.wanted["event"] == name
-            if named and leads_to(way, stay.state, to):
+            if named and leads_to(asked.project, application, way, stay.state, to):
                 found += stuck.why_not_taken(stay, way)
     return found or stuck.why_not_entered(to)
 
@@ -177,17 +177,19 @@ def _action(asked: _Question) -> list[Reason]:
 def _event(asked: _Question) -> list[Reason]:
     name = asked.field("name")
     _, stuck, _ = asked.stuck()
-    if not stuck.now():
-        return stuck.why_not_entered(name)
+    if not stuck.stays:
+        return [stuck.not_started()]
     return [stuck.did_not_come(stuck.now()[-1], name)]
 
 
 def _resume(asked: _Question) -> list[Reason]:
     _, stuck, application = asked.stuck()
-    here = stuck.now()[-1] if stuck.now() else None
-    if here is None or here.suspended is None:
+    if not stuck.stays:
+        return [stuck.not_started()]
+    suspend = stuck.now()[-1].suspended
+    if suspend is None:
         return [Reason(code="note", text=f"{application} was not suspended")]
-    return [stuck.suspended("it could not go on, as", here.suspended)]
+    return [stuck.suspended("it could not go on, as", suspend)]
 
 
 KINDS: dict[str, Callable[[_Question], list[Reason]]] = {

@@ -15,7 +15,7 @@ from situ.rehearse.recording import Fields
 from situ.rehearse.stays import Stay
 from situ.rehearse.telling import moment
 from situ.rehearse.ways import Frame, Place, actions, ways
-from situ.rehearse.why_held import why_not_held, why_suspended
+from situ.rehearse.why_held import why_not_held
 from situ.rehearse.why_state import Stuck
 
 MOST = 3
@@ -80,13 +80,7 @@ def _one(
         return elsewhere
     stay = next(s for s in stuck.now() if f"{s.state}/".startswith(f"{frame.no}/"))
     if stay.suspended is not None:
-        since = moment(stay.suspended["t"])
-        said = (
-            f"{application} was suspended since {since}: it did not hold "
-            f"{words.listed(stay.suspended['missing'])}"
-        )
-        below = why_suspended(past, application, stay.suspended)
-        return [Reason(code="suspended", text=said, seq=stay.suspended["seq"], below=below)]
+        return [stuck.suspended("the state is the right one, but", stay.suspended)]
     return [_in_turn(past, stay, application, frame, int(place[-1]), action)]
 
 
@@ -97,7 +91,7 @@ def _in_turn(
     began = [e for e in stay.events if e["kind"] == "action" and _is(past.project, action, e)]
     if began:
         said = f"it began at {moment(began[-1]['t'])} already"
-        return Reason(code="note", text=said, seq=began[-1]["seq"])
+        return Reason(code="already", text=said, seq=began[-1]["seq"])
     resource = resource_of(action)
     if resource is not None and is_optional(action):
         below = tuple(why_not_held(past, application, resource))
@@ -153,8 +147,3 @@ def _of_event(
             if (way.file, way.place) == (file, at):
                 return stuck.why_not_taken(stay, way)
     return stuck.why_not_in(frame.no)
-
-
-def applications_of(project: Project) -> list[str]:
-    """The names of a project's applications, in its order."""
-    return [application.name for application in project.applications.values()]

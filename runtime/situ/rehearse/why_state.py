@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator
 
-from msgspec.structs import replace
-
+from situ.decide.machine import RESUMED, TIMED_OUT
 from situ.decide.program import name_of
+from situ.decide.robot import NOT_UNDERSTOOD
 from situ.document import words
 from situ.document.project import Project
 from situ.document.rbd import AGAIN, BACK, Movie
 from situ.rehearse.past import Past
 from situ.rehearse.reason import Reason, not_held
 from situ.rehearse.recording import Fields
-from situ.rehearse.stays import Attempt, Stay, Tried
+from situ.rehearse.stays import Attempt, Stay
 from situ.rehearse.telling import moment
-from situ.rehearse.ways import Way, frames, leads_to, name_of_state, way_words, ways
+from situ.rehearse.ways import Way, entered, frames, leads_to, name_of_state, way_words, ways
 from situ.rehearse.why_held import why_suspended
 
 
@@ -33,12 +33,14 @@ class Stuck:
 
     def now(self) -> list[Stay]:
         """The stays that were at the moment, in order: several where it went on in it."""
-        return [stay for stay in self.stays if stay.at(self._at)]
+        found = [stay for stay in self.stays if stay.at(self._at)]
+        # A trace may have been cut off between a transition and the state it led to.
+        return found or self.stays[-1:]
 
     def why_not_entered(self, target: str) -> list[Reason]:
         """What kept the application from entering ``target`` at the moment."""
         if not self.stays:
-            return [Reason(code="elsewhere", text=f"{self._application} had not started yet")]
+            return [self.not_started()]
         found: list[Reason] = []
         for stay in self.now():
             for way in self._ways(stay):
@@ -50,18 +52,18 @@ class Stuck:
         """Why the application was elsewhere than in ``state``; empty where it was there."""
         if any(f"{stay.state}/".startswith(f"{state}/") for stay in self.now()):
             return []
-        here, below = self._where(), self.why_not_entered(state)
-        if below and below[0].code in ("no-way", "elsewhere"):
+        below = self.why_not_entered(state)
+        if below[0].code in ("no-way", "elsewhere"):
             return below  # which says where it was
-        return [replace(here, below=tuple(below))]
-
-    def _where(self) -> Reason:
-        if not self.stays:
-            return Reason(code="elsewhere", text=f"{self._application} had not started yet")
         stay = self.now()[-1]
         since = moment(stay.entered["t"])
         said = f"{self._application} was in {self._state(stay.state)} since {since}"
-        return Reason(code="elsewhere", text=said, seq=stay.entered["seq"])
+        seq = stay.entered["seq"]
+        return [Reason(code="elsewhere", text=said, seq=seq, below=tuple(below))]
+
+    def not_started(self) -> Reason:
+        """Before its first state."""
+        return Reason(code="elsewhere", text=f"{self._application} had not started yet")
 
     def _ways(self, stay: Stay) -> list[Way]:
         return ways(self._project, self._application, stay.state)
@@ -71,7 +73,7 @@ class Stuck:
             back = stay.backs.get(way.before)
             came = any(attempt.event["name"] == way.exit for attempt in stay.attempts)
             return back == target or (back is None and came)
-        return leads_to(way, stay.state, target)
+        return leads_to(self._project, self._application, way, stay.state, target)
 
     def _state(self, no: str) -> str:
         return name_of_state(self._project, self._application, no)
@@ -105,10 +107,11 @@ class Stuck:
                 if tried.passed:
                     said = f"{came} and was taken"
                     return Reason(code="note", text=said, seq=event["seq"])
-                return self._guard(came, tried, event)
+                failed, values = not_held(tried.guard)
+                said = f"{came}, but its guard did not hold: {'; '.join(failed)}"
+                return Reason(code="guard", text=said, seq=event["seq"], values=values)
         taken = attempt.taken
-        if taken is None:
-            return Reason(code="input", text=f"{came} too early", seq=event["seq"])
+        assert taken is not None
         said = f"{came}, and an event before this one took it: {self._led(taken)}"
         return Reason(code="earlier", text=said, seq=event["seq"])
 
@@ -118,24 +121,19 @@ class Stuck:
         to = {AGAIN: "the same state", BACK: "back"}.get(way.to) or self._state(way.to)
         return f"{way_words(way)} leads to {to}"
 
-    def _guard(self, start: str, tried: Tried, event: Fields | None) -> Reason:
-        said, values = not_held(tried.guard)
-        text = f"{start}, but its guard did not hold: {'; '.join(said)}"
-        seq = None if event is None else event["seq"]
-        return Reason(code="guard", text=text, seq=seq, values=values)
-
     def _unnamed(self, stay: Stay, way: Way) -> Reason:
-        tried = next((t for t in stay.unnamed if t.way.place == way.place), None)
-        if tried is not None and not tried.passed:
+        tried = next(t for t in stay.unnamed if (t.way.file, t.way.place) == (way.file, way.place))
+        if not tried.passed:
             failed, values = not_held(tried.guard)
             text = f"the guard of its unnamed event did not hold: {'; '.join(failed)}"
             return Reason(code="guard", text=text, values=values)
         if stay.suspended is not None:
             return self.suspended("its unnamed event could be taken, but", stay.suspended)
-        left = stay.left
-        assert left is not None
+        if stay.left is None:
+            said = "its unnamed event could be taken, but a livelock had ended the moment"
+            return Reason(code="livelock", text=said)
         said = f"its unnamed event could be taken, but by then {self._application} was leaving"
-        return Reason(code="earlier", text=said, seq=left["seq"])
+        return Reason(code="earlier", text=said, seq=stay.left["seq"])
 
     def suspended(
         self, start: str, suspend: Fields, blocked: tuple[Reason, ...] | None = None
@@ -193,12 +191,13 @@ class Stuck:
                     said = f"{words.whole_action(action)} of {way_words(way)} raises it"
                     below = tuple(self.why_not_taken(stay, way))
                     found.append(Reason(code="input", text=said, below=below))
+        if name == TIMED_OUT:
+            found += [self._timeout(stay, w) for w in self._ways(stay) if w.timeout is not None]
         if phrases:
             said = f"it is what is heard as {words.listed(map(words.quoted, phrases), 'or')}"
             found.append(Reason(code="input", text=said))
         if not found:
-            said = "it comes from outside: from a module, a message, or the blackboard"
-            found.append(Reason(code="input", text=said))
+            found.append(Reason(code="input", text=_ORIGINS.get(name, _OUTSIDE)))
         return found
 
     def _raisers(self, stay: Stay, name: str) -> Iterator[str]:
@@ -239,6 +238,14 @@ class Stuck:
         return [Reason(code="no-way", text=said, seq=stay.entered["seq"], below=below)]
 
 
+_OUTSIDE = "it comes from outside: from a module, a message, or the blackboard"
+_ORIGINS = {
+    RESUMED: "it comes when a suspension ends",
+    NOT_UNDERSTOOD: "it comes when something is heard that is none of the phrases",
+    "done": "it comes when the part enters an end state whose own event is not accepted",
+}
+
+
 def _fate(stay: Stay, element: str, name: str | None) -> str:
     """What became of an action in a stay."""
     fate = "it had not begun"
@@ -264,7 +271,7 @@ def _path(project: Project, application: str, start: str, target: str) -> list[t
         if here == target and here != start:
             break
         for way in ways(project, application, here):
-            to = _entered(project, application, way)
+            to = entered(project, application, way)
             if to is not None and to not in came:
                 came[to] = (here, way)
                 waiting.append(to)
@@ -274,17 +281,3 @@ def _path(project: Project, application: str, start: str, target: str) -> list[t
         found.append((step[1], at))
         at = step[0]
     return found[::-1]
-
-
-def _entered(project: Project, application: str, way: Way) -> str | None:
-    """The state that a way ends in: of a part its start."""
-    to = way.to
-    if to is None or to in (AGAIN, BACK):
-        return None
-    while found := frames(project, application, to):
-        flow = found[-1].state.flow
-        part = None if flow is None else project.parts.get(flow) or project.applications.get(flow)
-        if part is None or part.start_no is None or to.count("/") > 20:
-            return to
-        to = f"{to}/{part.start_no}"
-    return None
