@@ -79,6 +79,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="save",
         shortcut="Ctrl+S",
         menu="File",
+        toolbar="left",
         when="has_project",
         rule=True,
     ),
@@ -101,6 +102,7 @@ COMMANDS: tuple[Command, ...] = (
         menu="Edit",
         toolbar="left",
         when="can_undo",
+        rule=True,
     ),
     _c(
         "redo",

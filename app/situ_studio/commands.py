@@ -132,12 +132,16 @@ class Commands(QObject):
 
     def new_project(self) -> None:
         dialogs = self._window.dialogs
-        name = dialogs.name(self.tr("New project"), self.tr("Name"), "my-robot")
-        if name is None:
+        given = dialogs.name(self.tr("New project"), self.tr("Name"), "my-robot")
+        if given is None:
             return
+        name = projects.file_name(given)
         parent = dialogs.new_folder(self._home(), self.tr("Where shall its folder be?"))
-        if parent is not None and self._window.may_leave():
-            self._try(lambda: self._window.open_project(projects.new_project(Path(parent), name)))
+        if parent is None or not self._window.may_leave():
+            return
+        if self._try(lambda: self._window.open_project(projects.new_project(Path(parent), name))):
+            # A newcomer sees what a state is made of, and what comes next goes beside it.
+            self._window.select(("state", "1"))
 
     def open_project(self) -> None:
         path = self._window.dialogs.project(self._home())
@@ -221,6 +225,8 @@ class Commands(QObject):
             return
         if name == "state" and view.can("add_state"):
             view.call("add_state")
+            if len(view.selected) == 1:
+                self._window.fill_in(view.selected[0])
             return
         at = view.selected[0] if view.selected else ()
         try:
@@ -229,7 +235,7 @@ class Commands(QObject):
             self._window.say(str(refused))
             return
         self._window.commit(after, text)
-        self._window.select(place)
+        self._window.fill_in(place, "timeout" if name == "timeout" else "")
 
     # -- looking -----------------------------------------------------------------------
 

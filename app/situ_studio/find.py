@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPainter, QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import (
     QFrame,
+    QLabel,
     QLineEdit,
     QListView,
     QStyle,
@@ -157,6 +158,11 @@ class FindAnything(QFrame):
         self.list.setModel(self._model)
         self.list.clicked.connect(lambda index: self._run(index.data(FOUND)))
         column.addWidget(self.list)
+        self.nothing = QLabel(self.tr("Nothing here has that in its name or text."))
+        self.nothing.setProperty("role", "dim")
+        self.nothing.setContentsMargins(8, 4, 8, 8)
+        column.addWidget(self.nothing)
+        column.addStretch(0)
         self.hide()
 
     def set_theme(self, theme: Theme) -> None:
@@ -189,6 +195,8 @@ class FindAnything(QFrame):
             item.setData(one, FOUND)
             item.setAccessibleText(f"{one.text} {one.detail}".strip())
             self._model.appendRow(item)
+        self.list.setVisible(self._model.rowCount() > 0)
+        self.nothing.setVisible(self._model.rowCount() == 0)
         if self._model.rowCount():
             self.list.setCurrentIndex(self._model.index(0, 0))
 

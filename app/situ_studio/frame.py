@@ -9,9 +9,11 @@ from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
+    QFrame,
     QHBoxLayout,
     QLabel,
     QMainWindow,
+    QScrollArea,
     QSizePolicy,
     QStackedWidget,
     QToolBar,
@@ -93,9 +95,11 @@ class Frame(QMainWindow):
         column.setSpacing(0)
         self.tabs = DocumentTabs(self.theme)
         column.addWidget(self.tabs)
+        self.recovered = Notice(self.theme)
+        self.incomplete = Notice(self.theme)
         self.notice = Notice(self.theme)
-        self.notice.hide()
-        column.addWidget(self.notice)
+        for strip in (self.recovered, self.incomplete, self.notice):
+            column.addWidget(strip)
         self.documents = QStackedWidget()
         column.addWidget(self.documents, 1)
         self.stack.addWidget(centre)
@@ -128,11 +132,20 @@ class Frame(QMainWindow):
         search.clicked.connect(self.outline.toggle_search)
         headers["outline"].add(search)
         self.headers = headers
-        for name, widget in (
+        # It scrolls only where a window is too low for it.
+        self._palette_room = QScrollArea()
+        self._palette_room.setWidgetResizable(True)
+        self._palette_room.setFrameShape(QFrame.Shape.NoFrame)
+        self._palette_room.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._palette_room.viewport().setProperty("role", "panel")
+        self._palette_room.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._palette_room.setWidget(self.palette_)
+        sides: tuple[tuple[str, QWidget], ...] = (
             ("project", self.project_tree),
             ("outline", self.outline),
-            ("palette", self.palette_),
-        ):
+            ("palette", self._palette_room),
+        )
+        for name, widget in sides:
             dock = self._dock(name, headers[name].title.text(), widget, left)
             dock.setTitleBarWidget(headers[name])
             self.docks[name] = dock

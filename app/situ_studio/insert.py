@@ -56,7 +56,10 @@ def _into_application(
     if kind in kinds.COMPONENTS:
         screen = part.screen or rbd.Screen()
         name = _free(kind.name, {c.id for c in screen.components}, first=True)
-        screen = replace(screen, components=(*screen.components, kind.make(name)))
+        new = kind.make(name)
+        if isinstance(new, rbd.Button):
+            new = replace(new, event=words.sent_next(part) or new.event)
+        screen = replace(screen, components=(*screen.components, new))
         return places.change(document, root, screen=screen), (*root, "screen", name), text
     made = kind.make("")
     event = at[: len(root) + 2]

@@ -31,6 +31,10 @@ from situ_studio.window import MainWindow
 _log = logging.getLogger("situ.studio")
 
 WELCOME = "welcome"
+SIGNALS = [
+    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
+]
+"""Ctrl-C, a polite kill, a terminal that was closed."""
 PATIENCE = 5000
 """Milliseconds that a screenshot of a robot waits for it to answer."""
 
@@ -166,7 +170,12 @@ def run(options: argparse.Namespace) -> int:
         window.robot.connect_robot(options.connect)
     sys.excepthook = Unexpected(window.dialogs.tell)
     with Interrupts(qt):
-        return int(qt.exec())
+        status = int(qt.exec())
+    if window.isVisible():
+        # Ended from outside: nobody was asked what to do with what is not saved.
+        window.finish_fields()
+        window.recovery.keep()
+    return status
 
 
 def choose_platform(picture: bool) -> None:
@@ -192,7 +201,11 @@ def _window(options: argparse.Namespace, settings: QSettings) -> MainWindow:
     if options.size is not None:
         window.resize(*options.size)
     if options.view is not None:
-        show_view(window, options.view)
+        try:
+            show_view(window, options.view)
+        except SituError:
+            window.deleteLater()
+            raise
     return window
 
 
@@ -227,6 +240,7 @@ def screenshot(window: MainWindow, out: str, connect: str | None, at: float = 0.
     at: the robot's time, in seconds, that the picture shows at the earliest.
     """
     window.show()
+    window.session.check_now()
     settle(window)
     if connect is not None:
         catch_up(window, connect, at)
@@ -239,6 +253,7 @@ def screenshot(window: MainWindow, out: str, connect: str | None, at: float = 0.
         raise UsageError(f"{out}: can not be written")
     window.session.blockSignals(True)
     window.close()
+    window.deleteLater()
     return 0
 
 
@@ -320,7 +335,7 @@ class Unexpected:
 
 
 class Interrupts(QObject):
-    """Ctrl-C and a polite kill end the loop; Qt would not notice them by itself."""
+    """What stops a program from outside ends the loop; Qt would not notice it by itself."""
 
     def __init__(self, qt: QApplication) -> None:
         super().__init__()
@@ -335,7 +350,7 @@ class Interrupts(QObject):
 
     def __enter__(self) -> Interrupts:
         self._wakeup = signal.set_wakeup_fd(self._write.fileno(), warn_on_full_buffer=False)
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in SIGNALS:
             self._old[number] = signal.signal(number, lambda *_: None)
         return self
 

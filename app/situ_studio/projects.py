@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+import unicodedata
 from pathlib import Path
 
 from situ.document import codec, folder, rbd
@@ -16,6 +17,17 @@ _TOML = """\
 name = "{name}"
 applications = ["{name}.rbd.xml"]
 """
+
+
+def file_name(title: str) -> str:
+    """A project's name for what a person typed: ``robot-nurse-2`` for ``Robot nurse 2``.
+
+    What they typed itself where nothing in it fits into a name.
+    """
+    plain = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode().lower()
+    made = re.sub(r"[^a-z0-9_]+", "-", plain).strip("-_")
+    made = re.sub(r"^[^a-z]+", "", made)
+    return made or title
 
 
 def new_project(parent: Path, name: str) -> Path:
@@ -48,8 +60,7 @@ def new_project(parent: Path, name: str) -> Path:
             )
         ),
         actions=(rbd.Speech(text="Hello"),),
-        final=True,
-        aside=NOTHING.at(24, 52),
+        aside=NOTHING.at(24, 56),
     )
     application = rbd.Application(name=name, start="1", states=(state,))
     try:

@@ -24,6 +24,7 @@ from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import UsageError
+from situ_studio.checking import Checker
 from situ_studio.edit import Document, Edit, Place
 
 Selection = tuple[Place, ...]
@@ -63,6 +64,7 @@ class Session(QObject):
         self._project: Project | None = None
         self._read_problems: list[Problem] = []
         self._problems: list[Problem] = []
+        self._incomplete: dict[str, Document] = {}
         self._read: dict[str, Document] = {}
         self._saved: dict[str, Document] = {}
         self._on_disk: dict[str, bytes] = {}
@@ -72,7 +74,9 @@ class Session(QObject):
         self._check_soon = QTimer(self)
         self._check_soon.setSingleShot(True)
         self._check_soon.setInterval(0)
-        self._check_soon.timeout.connect(self.check_now)
+        self._check_soon.timeout.connect(self._check)
+        self._checker = Checker(self)
+        self._checker.found.connect(self._on_found)
         self._watcher = QFileSystemWatcher(self)
         self._watcher.fileChanged.connect(self.on_file_changed)
 
@@ -132,20 +136,38 @@ class Session(QObject):
         self._saved_at = None
         self._read = {file: self._value(file) for file in self.files}
         self._saved = dict(self._read)
+        self._incomplete = {
+            file: document
+            for file, document in self._read.items()
+            if any(p.severity == "error" and self.file_of(p) == file for p in problems)
+        }
         self._on_disk = {file: self._digest(file) for file in self.files}
         self._watch()
-        self.check_now()
+        self._problems = problems
+        self._check()
         self.opened.emit()
         self.stack_changed.emit()
+
+    def is_incomplete(self, file: str) -> bool:
+        """Whether the file has errors, so that its document lacks what they name.
+
+        Such a document can not be changed: saving it would lose that for good.
+        """
+        document = self._incomplete.get(file)
+        return document is not None and document is self.document(file)
 
     # -- the undo stack ----------------------------------------------------------
 
     def commit(self, file: str, after: Document, text: str, selected: Selection = ()) -> bool:
-        """Makes ``after`` the document of ``file``, as one named step; False where it already is.
+        """Makes ``after`` the document of ``file``, as one named step; False where it already is,
+        or where the document is incomplete.
 
         selected: what was selected before. Documents that differ only in positions or notes are
         equal, so identity decides.
         """
+        return not self.is_incomplete(file) and self._commit(file, after, text, selected)
+
+    def _commit(self, file: str, after: Document, text: str, selected: Selection = ()) -> bool:
         before = self._value(file)
         if after is before:
             return False
@@ -209,6 +231,10 @@ class Session(QObject):
         """
         for file in self.dirty:
             document = self._value(file)
+            if self.is_incomplete(file):
+                raise UsageError(
+                    f"{file} is not saved: it has errors, and what they name would be lost"
+                )
             folder.write(self.root / file, codec.write(document))
             self._saved[file] = document
             self._on_disk[file] = self._digest(file)
@@ -219,20 +245,27 @@ class Session(QObject):
     def take_from_disk(self, file: str) -> None:
         """Reads ``file`` anew, as a step that can be undone.
 
-        Raises UsageError, naming the first problem, where it can not be read.
+        Raises UsageError, naming the first problem, where it can not be read without errors.
         """
-        data = (self.root / file).read_bytes()
+        try:
+            data = (self.root / file).read_bytes()
+        except OSError as error:
+            raise UsageError(f"{file}: cannot be read: {error.strerror or error}") from error
         document, problems = codec.read(data, file)
+        errors = [p for p in problems if p.severity == "error"]
+        if errors:
+            raise UsageError(str(errors[0]))
         if document is None or not isinstance(document, type(self._value(file))):
-            raise UsageError(str(problems[0]) if problems else f"{file}: of another kind now")
+            raise UsageError(f"{file}: of another kind now")
         self._on_disk[file] = hashlib.sha256(data).digest()
         self._saved[file] = document
-        self.commit(file, document, self.tr("Take {0} from disk").format(file))
+        self._commit(file, document, self.tr("Take {0} from disk").format(file))
 
     def keep_mine(self, file: str) -> None:
         """The document here goes before what another program wrote: the next save overwrites it."""
         self._on_disk[file] = self._digest(file)
-        self._saved.pop(file, None)
+        if not self.is_incomplete(file):
+            self._saved.pop(file, None)
         self.stack_changed.emit()
 
     def on_file_changed(self, path: str) -> None:
@@ -248,12 +281,21 @@ class Session(QObject):
     # -- problems ----------------------------------------------------------------
 
     def check_now(self) -> None:
-        """Finds the problems of the project as it is now."""
+        """Finds the problems of the project as it is now, and waits for them."""
         self._check_soon.stop()
-        if self._project is None:
+        if self._project is not None:
+            self._on_found(self._project, check(self._project))
+
+    def _check(self) -> None:
+        """Has the problems found; those of a large project come later."""
+        if self._project is not None:
+            self._checker.ask(self._project)
+
+    def _on_found(self, project: Project, found: list[Problem]) -> None:
+        if project is not self._project:
             return
         unread = [p for p in self._read_problems if not self._edited_since(p)]
-        self._problems = merge(unread, check(self._project))
+        self._problems = merge(unread, found)
         self.problems_changed.emit()
 
     def file_of(self, problem: Problem) -> str | None:

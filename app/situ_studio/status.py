@@ -112,7 +112,7 @@ class Status(QStatusBar):
             self.selection.setText("")
             return
         if selected == (("always",),):
-            self.selection.setText(self.tr("Always selected"))
+            self.selection.setText(self.tr("“In every state” selected"))
             return
         kinds = {p[0] if len(p) == 2 else p[-2] for p in selected if len(p) >= 2}
         one = kinds.pop() if len(kinds) == 1 else self.tr("thing")

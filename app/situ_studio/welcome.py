@@ -129,6 +129,7 @@ class Mark(QWidget):
 class Welcome(QScrollArea):
     """Tells what a person wants to start with."""
 
+    back_asked = Signal()
     new_asked = Signal()
     open_asked = Signal()
     connect_asked = Signal()
@@ -212,6 +213,10 @@ class Welcome(QScrollArea):
     def _start(self) -> QVBoxLayout:
         column = QVBoxLayout()
         column.setSpacing(8)
+        self.back: Press | None = None
+        self._back = QVBoxLayout()
+        self._back.setSpacing(8)
+        column.addLayout(self._back)
         column.addLayout(self._heading(self.tr("Start")))
         self.new = self._choice(
             "first",
@@ -345,6 +350,23 @@ class Welcome(QScrollArea):
         words.addStretch(1)
         column.addLayout(words)
         return press
+
+    def show_back(self, name: str | None) -> None:
+        """The way back to the project that is open; None: there is none."""
+        clear(self._back)
+        self.back = None
+        if name is not None:
+            title = self.tr("Back to {0}").format(name)
+            below = self.tr("It is still open")
+            self.back = self._choice("card", "left", title, below, "Esc", self.back_asked.emit)
+            self._back.addWidget(self.back)
+            self._back.addSpacing(16)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self.back_asked.emit()
+        else:
+            super().keyPressEvent(event)
 
     def show_recent(self, paths: list[str]) -> None:
         """The projects that were open lately, the last one first."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QApplication,
+    QDockWidget,
 )
 
 from situ.document.problem import Problem
@@ -23,6 +24,7 @@ from situ_studio.edit import Document, Place
 from situ_studio.frame import Frame
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
+from situ_studio.recovery import Recovery
 from situ_studio.robot import RobotSide
 from situ_studio.session import Session
 from situ_studio.theme import Theme
@@ -53,6 +55,10 @@ class MainWindow(Frame):
         self.dialogs: Dialogs = Dialogs(self)
         self.views: dict[str, DocumentView] = {}
         self.current_file: str | None = None
+        self._before_welcome: str | None = None
+        self._docks_before: list[QDockWidget] = []
+        home = Path(settings.fileName()).parent / "recovery"
+        self.recovery = Recovery(session, home, self.recovered)
         self.commands = Commands(self)
         self.robot = RobotSide(self)
         self.add_commands(Actions(self.commands, self.theme, self))
@@ -79,11 +85,12 @@ class MainWindow(Frame):
         self.palette_.kind_asked.connect(self.commands.insert)
         self.inspector.edited.connect(self._on_form)
         self.inspector.place_asked.connect(self.select)
+        self.inspector.added.connect(self.fill_in)
+        self.inspector.refused.connect(self.say)
         self.problems.chosen.connect(self._on_problem)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
-        self.notice.theirs.connect(self._on_theirs)
-        self.notice.mine.connect(self._on_mine)
         welcome = self.welcome
+        welcome.back_asked.connect(self.leave_welcome)
         welcome.new_asked.connect(self.commands.new_project)
         welcome.open_asked.connect(self.commands.open_project)
         welcome.connect_asked.connect(self.commands.connect_robot)
@@ -116,6 +123,7 @@ class MainWindow(Frame):
         self.tabs.clear()
         self.current_file = None
         self.notice.hide()
+        self.incomplete.hide()
         self.project_tree.show_project(project, self.session.files)
         for dock in self.docks.values():
             dock.show()
@@ -160,6 +168,7 @@ class MainWindow(Frame):
             self.tabs.views.show_choice(view.mode)
         self._settle_title()
         self._settle_problems()
+        self._settle_incomplete()
         self.project_tree.show_current(self.current_file)
         self._settle_document()
 
@@ -191,6 +200,11 @@ class MainWindow(Frame):
         self.welcome.show_connect(self.can_connect)
         self.welcome.show_examples(self._list_examples())
         self.welcome.themes.show_choice(self.theme_choice)
+        if self.stack.currentIndex() == 1:
+            self._before_welcome = self.current_file
+            self._docks_before = [d for d in self.docks.values() if not d.isHidden()]
+        project = self.session.project
+        self.welcome.show_back(project.name if project is not None else None)
         self.stack.setCurrentIndex(0)
         for dock in self.docks.values():
             dock.hide()
@@ -198,6 +212,20 @@ class MainWindow(Frame):
         self.current_file = None
         self.setWindowTitle(self.tr("Situ Studio"))
         self._settle_document()
+
+    def leave_welcome(self) -> None:
+        """Goes back to the project that is open, as it was left."""
+        if self.session.project is None or self.stack.currentIndex() == 1:
+            return
+        for dock in self._docks_before:
+            dock.show()
+        self.stack.setCurrentIndex(1)
+        if self._before_welcome in self.tabs.files():
+            self.tabs.choose(str(self._before_welcome))
+        else:
+            self.show_file("")
+        if self.current_view is not None:
+            self.current_view.current_view().setFocus()
 
     # -- what is shown ------------------------------------------------------------------
 
@@ -232,6 +260,12 @@ class MainWindow(Frame):
         view.selected = chosen
         self._settle_selection()
 
+    def fill_in(self, place: Place, attribute: str = "") -> None:
+        """Selects a place and puts the cursor into its form: into the first field unless named."""
+        self.select(place)
+        if self.inspector.form is not None and self.inspector.place == place:
+            self.inspector.form.begin(attribute)
+
     def go_to(self, file: str, place: Place) -> None:
         """Shows a document and a place in it."""
         self.open_file(file)
@@ -256,7 +290,14 @@ class MainWindow(Frame):
         if file is None:
             return
         view = self.views.get(file)
-        self.session.commit(file, after, text, view.selected if view is not None else ())
+        if not self.session.is_incomplete(file):
+            self.session.commit(file, after, text, view.selected if view is not None else ())
+            return
+        self.say(self.tr("{0} has errors: it can be read, not changed.").format(stem(file)))
+        document = self.session.document(file)
+        if view is not None and document is not None:
+            view.show_document(document, self._problems_of(file))
+            self._settle_selection()
 
     def _on_form(self, after: Document, text: str, place: Place) -> None:
         self.commit(after, text)
@@ -319,13 +360,7 @@ class MainWindow(Frame):
 
     def _on_activated(self, place: Place) -> None:
         """A double click or Enter on a card: its form gets the focus."""
-        self.select(tuple(place))
-        form = self.inspector.form
-        if form is not None and form.kind.fields:
-            try:
-                form.field(form.kind.fields[0].attribute).setFocus()
-            except LookupError:
-                return
+        self.fill_in(tuple(place))
 
     # -- problems and the disk -------------------------------------------------------------
 
@@ -371,12 +406,23 @@ class MainWindow(Frame):
             try:
                 self.session.take_from_disk(file)
             except Exception as error:
-                self.notice.show_for(file, str(error), can_take=False)
+                text = self.tr("Another program changed {0}, and it has errors now: {1}")
+                self.notice.ask(
+                    text.format(file, error),
+                    (self.tr("Keep mine"), lambda: self._on_mine(file)),
+                    about=file,
+                )
                 return
+            if self.notice.about == file:
+                self.notice.hide()
+            self._settle_incomplete()
             self.say(self.tr("{0} was changed by another program: read anew.").format(file))
             return
-        self.notice.show_for(
-            file, self.tr("Another program changed {0}; you have changed it too.").format(file)
+        self.notice.ask(
+            self.tr("Another program changed {0}; you have changed it too.").format(file),
+            (self.tr("Take the one on disk"), lambda: self._on_theirs(file)),
+            (self.tr("Keep mine"), lambda: self._on_mine(file)),
+            about=file,
         )
 
     def _on_theirs(self, file: str) -> None:
@@ -387,6 +433,18 @@ class MainWindow(Frame):
 
     def _on_mine(self, file: str) -> None:
         self.session.keep_mine(file)
+
+    def _settle_incomplete(self) -> None:
+        """Says that the shown file can not be changed, where that is so."""
+        file = self.current_file
+        if file is None or not self.session.is_incomplete(file):
+            self.incomplete.hide()
+            return
+        text = self.tr(
+            "{0} has errors, and what they name is not shown. It can not be changed here until "
+            "they are mended in a text editor; then it is read anew."
+        )
+        self.incomplete.ask(text.format(file))
 
     # -- bringing panels up to date ----------------------------------------------------------
 
@@ -472,6 +530,7 @@ class MainWindow(Frame):
             event.ignore()
             return
         self.keep()
+        self.recovery.forget()
         self.disconnect_robot()
         super().closeEvent(event)
 

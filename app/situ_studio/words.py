@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from situ.document import rbd, spds
@@ -102,9 +103,8 @@ def _owner(place: Place) -> str:
     return "Always" if place[0] == "always" else f"state {place[1]}"
 
 
-def expected_next(part: Any) -> str:
-    """A name for one more event: of a button or action that the state does not expect yet."""
-    known = {e.name for e in part.events}
+def _raised(part: Any) -> list[str]:
+    """The events that the screen and the actions of a state raise."""
     raised: list[str | None] = []
     if part.screen is not None:
         for component in part.screen.components:
@@ -112,8 +112,26 @@ def expected_next(part: Any) -> str:
         raised.append(part.screen.touched)
     for action in getattr(part, "actions", ()):
         raised += [action.done, action.failed]
-    for name in raised:
-        if name and name not in known:
+    return [name for name in raised if name]
+
+
+def sent_next(part: Any) -> str | None:
+    """The event that one more button sends: one without a name of its own that nothing raises yet.
+
+    Somebody who first drew the way and then the button means that they belong together.
+    """
+    raised = _raised(part)
+    for event in part.events:
+        if event.name and event.name not in raised and re.fullmatch(r"event\d+", event.name):
+            return str(event.name)
+    return None
+
+
+def expected_next(part: Any) -> str:
+    """A name for one more event: of a button or action that the state does not expect yet."""
+    known = {e.name for e in part.events}
+    for name in _raised(part):
+        if name not in known:
             return name
     number = 1
     while f"event{number}" in known:

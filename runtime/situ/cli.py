@@ -29,6 +29,8 @@ GROUPS = (
     "cli_export",
     "cli_diff",
     "cli_simulate",
+    "cli_test",
+    "cli_why",
     "cli_run",
     "cli_board",
 )

@@ -263,6 +263,17 @@ def test_within_counts_from_the_tag_that_a_name_reads(play: Play) -> None:
     assert changes(play, near, [{"at": 1, "set": {"face": {"size": 2}}}]) == [1, 3]
 
 
+def test_a_deleted_tag_gives_way_to_the_shorter_one_that_a_name_reads(play: Play) -> None:
+    """``face.size`` is then a field of ``face``, which was set long ago."""
+    near = '<data tag="face.size" above="1" within="3"/>'
+    lines: list[dict[str, Any]] = [
+        {"at": 1, "set": {"face": {"size": 2}}},
+        {"at": 6, "set": {"face.size": 3}},
+        {"at": 7, "set": {"face.size": None}},
+    ]
+    assert changes(play, near, lines) == [1, 4, 6, 7]
+
+
 def test_within_under_none_comes_to_hold_when_it_ends(play: Play) -> None:
     quiet = f"<none>{CALLED}</none>"
     assert changes(play, quiet, [{"at": 1, "set": {"x": True}}]) == [0, 1, 4]
@@ -374,6 +385,12 @@ def test_within_ends_and_for_begins_at_one_moment_together(play: Play) -> None:
 def test_a_condition_that_stays_is_not_traced(play: Play) -> None:
     trace = watched(play, '<data tag="x" above="1"/>', [{"at": 1, "set": {"x": 3}}], x=2)
     assert trace.lines(since=1) == ["1 data x 3 scenario v2 <-"]
+
+
+def test_of_several_tags_of_one_set_the_last_is_the_cause(play: Play) -> None:
+    both = '<data tag="x" is="1"/><data tag="y" is="1"/>'
+    trace = watched(play, both, [{"at": 1, "set": {"y": 1, "x": 1, "z": 1}}])
+    assert trace.lines("condition") == ["1 condition a true <data^1"]
 
 
 def test_a_condition_may_look_at_what_the_runtime_keeps(play: Play) -> None:

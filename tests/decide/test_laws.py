@@ -47,7 +47,7 @@ from situ.document.spds import Declaration, Entry, Situation, Spds
 if TYPE_CHECKING:
     from tests.decide.conftest import Build
 
-FEW = settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+FEW = settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 TAGS = ("x", "y")
 RESOURCES = ("arm", "head", "screen", "speech")
 MODULES = ("m", "n", "o")

@@ -336,6 +336,15 @@ def test_a_live_screen_is_shown_once_a_step(play: Play) -> None:
     assert trace.lines("screen", since=1) == ["1 screen app 1 [a=2 and 3] <data"]
 
 
+def test_a_live_screen_warns_of_what_has_come_to_be_missing(play: Play) -> None:
+    lines = [{"at": 1, "set": {"n": None}}, {"at": 2, "set": {"m": 2}}]
+    assert play(LIVE, lines, tags={"n": 1, "m": 1}).lines("warning", "screen", since=1) == [
+        "1 warning n has no value <data",
+        "1 screen app 1 [a= and 1] <data",
+        "2 screen app 1 [a= and 2] <data",
+    ]
+
+
 def test_a_live_screen_comes_at_the_end_of_the_step(play: Play) -> None:
     rbd = state(
         "1",

@@ -252,6 +252,13 @@ def test_abandoning_some_keeps_the_rest(play: Play) -> None:
     assert holders(trace) == {"base": "a", "head": None}
 
 
+def test_abandoning_without_saying_what_gives_all_back(play: Play) -> None:
+    lines = [acquire(1, "a", "base head", "arm"), abandon(2, "a", "")]
+    assert play((), lines, spds=script("a=1")).lines("abandon", since=2) == [
+        "2 abandon a [arm base head] <-"
+    ]
+
+
 def test_what_is_abandoned_may_make_the_rest_grantable(play: Play) -> None:
     lines = [acquire(1, "b", "head"), acquire(2, "a", "base head"), abandon(3, "a", "head")]
     assert play((), lines, spds=script("a=1 b=2")).lines(since=3) == [

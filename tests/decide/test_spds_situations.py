@@ -189,6 +189,20 @@ def test_what_never_was_current_is_not_kept_by_until(play: Play) -> None:
     assert play((), lines, spds=spds).situations() == [(0, "rest"), (1, "first"), (5, "rest")]
 
 
+def test_condition_and_until_have_causes_of_their_own(play: Play) -> None:
+    spds = situation("first", true("y")) + UNTIL
+    lines: list[dict[str, Any]] = [
+        {"at": 1, "set": {"x": True, "done": False}},
+        {"at": 2, "set": {"done": True, "x": False}},
+    ]
+    assert play((), lines, spds=spds).lines("condition", "situation", since=1) == [
+        "1 condition a true <data^1",
+        "1 situation rest a <condition",
+        "2 condition a false <data",
+        "2 situation a rest <data^1",
+    ]
+
+
 def test_without_condition_it_ends_by_until_for_good(play: Play) -> None:
     """It has no condition that could be false once."""
     spds = situation("a", until=true("done")) + REST

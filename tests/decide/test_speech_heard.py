@@ -84,6 +84,22 @@ def test_a_suspended_application_listens_for_nothing(build: Build) -> None:
     assert listening(robot) == ["Yes, please!", "go on"]
 
 
+def test_nor_while_suspended_after_its_speech(play: Play) -> None:
+    rbd = state("1", YES, '<speech>A</speech><robot resource="head" command="nod"/>') + state("2")
+    lines = [
+        {"at": 1, "finish": {"action": "speech"}},
+        {"at": 2, "set": {"busy": True}},
+        heard(3, "go on"),
+        {"at": 4, "set": {"busy": False}},
+        heard(5, "go on"),
+    ]
+    trace = play(rbd, lines, pauses="speech head")
+    assert trace.lines("event") == [
+        "4 event app resumed <resume",
+        "5 event app clickYes <data",
+    ]
+
+
 def test_phrases_are_in_the_language_spoken(build: Build) -> None:
     texts = {"ja": {"Yes, please!": "はい", "go on": "続けて"}}
     project = build(
@@ -121,6 +137,38 @@ def test_what_fits_no_phrase_is_not_understood(play: Play, text: str) -> None:
         "1 event app notunderstood <data",
         "1 transition app 1 3 notunderstood <event",
     ]
+
+
+def test_a_phrase_whose_when_does_not_hold_is_heard_and_ignored(play: Play) -> None:
+    rbd = state(
+        "1",
+        '<event name="go" next="2"><when><data tag="x" is="1"/></when><say>go on</say></event>',
+    ) + state("2")
+    assert play(rbd, [heard(1, "go on")]).lines("event", "ignored") == [
+        "1 event app go <data",
+        "1 ignored app go guard <event",
+    ]
+
+
+def test_without_a_confidence_a_text_counts(play: Play) -> None:
+    line = {"at": 1, "set": {"heard": {"text": "go on"}}}
+    assert play(state("1", YES) + state("2"), [line]).lines("event") == [
+        "1 event app clickYes <data"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("value", "events"),
+    [
+        ("go on", []),
+        ({"confidence": 1}, []),
+        ({"text": 5}, []),
+        ({"text": "go on", "confidence": "high"}, ["notunderstood"]),
+    ],
+)
+def test_what_is_no_utterance_is_not_heard(play: Play, value: object, events: list[str]) -> None:
+    trace = play(state("1", YES) + state("2"), [{"at": 1, "set": {"heard": value}}])
+    assert [e["name"] for e in trace.of("event")] == events
 
 
 def test_while_listen_is_empty_nothing_is_heard(play: Play) -> None:

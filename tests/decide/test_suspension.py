@@ -132,8 +132,8 @@ def test_it_judges_no_unnamed_event(play: Play) -> None:
     assert play(rbd, lines, pauses="speech").states() == [(0, "1")]
 
 
-def test_what_raises_timeout_waits_too(play: Play) -> None:
-    """The timeout fell due in the very step in which the application was suspended."""
+def test_the_event_timeout_waits_for_the_resume_too(play: Play) -> None:
+    """Its clock stands still; the fifth second comes after the resume."""
     rbd = state(
         "1", "<speech>A</speech>", '<event name="timeout" next="2"/>',
         '<timeout>5</timeout>',
@@ -152,6 +152,28 @@ def test_nothing_new_begins_while_suspended(play: Play) -> None:
     assert trace.lines("action", since=1) == [
         '3 action app 1 set - tag="x" value=1 <resume',
         '3 action app 1 speech - text="A" <resume',
+    ]
+
+
+def test_what_an_event_began_goes_on_with_the_resume_of_a_state_entered_suspended(
+    play: Play,
+) -> None:
+    rbd = state(
+        "1",
+        "",
+        '<event name="go" next="2"><service name="s" url="http://x/" wait="true"/>'
+        '<set tag="x">1</set></event>',
+    ) + state("2", '<speech>A</speech><set tag="y">1</set>')
+    lines: list[dict[str, Any]] = [
+        {"at": 1, "event": "go"},
+        finish(2, "service"),
+        {"at": 3, **GO_ON},
+    ]
+    trace = play(rbd, lines, pauses="speech", tags={"busy": True})
+    assert trace.lines("action", since=2) == [
+        '3 action app 2 set - tag="x" value=1 <resume',
+        '3 action app 2 speech - text="A" <resume',
+        '3 action app 2 set - tag="y" value=1 <resume',
     ]
 
 

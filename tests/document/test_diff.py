@@ -340,6 +340,106 @@ def test_differences_that_no_words_show_are_shown_as_they_stand() -> None:
     assert '"x y" → "x  y"' in change.text
 
 
+MORE = """<state no="1" name="x"><backgroundactions>
+<robot resource="base" command="goto"><param name="place">lobby</param></robot>
+<service name="find" url="u"><result tag="a" path="p"/></service>
+<message topic="t">hi</message><message topic="u"><param name="p">1</param></message>
+<launch program="game"/><sound src="s.ogg"/><add tag="a">1</add><append tag="l">2</append>
+<take from="l" tag="b"/></backgroundactions>
+<screen><components><button id="b" x="1" y="1" width="9" height="9">Go</button>
+<image id="i" x="1" y="1" width="9" height="9" src="i.png"/></components></screen>
+<expectedevents><event name="e"><say>hey</say><repeat/></event></expectedevents></state>"""
+
+
+@pytest.mark.parametrize(
+    ("gone", "told"),
+    [
+        ('<param name="place">lobby</param>', ", robot base: param place “lobby” gone"),
+        ('<result tag="a" path="p"/>', ", service find: result a from “p” gone"),
+        ('<message topic="t">hi</message>', ": message t “hi” gone"),
+        ('<message topic="u"><param name="p">1</param></message>', ": message u gone"),
+        ('<launch program="game"/>', ": launch game gone"),
+        ('<sound src="s.ogg"/>', ": sound s.ogg gone"),
+        ('<add tag="a">1</add>', ": add a + 1 gone"),
+        ('<append tag="l">2</append>', ": append 2 to l gone"),
+        ('<take from="l" tag="b"/>', ": take b from l gone"),
+        ('<image id="i" x="1" y="1" width="9" height="9" src="i.png"/>', ": image i gone"),
+        ("<repeat/>", ", event e: repeat gone"),
+        ("<say>hey</say>", ", event e: phrase “hey” gone"),
+        (MORE[MORE.index("<screen>") : MORE.index("<expected")], ": screen gone"),
+    ],
+)
+def test_what_went_is_named_by_what_it_was(gone: str, told: str) -> None:
+    assert gone in MORE
+    before, after = _application(MORE), _application(MORE.replace(gone, ""))
+    assert _told(before, after) == [f"state x{told}"]
+    assert _told(after, before) == [f"state x{told.replace('gone', 'added')}"]
+
+
+def test_timeouts_screens_guards_and_always_that_came() -> None:
+    bare = _application('<state no="1"/>')
+    came = {
+        '<timeout next="1">5</timeout>': "state 1: timeout 5 s, leads to 1 added",
+        "<timeout>5</timeout>": "state 1: timeout 5 s added",
+        "<screen/>": "state 1: empty screen added",
+    }
+    for element, told in came.items():
+        assert _told(bare, _application(f'<state no="1">{element}</state>')) == [told]
+    whole = '<always><timeout>5</timeout></always><state no="1"/>'
+    assert _told(bare, _application(whole)) == ["always added"]
+    longer = whole.replace("5", "6")
+    assert _told(_application(whole), _application(longer)) == ["always: timeout 5 → 6 s"]
+    event = '<state no="1"><expectedevents><event name="e">{}</event></expectedevents></state>'
+    when = '<when><data tag="a" in=\'[1, "b"]\' within="2"/></when>'
+    assert _told(_application(event.format("")), _application(event.format(when))) == [
+        "state 1, event e: guard a is one of 1, b, within 2 s added"
+    ]
+
+
+def test_a_test_of_another_tag() -> None:
+    before = _pills(events='<event name="e"><when><data tag="a" is="1"/></when></event>')
+    assert _told(before, before.replace('tag="a"', 'tag="b"')) == [
+        "state Take pills, event e, guard: a is 1 → b is 1"
+    ]
+
+
+def test_what_leads_to_a_number_that_is_another_state_now() -> None:
+    back = '<event name="b" next="1"/>'
+    state = '<state no="{}"><expectedevents><event name="{}"/>{}</expectedevents></state>'
+    before = _application(state.format(1, "a", "") + state.format(2, "c", back))
+    after = _application(
+        state.format(1, "new", "") + state.format(3, "a", "") + state.format(2, "c", back)
+    )
+    assert "state 2, event b: leads to another 1" in _told(before, after)
+
+
+def test_module_information() -> None:
+    before = """<modules><module name="m" resources=""><description>Old</description>
+<requires data="a"/><requires module="k"/><provides data="b" type="number"/></module></modules>"""
+    after = """<modules><module name="m" resources="head"><description>New</description>
+<provides data="b" type="text"/><provides data="c"/></module><module name="n" resources=""/>
+</modules>"""
+    changes = compare(_read(before), _read(after))
+    assert [(c.text, c.behaviour) for c in changes] == [
+        ("module n: added", True),
+        ("module m: resources none → head", True),
+        ("module m: description “Old” → “New”", False),
+        ("module m: need of data a gone", True),
+        ("module m: need of module k gone", True),
+        ("module m: provided data c added", True),
+        ("module m, provided data b: type number → text", True),
+    ]
+    assert _told(SCRIPT, SCRIPT.replace('<module name="m" resources="head"/>', "")) == [
+        "module m (head) gone"
+    ]
+    observed = SCRIPT.replace(
+        "<modules>", '<observe><data tag="x" unit="m"/></observe><modules>', 1
+    )
+    assert _told(SCRIPT, observed) == ["data x added"]
+    assert _told(observed, observed.replace('unit="m"', 'unit="cm"')) == ["data x: unit m → cm"]
+    assert _told(observed, observed.replace('unit="m"', "")) == ["data x: unit “m” gone"]
+
+
 # -- projects ----------------------------------------------------------------
 
 
@@ -373,6 +473,17 @@ def _project(**more: Any) -> Project:
         ({"mqtt": Mqtt("mqtt://here", {})}, "mqtt x gone, was “event:y”", True),
         ({"applications": {}}, "application a gone", True),
         ({"spds": None, "spds_file": None}, "s.spds.xml gone", True),
+        (
+            {"spds": _read(SCRIPT), "spds_file": "t.spds.xml"},
+            "its file is t.spds.xml, was s.spds.xml",
+            False,
+        ),
+        ({"modules": _read("<modules/>"), "modules_file": "m.xml"}, "m.xml added", True),
+        (
+            {"texts": {"ja": {"Now": "今", "New": "新" * 61}}},
+            f"in ja, “New”: none → “{'新' * 59}…”",
+            True,
+        ),
         ({"parts": {"p.rbd.xml": _read(_pills())}}, "part a added", True),
         (
             {"applications": {"b.rbd.xml": _read(_pills())}},
@@ -384,6 +495,25 @@ def _project(**more: Any) -> Project:
 def test_projects(more: dict[str, Any], told: str, behaviour: bool) -> None:
     (change,) = compare(_project(), _project(**more))
     assert (change.text, change.behaviour) == (told, behaviour)
+
+
+def test_parts_and_texts_that_stayed_or_changed_where_it_can_not_be_seen() -> None:
+    part, other = _read(_pills()), _read(_pills(seconds="60"))
+    before = _project(parts={"p": part})
+    assert compare(before, _project(parts={"p": _read(_pills())})) == []
+    (change,) = compare(before, _project(parts={"p": other}))
+    assert (change.file, change.text) == ("p", "state Take pills: timeout 30 → 60 s")
+    long = "a" * 70
+    before = _project(texts={"ja": {"Now": long}})
+    (change,) = compare(before, _project(texts={"ja": {"Now": long + "b"}}))
+    assert change.text == f"in ja, “Now”: {long} → {long}b"
+
+
+def test_a_document_alone_is_compared_without_what_only_a_project_has() -> None:
+    alone = Project(root=".", name="q", applications={"other.rbd.xml": _read(_pills(seconds="9"))})
+    before = Project(root=".", name="p", applications={"a.rbd.xml": _read(_pills())})
+    assert [c.text for c in compare(before, alone)] == ["state Take pills: timeout 30 → 9 s"]
+    assert compare(_read(SCRIPT), _read(_pills()))[0].text == "a script → an application"
 
 
 def test_the_order_of_applications_counts() -> None:
@@ -444,6 +574,16 @@ def test_exit_2_where_one_can_not_be_read(
     assert said.err.count("\n") == 1
 
 
+def test_many_moved_things_are_summed_up(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    states = "".join(f'<state no="{n}" ed:x="{{x}}" ed:y="1"/>' for n in range(5))
+    text = f'<application name="a" xmlns:ed="urn:situ:editor">{states}</application>'
+    one, two = (_saved(tmp_path / x, text.format(x=x)) for x in ("1", "2"))
+    assert main(["diff", one, two]) == 0
+    assert capsys.readouterr().out.splitlines()[1:] == ["5 things moved in the drawing"]
+
+
 def test_media_with_other_content_are_told(tmp_path: Path) -> None:
     projects = []
     for name, content in (("one", b"1"), ("two", b"2")):
@@ -451,6 +591,7 @@ def test_media_with_other_content_are_told(tmp_path: Path) -> None:
         (folder / "media").mkdir(parents=True)
         (folder / "media" / "a.png").write_bytes(content)
         (folder / "media" / f"{name}.png").write_bytes(content)
+        (folder / "media" / "same.png").write_bytes(b"same")
         (folder / "a.rbd.xml").write_text(_pills(), encoding="utf-8")
         text = '[project]\nname = "p"\napplications = ["a.rbd.xml"]\nmedia = "media"\n'
         (folder / "situ.toml").write_text(text, encoding="utf-8")

@@ -16,7 +16,7 @@ from situ.resources import example, examples
 
 Captured = pytest.CaptureFixture[str]
 
-GOOD = '<application name="a"><state no="1"/></application>'
+GOOD = '<application name="a"><state no="1" final="true"/></application>'
 BAD = '<application name="a">\n <state no="1" nme="b"/></application>'
 EDITED = """\
 <application name="a" xmlns:ed="urn:situ:editor" xmlns:my="urn:mine" ed:zoom="2"><!-- why -->
@@ -60,7 +60,7 @@ def test_an_exported_example_is_the_same_project(
 
 def test_a_single_document_is_exported_with_the_media_that_it_names(tmp_path: Path) -> None:
     sound = GOOD.replace(
-        '<state no="1"/>',
+        '<state no="1" final="true"/>',
         '<state no="1"><backgroundactions><sound src="s/a.ogg"/></backgroundactions></state>',
     )
     (tmp_path / "a.rbd.xml").write_text(sound)

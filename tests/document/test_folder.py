@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from situ.document import folder, projectfile, reader, texts
-from situ.document.check import check, merge
+from situ.document.check import merge, structure
 from situ.document.problem import Problem
 from situ.document.project import Mqtt, Project, Setting
 from situ.errors import UsageError
@@ -90,7 +90,7 @@ def write(tmp_path: Path) -> Write:
 
 def found_in(path: Path) -> tuple[Project | None, list[Problem]]:
     project, problems = folder.load(path)
-    return project, merge(problems, check(project) if project is not None else [])
+    return project, merge(problems, structure(project) if project is not None else [])
 
 
 def told(path: Path) -> list[tuple[str, str, int]]:

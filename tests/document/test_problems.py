@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from situ.document.check import check, merge
+from situ.document.check import check, merge, structure
 from situ.document.folder import load
 from situ.document.problem import Problem
 from situ.document.project import Project
@@ -240,7 +240,7 @@ def problems_of(folder: Path, marked: str) -> tuple[list[Problem], int, int]:
     file.write_bytes((before + after).encode())
     project, found = load(file)
     if project is not None:
-        found = merge(found, check(project))
+        found = merge(found, structure(project))
     assert all(problem.file == str(file) for problem in found)
     return found, before.count("\n") + 1, len(before) - before.rfind("\n")
 

@@ -71,7 +71,7 @@ def test_a_list_means_something_else_when_its_items_change() -> None:
     assert (found.since, found.items) == (2, ({"n": 2},))
 
 
-def test_movies_get_their_actions_in_order_and_keep_them_while_they_run() -> None:
+def test_movies_get_their_actions_in_order_and_none_when_they_have_ended() -> None:
     movies = [{"type": "movie", "id": name, **PLACE, "src": "m.webm"} for name in "ab"]
 
     def actions(made: Content) -> list[int | None]:
@@ -80,5 +80,5 @@ def test_movies_get_their_actions_in_order_and_keep_them_while_they_run() -> Non
     first = shown(*movies, actions=(4, 5))
     assert actions(first) == [4, 5]
     # A live text changed after the first had ended.
-    assert actions(shown(*movies, before=first, actions=(5,))) == [None, 5]
+    assert actions(shown(*movies, before=first, actions=(0, 5))) == [None, 5]
     assert actions(shown(*movies, before=first, actions=(8, 9))) == [8, 9]

@@ -1,4 +1,4 @@
-"""``python -m situ_studio``: screenshots and wrong usage, in a process of its own."""
+"""``python -m situ_studio``: screenshots and wrong usage."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
 
-from situ_studio import theme
+from situ_studio import main, theme
 
 Copy = Callable[[str], Path]
 
@@ -32,22 +34,32 @@ def run(*arguments: str | Path, bare: bool = False) -> subprocess.CompletedProce
     )
 
 
-def test_a_screenshot_has_the_size_and_colours_asked_for(project: Copy, tmp_path: Path) -> None:
+def here(*arguments: str | Path) -> int:
+    """The same in this process: a start of Python costs more than all that is tested."""
+    status = main.main([str(a) for a in arguments])
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    return status
+
+
+def test_a_screenshot_has_the_size_and_colours_asked_for(
+    qt: QApplication, project: Copy, tmp_path: Path
+) -> None:
     out = tmp_path / "dark.png"
-    done = run(project("reception"), "--screenshot", out, "--size", "1280x800", "--theme", "dark")
-    assert (done.returncode, done.stderr) == (0, "")
+    size = ("--size", "1280x800", "--theme", "dark")
+    assert here(project("reception"), "--screenshot", out, *size) == 0
     picture = QImage(str(out))
     assert (picture.width(), picture.height()) == (1280, 800)
     # The status bar, at its very left, is panel.
     assert picture.pixelColor(2, 795).name().upper() == theme.DARK.panel
 
 
-def test_a_screenshot_shows_the_view_that_is_named(project: Copy, tmp_path: Path) -> None:
+def test_a_screenshot_shows_the_view_that_is_named(
+    qt: QApplication, project: Copy, tmp_path: Path
+) -> None:
     graph, outline = tmp_path / "graph.png", tmp_path / "outline.png"
     folder = project("conversation")
     for view, out in (("conversation", graph), ("outline:conversation", outline)):
-        done = run(folder, "--screenshot", out, "--size", "900x600", "--view", view)
-        assert (done.returncode, done.stderr) == (0, "")
+        assert here(folder, "--screenshot", out, "--size", "900x600", "--view", view) == 0
     assert QImage(str(graph)) != QImage(str(outline))
 
 
@@ -75,10 +87,14 @@ def test_a_window_without_a_display_is_refused_in_one_line(project: Copy) -> Non
     ],
 )
 def test_wrong_usage_is_one_line_and_status_2(
-    arguments: list[str], words: str, tmp_path: Path
+    qt: QApplication,
+    capsys: pytest.CaptureFixture[str],
+    arguments: list[str],
+    words: str,
+    tmp_path: Path,
 ) -> None:
-    done = run(*arguments, "--screenshot", tmp_path / "no.png")
-    assert done.returncode == 2
-    assert words in done.stderr.strip().splitlines()[-1]
-    assert "Traceback" not in done.stderr
+    assert here(*arguments, "--screenshot", tmp_path / "no.png") == 2
+    said = capsys.readouterr().err
+    assert words in said.strip().splitlines()[-1]
+    assert "Traceback" not in said
     assert not (tmp_path / "no.png").exists()

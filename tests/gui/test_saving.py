@@ -56,7 +56,7 @@ def test_a_change_on_disk_is_told_where_there_are_changes_here(
     used.settle()
     assert used.window.notice.isVisible()
     assert used.session.document(FILE).state("2").name == "mine"
-    used.click(used.window.notice.take)
+    used.click(used.window.notice.buttons[0])
     assert used.session.document(FILE).state("2").name == "theirs"
     assert used.session.dirty == []
     used.window.actions_.actions["undo"].trigger()
@@ -125,3 +125,61 @@ def test_comments_and_notes_of_others_survive_an_edit(studio: Start, project: Co
     rename(used, "hello")
     used.key(Qt.Key.Key_S, CONTROL)
     assert "<!-- from the pilot study -->" in (folder / FILE).read_text(encoding="utf-8")
+
+
+def broken(folder: Path) -> bytes:
+    """A file with an error that costs a part of the document: an attribute nobody knows."""
+    text = elsewhere(folder, '<state no="2" name="intro"', '<state no="2" name="intro" nme="x"')
+    assert 'nme="x"' in text
+    return text.encode()
+
+
+def test_a_file_with_reading_errors_is_shown_and_never_saved_over(
+    studio: Start, project: Copy
+) -> None:
+    folder = project("reception")
+    there = broken(folder)
+    used = studio(folder)
+    assert used.window.incomplete.isVisible()
+    assert FILE in used.window.incomplete.words.text()
+    assert used.session.problems
+    rename(used, "changed")
+    assert used.session.document(FILE).state("2").name == "intro"
+    assert used.window.inspector.form.field("name").text() == "intro"
+    assert "not changed" in used.window.status.said.text()
+    used.click(used.window.palette_.item("state"))
+    assert used.session.undo_text is None
+    used.session.keep_mine(FILE)
+    used.key(Qt.Key.Key_S, CONTROL)
+    assert (folder / FILE).read_bytes() == there
+
+
+def test_mended_in_a_text_editor_it_can_be_changed(studio: Start, project: Copy) -> None:
+    folder = project("reception")
+    broken(folder)
+    used = studio(folder)
+    spy = QSignalSpy(used.session.changed)
+    elsewhere(folder, ' nme="x"', "")
+    assert spy.count() or spy.wait(5000)
+    used.settle()
+    assert not used.window.incomplete.isVisible()
+    assert used.session.problems == []
+    rename(used, "changed")
+    assert used.session.document(FILE).state("2").name == "changed"
+
+
+def test_a_change_on_disk_with_errors_is_not_taken(studio: Start, project: Copy) -> None:
+    folder = project("reception")
+    used = studio(folder)
+    before = used.session.document(FILE)
+    spy = QSignalSpy(used.session.changed_on_disk)
+    broken(folder)
+    assert spy.count() or spy.wait(5000)
+    used.settle()
+    assert used.session.document(FILE) is before
+    assert used.window.notice.isVisible()
+    assert "nme" in used.window.notice.words.text()
+    rename(used, "mine")
+    used.answers.put("conflict", "cancel")
+    used.key(Qt.Key.Key_S, CONTROL)
+    assert b"nme" in (folder / FILE).read_bytes()

@@ -63,12 +63,13 @@ def test_a_new_project_is_whole_and_without_problems(studio: Start, tmp_path: Pa
     assert used.window.current_file == "my-robot.rbd.xml"
     project, problems = folder.load(tmp_path / "my-robot")
     assert project is not None
-    assert [*problems, *check(project)] == []
+    # That nothing leads on from its one state yet may be warned of.
+    assert [p for p in (*problems, *check(project)) if p.severity == "error"] == []
 
 
 def test_a_name_that_is_none_is_told_in_one_line(studio: Start, tmp_path: Path) -> None:
     used = studio()
-    used.answers.put("name", "My Robot!")
+    used.answers.put("name", "??")
     used.answers.put("new_folder", str(tmp_path))
     used.click(used.window.welcome.new)
     assert len(used.answers.told) == 1

@@ -10,6 +10,12 @@ from typing import Any, NamedTuple, Protocol
 import pytest
 
 from situ import cli
+from situ.document import codec
+from situ.document.check import check
+from situ.document.project import Project
+from situ.rehearse import scenario
+from situ.rehearse.recording import Recording
+from situ.rehearse.recording import record as recording_of
 
 EVENTFUL = """<application name="reception">
   <state no="1">
@@ -73,3 +79,53 @@ def simulate(tmp_path: Path, capsysbinary: pytest.CaptureFixture[bytes]) -> Simu
         return Run(status, [json.loads(line) for line in out.splitlines()], out, err.decode())
 
     return run
+
+
+class Make(Protocol):
+    def __call__(
+        self, rbd: str | Sequence[str] = ..., spds: str | None = ..., **more: Any
+    ) -> Project: ...
+
+
+@pytest.fixture(scope="session")
+def make() -> Make:
+    """A project of documents given as XML; it must have no error."""
+
+    def read(text: str, file: str) -> Any:
+        document, problems = codec.read(text.encode(), file)
+        assert not problems, problems
+        return document
+
+    def made(rbd: str | Sequence[str] = (), spds: str | None = None, **more: Any) -> Project:
+        files = {f"{n}.rbd.xml": x for n, x in enumerate([rbd] if isinstance(rbd, str) else rbd)}
+        project = Project(
+            root=".",
+            name="test",
+            applications={file: read(text, file) for file, text in files.items()},
+            spds_file=None if spds is None else "s.spds.xml",
+            spds=None if spds is None else read(spds, "s.spds.xml"),
+            **more,
+        )
+        errors = [problem for problem in check(project) if problem.severity == "error"]
+        assert not errors, errors
+        return project
+
+    return made
+
+
+class Record(Protocol):
+    def __call__(
+        self, project: Project, *lines: dict[str, Any], alone: bool = ...
+    ) -> Recording: ...
+
+
+@pytest.fixture(scope="session")
+def record() -> Record:
+    """Plays scenario lines; ``alone``: only what the trace tells is kept."""
+
+    def recorded(project: Project, *lines: dict[str, Any], alone: bool = False) -> Recording:
+        text = "\n".join(map(json.dumps, lines)).encode()
+        recording, _ = recording_of(project, scenario.parse(text, "s"))
+        return Recording.of(recording.events) if alone else recording
+
+    return recorded

@@ -59,6 +59,35 @@ def test_files_that_are_not_there_are_2(
         assert len(capsysbinary.readouterr().err.splitlines()) == 1
 
 
+# -- what may be given -------------------------------------------------------
+
+
+def test_a_script_alone_or_a_whole_folder_may_be_given(
+    tmp_path: Path, capsysbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    (tmp_path / "s.spds.xml").write_text(
+        """<spds name="s"><observe><data tag="x"/></observe><modules>
+        <module name="app" resources="speech"/></modules><situation name="a"><condition>
+        <data tag="x" is="1"/></condition></situation><situation name="b">
+        <module name="app" priority="1"/></situation></spds>"""
+    )
+    (tmp_path / "a.rbd.xml").write_text(SPEAKING)
+    (tmp_path / "situ.toml").write_text(
+        """[project]\nname = "p"\napplications = ["a.rbd.xml"]\nspds = "s.spds.xml"
+        [tags]\n"x" = 1\n"""
+    )
+    (tmp_path / "s.jsonl").write_text('{"at": 1, "set": {"x": 2}}\n')
+    script = ["--script", str(tmp_path / "s.jsonl")]
+
+    def kinds(path: Path) -> list[str]:
+        assert cli.main(["simulate", str(path), *script]) == 0
+        return [json.loads(line)["kind"] for line in capsysbinary.readouterr().out.splitlines()]
+
+    assert kinds(tmp_path / "s.spds.xml") == ["situation", "data"]
+    assert kinds(tmp_path)[:5] == ["data", "condition", "situation", "enter", "acquire"]
+    assert kinds(tmp_path / "situ.toml") == kinds(tmp_path)
+
+
 # -- the trace ---------------------------------------------------------------
 
 
@@ -120,7 +149,7 @@ def test_with_auto_finish_every_action_ends_well_so_long_after_it_began(
 
 
 def test_what_was_cancelled_or_finished_does_not_end_again(simulate: Simulate) -> None:
-    lines = [
+    lines: list[dict[str, Any]] = [
         {"at": 0.5, "finish": {"action": "service"}},
         {"at": 1, "event": "go"},
         {"at": 9, "end": True},

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
 from situ_studio import kinds
-from situ_studio.canvas import walk
+from situ_studio.canvas import accessible, walk
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.overlay import InPlace, MiniMap, ZoomBar, name_editor
@@ -22,6 +22,8 @@ from situ_studio.insert import NotHere, insert
 from situ_studio.theme import Theme
 
 Place = tuple[str, ...]
+BAR = 40.0
+"""The lower edge that the zoom bar takes."""
 ZOOMS = (0.1, 0.15, 0.25, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0)
 
 
@@ -44,11 +46,15 @@ class Canvas(QWidget):
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        accessible.install()
         self.look = Look(theme)
         self.viewer = Viewer(self.look, self)
         self.graph = Graph(self.viewer, self.look, self._item_kind)
         self.viewer.straight_lines = self.graph.lines
         self.viewer.on_key = self._key
+        self.viewer.cards_in_order = lambda: [
+            self.graph.nodes[uid].view for uid in self.graph.cards
+        ]
         self.document: Any = None
         self._problems: tuple[Problem, ...] = ()
         self._told: tuple[Place, ...] = ()
@@ -187,14 +193,14 @@ class Canvas(QWidget):
 
     def zoom_to_fit(self) -> None:
         """The whole drawing, at most at 100 %."""
-        self.viewer.show_area(self.extent().adjusted(-24, -24, 24, 24))
+        self.viewer.show_area(self.extent().adjusted(-24, -24, 24, 8), below=BAR)
 
     def zoom_to_begin(self) -> None:
         """The whole drawing where it can be read so, else its upper left corner at 80 %."""
         area = self.extent().adjusted(-24, -24, 24, 24)
         size = self.viewer.viewport().size()
-        if size.width() / area.width() >= 0.7 and size.height() / area.height() >= 0.7:
-            self.viewer.show_area(area)
+        if min(size.width() / area.width(), (size.height() - BAR) / area.height()) >= 0.7:
+            self.zoom_to_fit()
         else:
             self.viewer.show_area(QRectF(area.topLeft(), QSizeF(size) / 0.8), 0.8)
 
@@ -341,6 +347,9 @@ class Canvas(QWidget):
         now = self.selection()
         if now != self._told:
             self._told = now
+            uids = self.selected_uids()
+            if len(uids) == 1:
+                accessible.tell_focus(self.viewer, list(self.graph.cards).index(uids[0]))
             self.selection_changed.emit(now)
 
     # -- mouse and keys ---------------------------------------------------------------------

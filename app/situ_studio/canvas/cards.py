@@ -20,6 +20,8 @@ STUB = 15.0
 """The line and arrow before a chip."""
 PICTURE = QRectF(8, 54, 48, 31)
 LARGE_PICTURE = QRectF(12, 46, 92, 58)
+LOWER_PICTURE = QRectF(12, 64, 70, 44)
+"""Where the name takes two lines."""
 
 
 def chip_width(text: str, icon: bool = False) -> float:
@@ -45,17 +47,20 @@ def paint_chip(
     Label(text, 11, 600).draw_middle(painter, x + STUB + width / 2, y + 4, ink)
 
 
-def arrow(painter: QPainter, color: QColor, x: float, y: float, upwards: bool = False) -> None:
+def arrow(
+    painter: QPainter, color: QColor, x: float, y: float, upwards: bool = False, scale: float = 1.0
+) -> None:
     """An arrow head 7 × 8 with its point at x, y, to the right or upwards."""
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(color)
+    long, half = 7 * scale, 4 * scale
     path = QPainterPath(QPointF(x, y))
     if upwards:
-        path.lineTo(x - 4, y + 7)
-        path.lineTo(x + 4, y + 7)
+        path.lineTo(x - half, y + long)
+        path.lineTo(x + half, y + long)
     else:
-        path.lineTo(x - 7, y - 4)
-        path.lineTo(x - 7, y + 4)
+        path.lineTo(x - long, y - half)
+        path.lineTo(x - long, y + half)
     path.closeSubpath()
     painter.drawPath(path)
 
@@ -69,7 +74,7 @@ class CardItem(NodeFace):
         super().__init__(name, parent)
         self._laid: tuple[object, ...] | None = None
         self._texts: dict[str, Label] = {}
-        self._large: tuple[int, Label, Label] | None = None
+        self._large: tuple[int, Label, Label, Label | None] | None = None
         self._icons: tuple[str, ...] = ()
 
     def room(self, face: Card) -> QRectF:
@@ -181,7 +186,7 @@ class CardItem(NodeFace):
         pixels = int(13 / look.zoom)
         if self._large is None or self._large[0] != pixels:
             text = Label(card.no or "∗", pixels, 600, card.width - 12)
-            self._large = pixels, text, text
+            self._large = pixels, text, text, None
         self._large[1].draw_middle(
             painter, card.width / 2, card.height / 2 + pixels * 0.36, look["state"]
         )
@@ -202,21 +207,20 @@ class CardItem(NodeFace):
         painter.drawRoundedRect(area, RADIUS, RADIUS)
         pixels = max(15, min(28, int(11.5 / look.zoom)))
         if self._large is None or self._large[0] != pixels:
-            number = Label(card.no, pixels - 3, 600)
-            chip = max(30.0, number.width + 12) if card.no else 0.0
-            room = card.width - chip - 32 - (26 if card.mark else 0)
-            self._large = pixels, number, Label(card.name, pixels, 600, room)
-        _, number, name = self._large
+            self._large = pixels, *self._lay_out_large(pixels)
+        _, number, first, second = self._large
         left = 10.0
         if card.no:
             chip = max(30.0, number.width + 12)
             self._paint_number(painter, look, QRectF(10, 9, chip, 26), 5)
             number.draw_middle(painter, 10 + chip / 2, 22 + pixels * 0.32, self._number_ink(look))
             left += chip + 10
-        name.draw(painter, left, 22 + pixels * 0.36, look["text"])
+        first.draw(painter, left, 22 + pixels * 0.36, look["text"])
+        if second is not None:
+            second.draw(painter, 12, 22 + pixels * 1.42, look["text"])
         if card.mark:
             look.icon(painter, card.mark, card.width - 32, 11, 22, look[card.mark])
-        self._paint_picture(painter, look, LARGE_PICTURE)
+        self._paint_picture(painter, look, LARGE_PICTURE if second is None else LOWER_PICTURE)
         self._paint_counts(painter, look)
         painter.setPen(Qt.PenStyle.NoPen)
         for leaving in card.exits:
@@ -227,6 +231,24 @@ class CardItem(NodeFace):
             else:
                 painter.drawEllipse(QPointF(x, y), 5, 5)
         self._paint_bar(painter, look)
+
+    def _lay_out_large(self, pixels: int) -> tuple[Label, Label, Label | None]:
+        """Number and name; a name that has no room beside the number takes a second line."""
+        card = self.face
+        number = Label(card.no, pixels - 3, 600)
+        chip = max(30.0, number.width + 12) + 10 if card.no else 0.0
+        room = card.width - chip - 20 - (26 if card.mark else 0)
+        first = Label(card.name, pixels, 600, room)
+        if not first.cut:
+            return number, first, None
+        said = card.name.split()
+        count = len(said) - 1
+        while count > 0 and Label(" ".join(said[:count]), pixels, 600, room).cut:
+            count -= 1
+        if count == 0:
+            return number, first, None
+        rest = Label(" ".join(said[count:]), pixels, 600, card.width - 22)
+        return number, Label(" ".join(said[:count]), pixels, 600, room), rest
 
     def _paint_counts(self, painter: QPainter, look: Look) -> None:
         """Live: how often the state was entered, and the time in it."""

@@ -72,7 +72,7 @@ class Graph(NodeGraph):
         viewer = self._viewer
         touched = viewer.touched
         gone = [uid for uid in self.cards if uid not in cards]
-        fresh = {uid for uid, card in cards.items() if self.cards.get(uid) is not card}
+        fresh = dict.fromkeys(u for u, card in cards.items() if self.cards.get(u) is not card)
         stale = {
             id
             for id, link in self.links.items()
@@ -98,7 +98,7 @@ class Graph(NodeGraph):
             self._remove(uid)
         for uid in fresh:
             self._put(cards[uid])
-        for uid in touched - fresh:
+        for uid in touched - fresh.keys():
             if uid in self.nodes:
                 self._replace(uid, cards[uid])
         for id, link in links.items():
@@ -112,7 +112,7 @@ class Graph(NodeGraph):
         viewer.touched = set()
         self.set_acyclic(False)
         viewer.forget()
-        return fresh | set(gone)
+        return {*fresh, *gone}
 
     def _put(self, card: Any) -> None:
         node = self.nodes.get(card.uid)

@@ -108,16 +108,17 @@ class Ground(NodeViewer):
         self._scene_range = QRectF(corner, QSizeF(self.viewport().size()) / zoom)
         self._update_scene()
 
-    def show_area(self, area: QRectF, most: float = 1.0) -> None:
-        """Zooms and moves so that ``area`` is seen whole, at most at ``most``."""
+    def show_area(self, area: QRectF, most: float = 1.0, below: float = 0.0) -> None:
+        """Zooms and moves so that ``area`` is seen whole, at most at ``most``; ``below`` px of the
+        window's lower edge are left for what lies over it."""
         size = QSizeF(self.viewport().size())
+        room = QSizeF(size.width(), max(1.0, size.height() - below))
         if area.isEmpty() or size.isEmpty():
             return
-        zoom = min(most, size.width() / area.width(), size.height() / area.height())
+        zoom = min(most, room.width() / area.width(), room.height() / area.height())
         zoom = max(ZOOM_LEAST, zoom)
-        wide = size / zoom
-        corner = area.center() - QPointF(wide.width() / 2, wide.height() / 2)
-        self._scene_range = QRectF(corner, wide)
+        corner = area.center() - QPointF(room.width() / zoom / 2, room.height() / zoom / 2)
+        self._scene_range = QRectF(corner, size / zoom)
         self._update_scene()
 
     def reveal(self, area: QRectF, margin: float = 40.0) -> None:

@@ -178,7 +178,8 @@ class RoutedPipe(PipeItem):
             return
         if len(route.points) < 2:
             return
-        width = 2.0 if self.selected() else 1.6
+        # Small drawings keep lines and arrows that can be seen.
+        width = max(2.0 if self.selected() else 1.6, 1.2 / look.zoom)
         taken = self._taken()
         path = self.path()
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -186,7 +187,7 @@ class RoutedPipe(PipeItem):
             painter.setOpacity(taken)
             painter.setPen(QPen(look.faint("live", 0.22), 7))
             painter.drawPath(path)
-            color, width = look["live"], 2.75
+            color, width = look["live"], max(2.75, width)
         pen = QPen(color, width)
         if self.link is not None and self.link.exit == "timeout":
             pen.setDashPattern([4 / width, 3 / width])
@@ -194,7 +195,8 @@ class RoutedPipe(PipeItem):
         painter.drawPath(path)
         if route.trunk is None:
             (ax, ay), (bx, by) = route.points[-2], route.points[-1]
-            arrow(painter, color, bx, by, upwards=ax == bx and by < ay)
+            scale = 1.0 if look.level == "full" else 1.5
+            arrow(painter, color, bx, by, ax == bx and by < ay, scale)
         if route.joint is not None:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(color)

@@ -123,6 +123,11 @@ class Card(Struct, frozen=True):
             parts.append("stays in the state")
         return "\n".join(parts)
 
+    def spoken(self) -> str:
+        """The card for those who hear it: what it says, and where its exits lead."""
+        ways = [f"{e.label} {'leads to ' + e.next if e.next else 'stays'}" for e in self.exits]
+        return "; ".join(part for part in (self.line, *ways) if part)
+
     def exit(self, name: str) -> Exit | None:
         return next((e for e in self.exits if e.id == name), None)
 

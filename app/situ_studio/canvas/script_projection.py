@@ -102,6 +102,11 @@ class ScriptNode(Struct, frozen=True):
             return "Drag to where it leads"
         return "\n".join((self.name, *self.lines) if self.lines else (self.name, self.detail))
 
+    def spoken(self) -> str:
+        """The node for those who hear it."""
+        parts = [self.kind, *([f"number {self.number}"] if self.number else []), self.detail]
+        return "; ".join(part for part in (*parts, *self.lines) if part)
+
     def port(self, name: str) -> tuple[float, float]:
         """A port's centre, from the corner."""
         if name == OUT:

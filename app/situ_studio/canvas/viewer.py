@@ -7,7 +7,7 @@ then turns it into one edit or none and puts the picture back to the document.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
@@ -80,6 +80,8 @@ class Viewer(Ground):
         self._space = False
         self._pressed: tuple[QPoint, Any] | None = None
         self._travelled = False
+        self.cards_in_order: Callable[[], Iterable[NodeFace]] = tuple
+        self.spoken_as: Any = None
         self.held = Qt.KeyboardModifier.NoModifier
         self.on_key: Callable[[QKeyEvent], bool] = lambda event: False
         self.accepts: Callable[[Any, Any], bool] = lambda start, end: True

@@ -20,7 +20,7 @@ _EVENTS = Section(
     title="Expected events",
     attribute="events",
     editor="events",
-    hint="first that fits is taken",
+    hint="the first that fits",
 )
 SCREEN = Kind(
     name="screen",
@@ -72,15 +72,15 @@ STATE = Kind(
             fields=(
                 Field(
                     attribute="final",
-                    label="The end is meant",
+                    label="It may end here",
                     editor="flag",
-                    help="Nothing leads out of this state, on purpose.",
+                    help="Nothing leads out of this state, and that is meant.",
                 ),
                 Field(
                     attribute="always",
-                    label="With Always",
+                    label="As in every state",
                     editor="flag",
-                    help="What Always adds to every state is part of this one too.",
+                    help="What “In every state” adds is part of this one too.",
                 ),
             ),
         ),
@@ -92,7 +92,7 @@ STATE = Kind(
 ALWAYS = Kind(
     name="always",
     value=rbd.Always,
-    title="Always",
+    title="In every state",
     icon="always",
     help="What is part of every state.",
     fields=(_TIMEOUT,),

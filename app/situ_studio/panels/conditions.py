@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from msgspec.structs import replace
-from PySide6.QtCore import QSize, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, QWidget
 
 from situ.document.condition import Condition, Group, Test
@@ -157,6 +157,7 @@ class AddTest(IconButton):
 
     def __init__(self, theme: Theme, add: Any, parent: QWidget | None = None) -> None:
         super().__init__(theme, "plus", "", "text3", 16, parent)
+        self.setObjectName("add test")
         self.setToolTip(self.tr("Add a test"))
         self.setAccessibleName(self.tr("Add a test"))
         menu = QMenu(self)
@@ -205,7 +206,13 @@ class ConditionEditor(QWidget):
         test = Test(tags[0] if tags else "tag", "exists", "true")
         new: Test | Group = test if kind == "test" else Group(kind, (test,))  # type: ignore[arg-type]
         condition = self._condition or Condition()
+        holder = _at(condition, path)
+        at = (*path, len(holder.children), *(() if kind == "test" else (0,)))
         self.changed.emit(_insert(condition, path, new), self.tr("Add a test"))
+        box = self._boxes.get(at)
+        if isinstance(box, TestBox):
+            box.tag.setFocus(Qt.FocusReason.OtherFocusReason)
+            box.tag.selectAll()
 
     def _rebuild(self, children: tuple[Test | Group, ...]) -> None:
         clear(self._layout)

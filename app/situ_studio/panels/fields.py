@@ -39,10 +39,12 @@ class Line(QLineEdit):
     """One line of text. Esc puts back what was shown; ``unit`` stands behind the text."""
 
     committed = Signal(object)
+    refused = Signal(str)
 
     def __init__(self, parent: QWidget | None = None, unit: str = "") -> None:
         super().__init__(parent)
         self._shown = ""
+        self._help = ""
         self._unit: QLabel | None = None
         self._words: QStringListModel | None = None
         self.editingFinished.connect(self.on_finished)
@@ -55,7 +57,7 @@ class Line(QLineEdit):
 
     def show_value(self, value: Any) -> None:
         self._shown = self.written(value)
-        if not self.hasFocus() or self.text() != self._shown:
+        if self.text() != self._shown:
             self.setText(self._shown)
             self.setCursorPosition(0)
 
@@ -84,9 +86,16 @@ class Line(QLineEdit):
     def refuse(self, why: str) -> None:
         """Marks the field and says why; empty: no longer."""
         self.setProperty("role", "refused" if why else "")
-        self.setToolTip(why)
+        self.setToolTip(why or self._help)
         self.style().unpolish(self)
         self.style().polish(self)
+        if why:
+            self.refused.emit(why)
+
+    def set_help(self, words: str) -> None:
+        """What its tooltip says while nothing is refused."""
+        self._help = words
+        self.setToolTip(words)
 
     def on_finished(self) -> None:
         text = self.text()
@@ -120,6 +129,10 @@ class Line(QLineEdit):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
+        # Another window, or a menu, comes between: the selection stays as it is.
+        between = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
+        if event.reason() not in between:
+            self.setCursorPosition(0)
         if self.property("role") == "refused":
             self.setText(self._shown)
             self.refuse("")

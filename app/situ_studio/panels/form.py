@@ -41,6 +41,9 @@ class Form(QWidget):
     edited = Signal(object, str, tuple)
     """The new document, the step's name, the place at which the value stands now."""
     place_asked = Signal(tuple)
+    added = Signal(tuple)
+    refused = Signal(str)
+    """Why what was typed is not taken."""
 
     def __init__(self, kind: Kind, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,6 +60,7 @@ class Form(QWidget):
             if field.editor == "timeout":
                 self._timeout = TimeoutRows(theme, self)
                 self._timeout.changed.connect(self._on_timeout)
+                self._timeout.seconds.refused.connect(self.refused)
                 column.addWidget(self._timeout)
             else:
                 column.addWidget(self._row(field))
@@ -70,6 +74,7 @@ class Form(QWidget):
                 made = SectionEditor(section, theme, self)
                 made.changed.connect(self._on_section)
                 made.place_asked.connect(self.place_asked)
+                made.added.connect(self.added)
                 self._sections.append(made)
                 editor = made
             column.addWidget(editor)
@@ -89,6 +94,16 @@ class Form(QWidget):
     def minimumSizeHint(self) -> QSize:
         # Never wider than the panel: what is too long in it is shortened with ….
         return QSize(0, super().minimumSizeHint().height())
+
+    def begin(self, attribute: str = "") -> None:
+        """Gives a field the focus, its text selected; the first one unless named."""
+        wanted = attribute or (self.kind.fields[0].attribute if self.kind.fields else "")
+        if not wanted:
+            return
+        widget = self.field(wanted)
+        widget.setFocus(Qt.FocusReason.OtherFocusReason)
+        if isinstance(widget, Line | Paragraph):
+            widget.selectAll()
 
     def field(self, attribute: str) -> FieldWidget:
         """The field of an attribute; LookupError where the form has none."""
@@ -117,10 +132,15 @@ class Form(QWidget):
         label = translated(field.label)
         widget = make_field(field.editor, self._theme, label, translated(field.unit))
         widget.setAccessibleName(label)
-        widget.setToolTip(translated(field.help))
+        if isinstance(widget, Line):
+            widget.set_help(translated(field.help))
+        else:
+            widget.setToolTip(translated(field.help))
         widget.setAccessibleDescription(translated(field.help))
-        if isinstance(widget, Line) and field.placeholder:
-            widget.setPlaceholderText(translated(field.placeholder))
+        if isinstance(widget, Line):
+            widget.refused.connect(self.refused)
+            if field.placeholder:
+                widget.setPlaceholderText(translated(field.placeholder))
         widget.committed.connect(lambda value, f=field: self._on_field(f, value))
         return widget
 

@@ -25,6 +25,9 @@ class Inspector(QWidget):
     edited = Signal(object, str, tuple)
     """The new document, the step's name, the place that is selected then."""
     place_asked = Signal(tuple)
+    added = Signal(tuple)
+    """A new thing's place: shown, then typed into at once."""
+    refused = Signal(str)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -127,6 +130,8 @@ class Inspector(QWidget):
             form = Form(kind, self._theme)
             form.edited.connect(self.edited)
             form.place_asked.connect(self.place_asked)
+            form.added.connect(self.added)
+            form.refused.connect(self.refused)
             self._scroll.setWidget(form)
             # setWidget makes it paint the application's grey.
             form.setAutoFillBackground(False)

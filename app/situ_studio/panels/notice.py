@@ -1,52 +1,63 @@
-"""A strip above the canvas: another program changed a file."""
+"""A strip above the canvas: something about a file that a person should know, and may answer."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QSizePolicy,
     QWidget,
 )
 
 from situ_studio.icon_widgets import IconLabel
 from situ_studio.theme import Theme
 
+Answer = tuple[str, Callable[[], object]]
+
 
 class Notice(QFrame):
-    """A strip above the canvas: another program changed a file."""
-
-    theirs = Signal(str)
-    mine = Signal(str)
+    """Words with a button an answer; an answer hides it."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("role", "notice")
-        self._file = ""
-        line = QHBoxLayout(self)
-        line.setContentsMargins(12, 4, 8, 4)
-        line.setSpacing(8)
-        line.addWidget(IconLabel(theme, "warning", "warning", 16))
+        self._line = QHBoxLayout(self)
+        self._line.setContentsMargins(12, 4, 8, 4)
+        self._line.setSpacing(8)
+        self._line.addWidget(IconLabel(theme, "warning", "warning", 16))
         self.words = QLabel()
         self.words.setTextFormat(Qt.TextFormat.PlainText)
-        line.addWidget(self.words, 1)
-        self.take = QPushButton(self.tr("Take the one on disk"))
-        self.take.clicked.connect(lambda: self._answer(self.theirs))
-        line.addWidget(self.take)
-        self.keep = QPushButton(self.tr("Keep mine"))
-        self.keep.clicked.connect(lambda: self._answer(self.mine))
-        line.addWidget(self.keep)
+        self.words.setWordWrap(True)
+        self.words.setMinimumHeight(28)
+        self.words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._line.addWidget(self.words, 1)
+        self.buttons: list[QPushButton] = []
+        self.about = ""
+        """The file that it asks about."""
+        self.hide()
 
-    def show_for(self, file: str, text: str, can_take: bool = True) -> None:
-        self._file = file
+    def ask(self, text: str, *answers: Answer, about: str = "") -> None:
+        """Shows itself in place of what it asked before."""
+        self.about = about
+        for button in self.buttons:
+            self._line.removeWidget(button)
+            button.hide()
+            button.deleteLater()
+        self.buttons = []
+        for words, answer in answers:
+            button = QPushButton(words)
+            button.clicked.connect(lambda _=False, do=answer: self._answered(do))
+            self._line.addWidget(button)
+            self.buttons.append(button)
         self.words.setText(text)
-        self.take.setVisible(can_take)
+        self.words.setToolTip(text)
         self.show()
 
-    def _answer(self, signal: Any) -> None:
+    def _answered(self, do: Callable[[], object]) -> None:
         self.hide()
-        signal.emit(self._file)
+        do()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from msgspec import Struct
 from PySide6.QtCore import QItemSelection, QModelIndex, QSortFilterProxyModel, Qt, Signal
 from PySide6.QtGui import QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QLineEdit, QListView, QVBoxLayout, QWidget
@@ -15,6 +16,36 @@ from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, NUMBER, PLACE, 
 from situ_studio.theme import Theme
 
 
+class Row(Struct, frozen=True, kw_only=True):
+    """What the row of one member shows."""
+
+    place: Place
+    name: str
+    number: str | None = None
+    icon: tuple[str, str] | None = None
+    count: str | None = None
+    marks: tuple[tuple[str, str], ...] | None = None
+    detail: str | None = None
+
+    def item(self) -> QStandardItem:
+        made = QStandardItem(self.name)
+        for role, value in self.data():
+            if value is not None:
+                made.setData(value, role)
+        return made
+
+    def data(self) -> tuple[tuple[int, object], ...]:
+        """Its values, each with its role."""
+        return (
+            (PLACE, self.place),
+            (NUMBER, self.number),
+            (ICON, self.icon),
+            (COUNT, self.count),
+            (MARKS, self.marks),
+            (DETAIL, self.detail),
+        )
+
+
 class Outline(QWidget):
     """Selects along with the canvas: ``selected`` tells what a person selected here."""
 
@@ -25,6 +56,7 @@ class Outline(QWidget):
         super().__init__(parent)
         self.setProperty("role", "panel")
         self._document: Document | None = None
+        self._rows: list[Row] = []
         self._told: tuple[Place, ...] = ()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -70,75 +102,90 @@ class Outline(QWidget):
     ) -> None:
         """Shows the members of ``document`` with their problems' marks."""
         self._document = document
-        rows: list[QStandardItem] = []
+        rows: list[Row] = []
         worst: dict[Place, str] = {}
         for problem in problems:
             place = problem.place[:2]
             if worst.get(place) != "error":
                 worst[place] = problem.severity
+
+        def marks(place: Place, *more: str) -> tuple[tuple[str, str], ...] | None:
+            colours = {"start": "start", "part": "part", "end": "text2"}
+            found = tuple((name, colours[name]) for name in more)
+            if place in worst:
+                found = (*found, (worst[place], worst[place]))
+            return found or None
+
         if isinstance(document, Application):
             self.search.setPlaceholderText(self.tr("Find a state"))
+            start = document.start_no
             if document.always is not None:
-                rows.append(self._item(("always",), self.tr("Always"), worst))
-                rows[-1].setData("∞", NUMBER)
+                place = ("always",)
+                words = self.tr("In every state")
+                rows.append(Row(place=place, name=words, number="∞", marks=marks(place)))
             for state in document.states:
-                item = self._item(("state", state.no), state.name, worst)
-                item.setData(state.no, NUMBER)
-                if state.no == document.start_no:
-                    item.setData((("start", "start"), *(item.data(MARKS) or ())), MARKS)
-                elif state.flow is not None:
-                    item.setData((("part", "part"), *(item.data(MARKS) or ())), MARKS)
-                elif state.final:
-                    item.setData((("end", "text2"), *(item.data(MARKS) or ())), MARKS)
-                rows.append(item)
+                place = ("state", state.no)
+                more = ["start"] * (state.no == start)
+                more = more or ["part"] * (state.flow is not None) or ["end"] * state.final
+                found = marks(place, *more)
+                rows.append(Row(place=place, name=state.name, number=state.no, marks=found))
         elif isinstance(document, Spds):
             self.search.setPlaceholderText(self.tr("Find a module"))
+            applications = {a.name for a in project.applications.values()}
             for declared in document.modules:
-                item = self._item(("module", declared.name), declared.name, worst)
-                item.setData(("module", "module"), ICON)
-                item.setData(" ".join(declared.resources), COUNT)
+                place = ("module", declared.name)
                 known = project.module(declared.name)
                 about = known.description if known is not None else ""
-                item.setData(about or self.tr("no module information"), DETAIL)
-                if any(a.name == declared.name for a in project.applications.values()):
-                    item.setData(("state", "state"), ICON)
-                    item.setData(about or self.tr("an application of this project"), DETAIL)
-                rows.append(item)
+                icon, otherwise = "module", self.tr("no module information")
+                if declared.name in applications:
+                    icon, otherwise = "state", self.tr("an application of this project")
+                rows.append(
+                    Row(
+                        place=place,
+                        name=declared.name,
+                        icon=(icon, icon),
+                        count=" ".join(declared.resources),
+                        marks=marks(place),
+                        detail=about or otherwise,
+                    )
+                )
         elif document is not None:
             self.search.setPlaceholderText(self.tr("Find a module"))
             for module in document.modules:
-                item = self._item(("module", module.name), module.name, worst)
-                item.setData(("module", "module"), ICON)
-                item.setData(" ".join(module.resources), COUNT)
-                item.setData(module.description, DETAIL)
-                rows.append(item)
+                place = ("module", module.name)
+                rows.append(
+                    Row(
+                        place=place,
+                        name=module.name,
+                        icon=("module", "module"),
+                        count=" ".join(module.resources),
+                        marks=marks(place),
+                        detail=module.description,
+                    )
+                )
         self._show(rows)
 
-    def _show(self, rows: list[QStandardItem]) -> None:
-        """Exchanges only what differs, so that a long list stays where it is."""
+    def _show(self, rows: list[Row]) -> None:
+        """Exchanges only what differs, so that a long list stays where it is, and is quick."""
+        shown, self._rows = self._rows, rows
+        if shown == rows:
+            return
         model, chosen = self._model, self._told
-        roles = (Qt.ItemDataRole.DisplayRole, NUMBER, ICON, COUNT, MARKS, PLACE, DETAIL)
         selection = self.list.selectionModel()
         selection.blockSignals(True)
-        if model.rowCount() == len(rows):
-            for index, row in enumerate(rows):
-                shown = model.item(index)
-                for role in roles:
-                    if shown.data(role) != row.data(role):
-                        shown.setData(row.data(role), role)
+        if len(shown) == len(rows):
+            for index, (old, new) in enumerate(zip(shown, rows, strict=True)):
+                if old != new:
+                    item = model.item(index)
+                    item.setText(new.name)
+                    for role, value in new.data():
+                        item.setData(value, role)
         else:
             model.clear()
-            model.invisibleRootItem().appendRows(rows)
+            model.invisibleRootItem().appendRows([row.item() for row in rows])
         selection.blockSignals(False)
         self._told = ()
         self.select(chosen)
-
-    def _item(self, place: Place, name: str, worst: dict[Place, str]) -> QStandardItem:
-        item = QStandardItem(name)
-        item.setData(place, PLACE)
-        if place in worst:
-            item.setData(((worst[place], worst[place]),), MARKS)
-        return item
 
     def select(self, chosen: tuple[Place, ...]) -> None:
         """Shows this selection without telling it."""

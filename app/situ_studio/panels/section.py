@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from msgspec.structs import replace
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -14,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document import rbd, spds
-from situ_studio import kinds, words
+from situ_studio import kinds, places, words
 from situ_studio.edit import Place
 from situ_studio.icon_widgets import Elided, IconButton
 from situ_studio.kinds import Kind, Section
@@ -33,6 +34,8 @@ class SectionEditor(QWidget):
 
     changed = Signal(str, object, str)
     place_asked = Signal(tuple)
+    added = Signal(tuple)
+    """A new member, that a person wants to fill in."""
 
     def __init__(self, section: Section, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -193,13 +196,16 @@ class SectionEditor(QWidget):
             while f"{name}{number}" in taken:
                 number += 1
             made = kind.make(f"{name}{number}")
+            if isinstance(made, rbd.Button):
+                part = places.get(self._subject.document, self._subject.place[:-1])
+                made = replace(made, event=words.sent_next(part) or made.event)
         elif name == "event":
             made = kind.make(words.expected_next(self._subject.value))
         else:
             made = kind.make("")
         place = (*self._subject.place, *self._step(len(members), made))
         self._tell((*members, made), self.tr("Add {0}").format(translated(kind.title).lower()))
-        self.place_asked.emit(place)
+        self.added.emit(place)
 
     def _remove_row(self, index: int) -> None:
         members = self._members()

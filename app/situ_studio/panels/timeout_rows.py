@@ -43,9 +43,7 @@ class TimeoutRows(QWidget):
         self.seconds = Number(unit="s", above=True)
         self.seconds.setPlaceholderText(self.tr("none"))
         self.seconds.setAccessibleName(self.tr("Timeout"))
-        self.seconds.setToolTip(
-            self.tr("After so many seconds without an event the state is left.")
-        )
+        self.seconds.set_help(self.tr("After so many seconds without an event the state is left."))
         label.setBuddy(self.seconds)
         grid.addWidget(self.seconds, 0, 1)
         self._then = QLabel(self.tr("then to"))
@@ -69,7 +67,7 @@ class TimeoutRows(QWidget):
         self.seconds.show_value(timeout.seconds if timeout is not None else None)
         self.next.offer(
             (
-                (None, self.tr("raises timeout")),
+                (None, self.tr("raises the event timeout")),
                 *((no, f"{no} {name}".strip()) for no, name in vocabulary.states),
                 (rbd.AGAIN, self.tr("the same state, anew")),
                 (rbd.BACK, self.tr("back to where it came from")),

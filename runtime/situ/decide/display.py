@@ -21,13 +21,15 @@ Key = tuple[str | None, int]
 
 class DisplayState(Struct):
     """base: the state whose own screen is kept. shown: what is on the screen by this
-    application's command, None where nothing is. stale: a live text may have changed.
+    application's command, None where nothing is. lacking: what was told to be missing on it.
+    stale: a live text may have changed.
     """
 
     base: str | None = None
     shown: Key | None = None
     components: list[Shown] = []
     background: str | None = None
+    lacking: list[str] = []
     stale: bool = False
     cause: int | None = None
 
@@ -95,10 +97,12 @@ class Display:
         state.stale = False
         if state.shown is None:
             return
-        components, background = self._resolve(None)
+        missing: list[str] = []
+        components, background = self._resolve(missing)
         if (components, background) == (state.components, state.background):
             return
         state.components, state.background = components, background
+        self._warn(here, missing, state.cause)
         running = self._actions.state.running.values()
         self._trace(here, state.cause, tuple(r.id for r in running if r.action == "movie"))
 
@@ -109,7 +113,7 @@ class Display:
         own = None if base is None else self._program.states[base].screen
         return [*([] if own is None else [own]), *self._program.shared[shared]]
 
-    def _resolve(self, missing: list[str] | None) -> tuple[list[Shown], str | None]:
+    def _resolve(self, missing: list[str]) -> tuple[list[Shown], str | None]:
         board = self._world.board
         translate = translator(self._world.project, board)
         layers = self._layers()
@@ -123,8 +127,8 @@ class Display:
         state.shown = self.wanted(here)
         missing: list[str] = []
         state.components, state.background = self._resolve(missing)
-        for sentence in dict.fromkeys(missing):
-            world.step.warn(cause, sentence, f"{self._program.name}, state {here.no}")
+        state.lacking = []
+        self._warn(here, missing, cause)
         movies = [movie for one in self._layers() for movie in one.movies()]
         played = self._actions.state.played
         ids = [0 if movie.id in played else world.next_id() for movie in movies]
@@ -148,6 +152,14 @@ class Display:
             value = {"components": state.components, "background": background}
             self._world.priorities.command(self._program.name, "screen", value, None, seq, ids)
         return seq
+
+    def _warn(self, here: StateProgram, missing: list[str], cause: int | None) -> None:
+        """Tells what the screen lacks, unless that was told when it was shown before."""
+        for sentence in dict.fromkeys(missing):
+            if sentence not in self.state.lacking:
+                where = f"{self._program.name}, state {here.no}"
+                self._world.step.warn(cause, sentence, where)
+        self.state.lacking = missing
 
     def _written(self, tag: str, cause: int | None) -> None:
         shown = self.state.shown

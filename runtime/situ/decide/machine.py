@@ -235,7 +235,7 @@ class Machine:
     ) -> None:
         """Leaves the state of ``level`` with all inside it for another of the same file."""
         step, levels = self._world.step, self.here.levels
-        self.timeouts.stop()
+        self.timeouts.leave()
         # What runs belongs to the innermost state, which is left in any case.
         self.actions.leave(step.trace(trace.Exit, cause, self.name, self.state.no))
         if len(levels) > 1:
@@ -260,7 +260,6 @@ class Machine:
         state.no = self.program.innermost[path]
         state.entered = level
         state.begun = False
-        self.timeouts.forget()
         here = self.here
         del state.stacks[level + 1 :]
         for one in here.levels[level:]:
@@ -291,6 +290,8 @@ class Machine:
         state.begun = True
         self.actions.suspended = False
         self.display.begin(here, cause)
+        # What an event began and what was held up while the state was entered suspended.
+        self.actions.resume(cause)
         self.actions.begin(self._entry(here), state.no, cause, entry=True)
         if here.timeout is not None:
             self.timeouts.begin(here.timeout, cause)

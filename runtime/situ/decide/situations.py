@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable
 
 from msgspec import Struct
 
 from situ.decide import trace
-from situ.decide.conditions import Compiled, Conditions
+from situ.decide.conditions import Compiled, Conditions, Watcher
 from situ.decide.step import HOLD, Step, duration
 from situ.document.spds import Situation, Spds
 
@@ -36,9 +35,14 @@ class Observation(Struct):
 
 
 class SituationsState(Struct):
+    """stale: situations to be judged, with what their condition was told last; untils: what
+    their until was.
+    """
+
     observations: list[Observation] = []
     current: int | None = None
     stale: dict[int, int | None] = {}
+    untils: dict[int, int | None] = {}
     candidates: list[int] = []
 
 
@@ -54,21 +58,27 @@ class Situations:
         self._untils: list[Compiled | None] = []
         self.state = SituationsState()
         for number, source in enumerate(self._sources):
-            watcher = self._watcher(number)
+            stale, until = self._watchers(number)
             self._conditions.append(
-                None if source.condition is None else conditions.compile(source.condition, watcher)
+                None if source.condition is None else conditions.compile(source.condition, stale)
             )
             self._untils.append(
-                None if source.until is None else conditions.compile(source.until, watcher)
+                None if source.until is None else conditions.compile(source.until, until)
             )
             self.state.observations.append(Observation(condition=source.condition is None))
             self.state.stale[number] = None
 
-    def _watcher(self, number: int) -> Callable[[int | None], None]:
+    def _watchers(self, number: int) -> tuple[Watcher, Watcher]:
+        """Those of a situation's condition and of its until: each has its own cause."""
+
         def stale(cause: int | None) -> None:
             self.state.stale[number] = cause
 
-        return stale
+        def until(cause: int | None) -> None:
+            self.state.untils[number] = cause
+            self.state.stale.setdefault(number, None)
+
+        return stale, until
 
     @property
     def current(self) -> Situation | None:
@@ -127,6 +137,7 @@ class Situations:
                     if not seen.kept:
                         seen.end_cause = seen.begin_cause
         if until is not None:
+            cause = self.state.untils.pop(number, None)
             was, seen.until = seen.until, until()
             if was and not seen.until:
                 seen.begin_cause = cause

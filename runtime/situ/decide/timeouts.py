@@ -69,8 +69,9 @@ class Timeouts:
             clock.remaining = clock.due - self._step.now
             clock.due = None
 
-    def forget(self) -> None:
+    def leave(self) -> None:
         """The state that it belonged to is left."""
+        self.state.token += 1
         self.state.clock = None
 
     def _run(self) -> None:

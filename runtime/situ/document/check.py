@@ -1,8 +1,7 @@
-"""What is wrong with a project: every structural error of formats.md, and its warnings.
+"""What is wrong with a project: every error of formats.md, and what a search finds.
 
-Each problem has a stable code, its place in the file and in the document, and
-words that say what to do. What needs a search (states that cannot be reached)
-is not here.
+Each problem has a stable code, its place in the file and in the document, words that say
+what to do, and where a machine can do it, a mend. docs/problems.md has every code.
 """
 
 from __future__ import annotations
@@ -11,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable
 
 from situ.document import names, projectfile
+from situ.document.analysis import analyse
 from situ.document.check_application import check_application, texts, used_resources
 from situ.document.check_script import check_modules, check_script
 from situ.document.datatypes import shown
@@ -23,29 +23,56 @@ from situ.document.rbd import Application
 _SPOKEN = re.compile(r"[^\W\d_]")
 
 
-def check(project: Project, files: Files | None = None) -> list[Problem]:
-    """The problems of a project, file by file; never raises.
+def check(
+    project: Project, files: Files | None = None, cancel: Callable[[], bool] | None = None
+) -> list[Problem]:
+    """The problems of a project, file by file: ``structure`` and what the searches of
+    ``situ.document.analysis`` find. Never raises, but for Cancelled where ``cancel``, asked now
+    and then, becomes true.
 
     files: the project's folder; where it lies on disk unless given. Line and column
     are those of the file on disk, 0 for a value that is in no file yet.
     """
     files = files if files is not None else Disk(project.root)
-    problems: list[Problem] = []
+    found = _structure(project, files)
+    search = analyse(project, cancel)
+    for file, findings in search.found.items():
+        found[file].add(findings)
+    return _told(project, files, found, search.toml)
 
-    def of(file: str, look: Callable[[Findings], None]) -> None:
-        found = Findings(project.root, file)
-        look(found)
-        problems.extend(found.problems(files))
+
+def structure(project: Project, files: Files | None = None) -> list[Problem]:
+    """The problems that need no search: all errors, and warnings about single values.
+
+    A project in which it finds no error can be run.
+    """
+    files = files if files is not None else Disk(project.root)
+    return _told(project, files, _structure(project, files), [])
+
+
+def _structure(project: Project, files: Files) -> dict[str, Findings]:
+    found: dict[str, Findings] = {}
+
+    def of(file: str) -> Findings:
+        return found.setdefault(file, Findings(project.root, file))
 
     for file, application in {**project.applications, **project.parts}.items():
-        of(file, lambda found, a=application: _application(found, a, project, files))  # type: ignore[misc]
+        _application(of(file), application, project, files)
     if project.spds is not None and project.spds_file is not None:
-        script = project.spds
-        of(project.spds_file, lambda found: check_script(found, script, project))
+        check_script(of(project.spds_file), project.spds, project)
     if project.modules is not None and project.modules_file is not None:
-        modules = project.modules
-        of(project.modules_file, lambda found: check_modules(found, modules))
-    return [*problems, *_project(project, files)]
+        check_modules(of(project.modules_file), project.modules)
+    return found
+
+
+def _told(
+    project: Project,
+    files: Files,
+    found: dict[str, Findings],
+    settings: list[tuple[str, str, str, str, str]],
+) -> list[Problem]:
+    told = [problem for findings in found.values() for problem in findings.problems(files)]
+    return [*told, *_project(project, files, settings)]
 
 
 def merge(read: Iterable[Problem], checked: Iterable[Problem]) -> list[Problem]:
@@ -138,11 +165,15 @@ def _is_spoken(text: str) -> bool:
     return any(_SPOKEN.search(literal) for literal, _ in names.split(text))
 
 
-def _project(project: Project, files: Files) -> list[Problem]:
-    """What is wrong in ``situ.toml``, but for what reading it has told."""
+def _project(
+    project: Project, files: Files, settings: list[tuple[str, str, str, str, str]]
+) -> list[Problem]:
+    """What is wrong in ``situ.toml``, but for what reading it has told; ``settings``: what a
+    search has found (code, message, table, key, value).
+    """
     if project.toml is None:
         return []
-    told: list[tuple[Severity, str, str, str, str, str]] = []
+    told: list[tuple[Severity, str, str, str, str, str]] = [("warning", *one) for one in settings]
     if len(project.applications) > 1 and project.spds_file is None:
         said = (
             "Several applications need a script that says which of them comes first: "

@@ -96,9 +96,6 @@ class _Comparison:
     def _fields(
         self, before: Any, after: Any, element: Element, place: Place, where: Place
     ) -> None:
-        if element.attributes_of is not None:
-            self._test(before, after, place, where)
-            return
         own = list(element.attributes)
         if element.text is not None:
             own.append(Attribute("", element.text[1], element.text[0]))
@@ -263,7 +260,9 @@ class _Comparison:
             self._aside(first.aside, then.aside, inner, where)
             if isinstance(first, Group) and isinstance(then, Group):
                 self._tests(first.children, then.children, inner, where)
-            elif isinstance(first, Test) and isinstance(then, Test):
+            else:
+                assert isinstance(first, Test)
+                assert isinstance(then, Test)
                 self._test(first, then, inner, where)
 
     def _test(self, old: Test, new: Test, place: Place, where: Place) -> None:

@@ -136,8 +136,6 @@ def member(value: Any, document: Document | None = None) -> str:
                 to = f", leads to {words.leads(document, value.next)}"
             when = f", when {words.condition(value.when)}" if value.when is not None else ""
             return f"{words.event(value)}{to}{when}"
-        case rbd.State():
-            return f"state {words.state(value)}"
         case rbd.Say(text=text):
             return f"phrase {words.quoted(text)}"
         case rbd.Param(name=name, text=text):
@@ -148,17 +146,12 @@ def member(value: Any, document: Document | None = None) -> str:
             return f"data {tag}"
         case spds.Declaration(name=name, resources=resources):
             return f"module {name} ({shown(resources)})"
-        case spds.Situation(name=name):
-            return f"situation {name}"
         case spds.Entry(module=module, priority=priority):
             return f"priority of {module} {shown(priority)}"
-        case modules.Module(name=name):
-            return f"module {name}"
         case modules.Requires(data=data, module=module):
             return f"need of {f'module {module}' if data is None else f'data {data}'}"
-        case modules.Provides(data=data):
-            return f"provided data {data}"
-    return type(value).__name__.lower()
+    assert isinstance(value, modules.Provides)
+    return f"provided data {value.data}"
 
 
 def subject(value: Any, among: Sequence[Any]) -> str:

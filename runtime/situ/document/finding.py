@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Protocol
 
 from msgspec import Struct
@@ -9,7 +10,7 @@ from msgspec import Struct
 from situ.document.aside import NOTHING, Aside
 from situ.document.folder import called, resolve
 from situ.document.locate import locate_all
-from situ.document.problem import Problem, Severity
+from situ.document.problem import Mend, Problem, Severity
 
 Place = tuple[str, ...]
 
@@ -63,6 +64,7 @@ class Finding(Struct, frozen=True):
     aside: Aside
     place: Place
     severity: Severity
+    mend: Mend | None = None
 
 
 class Findings:
@@ -73,11 +75,35 @@ class Findings:
         self.file = file
         self._found: list[Finding] = []
 
-    def error(self, code: str, message: str, aside: Aside = NOTHING, place: Place = ()) -> None:
-        self._found.append(Finding(code, message, aside, place, "error"))
+    def error(
+        self,
+        code: str,
+        message: str,
+        aside: Aside = NOTHING,
+        place: Place = (),
+        mend: Mend | None = None,
+    ) -> None:
+        self._found.append(Finding(code, message, aside, place, "error", mend))
 
-    def warning(self, code: str, message: str, aside: Aside = NOTHING, place: Place = ()) -> None:
-        self._found.append(Finding(code, message, aside, place, "warning"))
+    def warning(
+        self,
+        code: str,
+        message: str,
+        aside: Aside = NOTHING,
+        place: Place = (),
+        mend: Mend | None = None,
+    ) -> None:
+        self._found.append(Finding(code, message, aside, place, "warning", mend))
+
+    def add(self, findings: Iterable[Finding]) -> None:
+        """Adds warnings, but for those about something that holds an error: they may follow
+        from it, and the error comes first.
+        """
+        wrong = [one.place for one in self._found if one.severity == "error"]
+        for finding in findings:
+            size = len(finding.place)
+            if not any(place[:size] == finding.place for place in wrong):
+                self._found.append(finding)
 
     def problems(self, files: Files) -> list[Problem]:
         """In the order of the file; what was never in it comes last, without a line."""
@@ -99,6 +125,7 @@ class Findings:
                     code=one.code,
                     message=one.message,
                     place=one.place,
+                    mend=one.mend,
                 )
             )
         return sorted(made, key=lambda p: (p.line == 0, p.line, p.column))

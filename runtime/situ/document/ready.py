@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from situ.document.check import check, merge
+from situ.document.check import merge, structure
 from situ.document.folder import load
 from situ.document.project import Project
 from situ.errors import ProjectError
@@ -16,7 +16,7 @@ def load_ready(path: str | Path) -> Project:
     """
     project, problems = load(path)
     if project is not None:
-        problems = merge(problems, check(project))
+        problems = merge(problems, structure(project))
     errors = [str(p) for p in problems if p.severity == "error"]
     if project is None or errors:
         first = errors[0] if errors else f"{path}: not a project that can be read"

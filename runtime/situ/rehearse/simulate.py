@@ -12,7 +12,6 @@ from situ.document.project import Project
 from situ.rehearse.expect import Expect, Expectations
 from situ.rehearse.scenario import End, Line
 
-
 Carry = Callable[[list[AnyEffect]], None]
 """Gets the effects of each step, before its events are told."""
 

@@ -60,7 +60,9 @@ class Content(Struct, frozen=True):
 
 
 def content(value: Any, actions: Sequence[int], before: Content, log: logging.Logger) -> Content:
-    """The content for a value of ``robot/screen``; ``actions`` are its movies' ids, in order."""
+    """The content for a value of ``robot/screen``; ``actions`` are its movies' ids, in order,
+    0 for one that has ended.
+    """
     revision = before.revision + 1
     if value is None:
         return Content(revision, revision)
@@ -84,7 +86,7 @@ def content(value: Any, actions: Sequence[int], before: Content, log: logging.Lo
                 component.items,
                 component.tag,
             )
-    _number_movies(shown.values(), actions, before)
+    _number_movies(shown.values(), actions)
     kept = [(c.id, c.type) for c in before.components or ()]
     return Content(
         revision,
@@ -94,14 +96,11 @@ def content(value: Any, actions: Sequence[int], before: Content, log: logging.Lo
     )
 
 
-def _number_movies(shown: Iterable[Shown], actions: Sequence[int], before: Content) -> None:
-    """Gives the movies their actions: those that ran before keep theirs, then in order."""
-    movies = [one for one in shown if one.type == "movie"]
-    known = {one.page["action"]: one.id for one in before.components or () if "action" in one.page}
-    for action in sorted(actions, key=lambda one: one not in known):
-        named = next((m for m in movies if m.id == known.get(action)), None)
-        movie = named or next((m for m in movies if "action" not in m.page), None)
-        if movie is not None:
+def _number_movies(shown: Iterable[Shown], actions: Sequence[int]) -> None:
+    """Gives the movies their actions, in order; one that has ended (0) has none."""
+    movies = (one for one in shown if one.type == "movie")
+    for movie, action in zip(movies, actions, strict=False):
+        if action:
             movie.page["action"] = action
 
 

@@ -1,0 +1,31 @@
+"""What needs a search: mistakes that nobody sees by looking at a graph.
+
+Each search says in its module what it claims; within that it gives no false alarm and
+misses nothing. Conditions are decided as sets of values (``situ.document.satisfy``). What
+did not come to an end in the time allowed is told as ``undecided``, never guessed.
+
+All that is found here are warnings: errors come from ``situ.document.check.structure``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from situ.document.analysis_search import Cancelled, Search
+from situ.document.analysis_states import search_states
+from situ.document.project import Project
+
+__all__ = ["Cancelled", "Search", "analyse"]
+
+
+def analyse(project: Project, cancel: Callable[[], bool] | None = None) -> Search:
+    """Searches a project; what is found stands in ``found``, file to findings, and ``toml``.
+
+    Raises Cancelled where ``cancel``, asked now and then, becomes true; nothing else,
+    whatever the documents hold.
+    """
+    search = Search(project, cancel)
+    for file, application in {**project.applications, **project.parts}.items():
+        search.go_on()
+        search_states(search, file, application)
+    return search

@@ -1,0 +1,122 @@
+"""What the searches of ``situ.document.analysis`` share: the project, its conditions as sets
+of values, and what they have found so far.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from situ.document.analysis_data import Data, events
+from situ.document.aside import NOTHING, Aside
+from situ.document.condition import Condition
+from situ.document.finding import Finding, Place
+from situ.document.mend import of, written
+from situ.document.place import Path, follow
+from situ.document.problem import Change, Mend
+from situ.document.project import Project
+from situ.document.satisfy import Moment, Node
+
+ALLOWANCE = 400_000
+"""Looks at a literal, for all questions of one analysis: about half a second."""
+
+LONGEST = 400
+"""Characters of a message: it may quote what a designer wrote."""
+
+ACCEPTED = "accept"
+"""``ed:accept="code code"`` on an element: these warnings about it and what is in it are known,
+and not wanted."""
+
+
+class Cancelled(Exception):
+    """The analysis was cancelled by its caller."""
+
+
+class Search:
+    """One analysis of a project.
+
+    toml: (code, message, table, key, value) of what is wrong in ``situ.toml``.
+    """
+
+    def __init__(self, project: Project, cancel: Callable[[], bool] | None = None) -> None:
+        self.project = project
+        self.data = Data(project)
+        self.moment = Moment(_conditions(project), self.data.domain)
+        self.found: dict[str, list[Finding]] = {}
+        self.toml: list[tuple[str, str, str, str, str]] = []
+        self._cancel = cancel
+        self._left = ALLOWANCE
+        self._undecided: set[tuple[str, Place]] = set()
+
+    @property
+    def whole(self) -> bool:
+        """Whether all of a project is known: a single file says nothing of the others."""
+        return self.project.toml is not None
+
+    def go_on(self) -> None:
+        """To be called now and then. Raises Cancelled."""
+        if self._cancel is not None and self._cancel():
+            raise Cancelled
+
+    def possible(self, *nodes: Node) -> bool | None:
+        """``Moment.possible``, out of one allowance for all questions."""
+        if self._left <= 0:
+            return None
+        found = self.moment.possible(*nodes, budget=min(self._left, 20_000))
+        self._left -= self.moment.spent
+        return found
+
+    def warn(
+        self,
+        file: str,
+        code: str,
+        message: str,
+        aside: Aside = NOTHING,
+        place: Place = (),
+        mend: Mend | None = None,
+    ) -> None:
+        way = follow(of(self.project, file), place)
+        for value in way[1] if way is not None else ():
+            if code in (value.aside.attribute(ACCEPTED) or "").split():
+                return
+        line = " ".join(message.split())
+        line = line if len(line) <= LONGEST else line[: LONGEST - 1] + "…"
+        finding = Finding(code, line, aside, place, "warning", mend)
+        self.found.setdefault(file, []).append(finding)
+
+    def undecided(self, file: str, what: str, aside: Aside, place: Place) -> None:
+        """Tells, once for each place, that a search did not come to an end."""
+        if (file, place) not in self._undecided:
+            self._undecided.add((file, place))
+            said = f"It could not be decided {what}: make the conditions simpler, or try it out"
+            self.warn(file, "undecided", said, aside, place)
+
+    # -- mends -------------------------------------------------------------------
+
+    def path(self, file: str, place: Place) -> Path:
+        """The path to something that a search has found."""
+        way = follow(of(self.project, file), place)
+        assert way is not None
+        return way[0]
+
+    def mend(self, file: str, words: str, *changes: Change, safe: bool = False) -> Mend:
+        return Mend(file, words, changes, safe)
+
+    def put(self, file: str, place: Place, field: str, value: Any) -> Change:
+        """A change of one field of what stands at a place."""
+        way = follow(of(self.project, file), place)
+        assert way is not None
+        was = getattr(way[1][-1], field)
+        return Change((*way[0], field), "set", json.dumps(value, ensure_ascii=False), written(was))
+
+
+def _conditions(project: Project) -> Iterator[Condition]:
+    for application in (*project.applications.values(), *project.parts.values()):
+        for event, _ in events(application):
+            if event.when is not None:
+                yield event.when
+    for situation in project.spds.situations if project.spds is not None else ():
+        for condition in (situation.condition, situation.until):
+            if condition is not None:
+                yield condition

@@ -1,0 +1,146 @@
+"""A run as it can be looked at afterwards: its trace, step by step, and what no trace tells."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+from msgspec import Struct, field
+
+from situ.decide.effects import AnyEffect, Changed
+from situ.decide.step import SECOND
+from situ.decide.trace import TraceEvent, to_fields
+from situ.decide.world import untraced
+from situ.document.project import Project
+from situ.errors import UsageError
+from situ.rehearse.expect import Expectations
+from situ.rehearse.scenario import Line
+from situ.rehearse.simulate import simulate
+
+Fields = dict[str, Any]
+"""A trace event as it stands in a trace: ``kind``, ``seq``, ``t``, ``cause`` and its own."""
+
+CLOCK = "clock."
+
+
+class Hidden(Struct, frozen=True):
+    """A write of what the runtime keeps, which no trace tells; t: seconds."""
+
+    t: float
+    tag: str
+    value: Any
+    writer: str
+
+
+class Step(Struct):
+    """One step: what the clock was set to before its events, these, what was kept after them."""
+
+    events: list[Fields]
+    before: list[Hidden] = field(default_factory=list)
+    after: list[Hidden] = field(default_factory=list)
+
+    @property
+    def t(self) -> float:
+        """Its time in seconds."""
+        if self.events:
+            return float(self.events[0]["t"])
+        return next((hidden.t for hidden in (*self.before, *self.after)), 0.0)
+
+
+class Recording(Struct):
+    """The steps of a run. whole: what no trace tells is known too (it was simulated)."""
+
+    steps: list[Step]
+    whole: bool
+
+    @property
+    def events(self) -> list[Fields]:
+        """The trace."""
+        return [event for step in self.steps for event in step.events]
+
+    @classmethod
+    def of(cls, events: Iterable[Fields]) -> Recording:
+        """From a trace alone. Where its steps begin is guessed: with outside input, or later."""
+        steps: list[Step] = []
+        for event in events:
+            if steps and event["cause"] is not None and steps[-1].events[0]["t"] == event["t"]:
+                steps[-1].events.append(event)
+            elif steps and event["t"] == 0 == steps[-1].events[0]["t"]:
+                # The start is one step, though much of it has no cause.
+                steps[-1].events.append(event)
+            else:
+                steps.append(Step([event]))
+        return cls(steps, whole=False)
+
+
+def record(
+    project: Project, scenario: list[Line], seed: int = 0, auto_finish: float | None = None
+) -> tuple[Recording, Expectations]:
+    """Plays a scenario and keeps all of it. The project must have no errors."""
+    steps: list[Step] = []
+    kept: list[Hidden] = []
+
+    def carry(effects: list[AnyEffect]) -> None:
+        kept.extend(
+            Hidden(one.time / SECOND, one.tag, one.value, one.writer)
+            for one in effects
+            if isinstance(one, Changed) and untraced(one.tag)
+        )
+
+    def tell(events: list[TraceEvent]) -> None:
+        # The clock is set by an input, so before all that follows; the rest is kept by then.
+        before = [one for one in kept if one.tag.startswith(CLOCK)]
+        after = [one for one in kept if not one.tag.startswith(CLOCK)]
+        kept.clear()
+        steps.append(Step([to_fields(event) for event in events], before, after))
+
+    verdict = simulate(project, scenario, seed, auto_finish, tell, carry)
+    return Recording(steps, whole=True), verdict
+
+
+def read_trace(path: str | Path) -> list[Fields]:
+    """The events of a trace of JSON lines. UsageError where it cannot be read or is no trace."""
+    try:
+        data = Path(path).read_bytes()
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
+    events: list[Fields] = []
+    for number, line in enumerate(data.split(b"\n"), 1):
+        if not line.strip():
+            continue
+        try:
+            event = _line.decode(line)
+            known = _KINDS.get(event.kind)
+            if known is not None:
+                known.decode(line)
+        except (msgspec.DecodeError, UnicodeDecodeError) as error:
+            raise UsageError(
+                f"{path}:{number}: not an event of a trace: {error}; give what situ simulate "
+                "or situ trace wrote"
+            ) from None
+        if events and event.seq <= events[-1]["seq"]:
+            raise UsageError(
+                f"{path}:{number}: seq {event.seq} after {events[-1]['seq']}: "
+                "give the trace of one run"
+            )
+        events.append(msgspec.json.decode(line))
+    return events
+
+
+class _Line(Struct):
+    """What every line of a trace has."""
+
+    seq: int
+    t: float
+    kind: str
+    cause: int | None
+
+
+_line = msgspec.json.Decoder(_Line)
+_KINDS = {
+    str(kind.__struct_config__.tag): msgspec.json.Decoder(kind)
+    for kind in TraceEvent.__subclasses__()
+}
+"""Those of the simulator; a live trace has some more."""

@@ -1,0 +1,162 @@
+"""Trace events in plain words, for chains of causes, failures and reasons."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from situ.decide.values import in_text
+from situ.document import words
+from situ.document.names import RESERVED_ROOTS
+from situ.document.project import Project
+from situ.rehearse.recording import Fields
+from situ.rehearse.ways import name_of_state
+
+
+class Teller:
+    """Tells events of one project; without a project states go by their numbers."""
+
+    def __init__(self, project: Project | None = None) -> None:
+        self._project = project
+
+    def tell(self, event: Fields) -> str:
+        """The event in a few words: ``reception enters 5 verify initials``."""
+        how = _TOLD.get(event["kind"])
+        return f"{event['kind']}" if how is None else how(self, event)
+
+    def line(self, event: Fields) -> str:
+        """Time, seq and words: ``12.5 s  #37  reception enters 5 verify initials``."""
+        return f"{moment(event['t'])}  #{event['seq']}  {self.tell(event)}"
+
+    def origin(self, event: Fields) -> str:
+        """Where an event without a cause comes from."""
+        if event["cause"] is not None:
+            return f"because of #{event['cause']}"
+        started = event["t"] == 0 and event["kind"] not in ("acquire", "abandon", "event", "lost")
+        return (
+            "the start" if started and event.get("writer") in (None, "project") else "from outside"
+        )
+
+    def state(self, application: str, no: str) -> str:
+        """A state by number and name."""
+        return no if self._project is None else name_of_state(self._project, application, no)
+
+
+def moment(t: float) -> str:
+    """A time: ``12.5 s``, to the microsecond."""
+    return words.seconds(round(t, 6))
+
+
+def value_words(value: Any) -> str:
+    """A value in a line: ``true``, ``“Ann”``, ``nothing``."""
+    if value is None:
+        return "nothing"
+    return words.quoted(value) if isinstance(value, str) else _short(in_text(value))
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= words.LONGEST else text[: words.LONGEST - 1] + "…"
+
+
+def action_words(event: Fields) -> str:
+    """An action of the trace: ``speech “Hello”``, ``robot goto``."""
+    kind, name = event["action"], event["name"]
+    if kind == "speech" and isinstance(event.get("text"), str):
+        return f"speech {words.quoted(event['text'])}"
+    if kind == "sound" and isinstance(event.get("src"), str):
+        return f"sound {event['src']}"
+    if name is not None:
+        on = f" on {event['resource']}" if event.get("resource") else ""
+        return f"{kind} {name}{on}"
+    tag = event.get("tag") or event.get("topic")
+    return f"{kind} {tag}" if tag else str(kind)
+
+
+def _data(teller: Teller, event: Fields) -> str:
+    if event["value"] is None:
+        return f"{event['writer']} deletes {event['tag']}"
+    return f"{event['writer']} sets {event['tag']} to {value_words(event['value'])}"
+
+
+def _transition(teller: Teller, event: Fields) -> str:
+    by = "the timeout" if event.get("timeout") else "an unnamed event"
+    if event["event"] is not None:
+        by = event["event"]
+    source = teller.state(event["application"], event["from"])
+    to = teller.state(event["application"], event["to"])
+    return f"{event['application']} goes from {source} to {to} by {by}"
+
+
+def _authority(teller: Teller, event: Fields) -> str:
+    if event["to"] is None:
+        return f"{event['from']} loses {event['resource']}, nobody holds it"
+    lost = f" from {event['from']}" if event["from"] is not None else ""
+    return f"{event['to']} gets {event['resource']}{lost}"
+
+
+def _mapping(teller: Teller, event: Fields) -> str:
+    if event["value"] is None:
+        return f"{event['resource']} stops and holds"
+    return f"{event['module']} moves {event['resource']}: {_short(in_text(event['value']))}"
+
+
+def _ignored(teller: Teller, event: Fields) -> str:
+    why = {
+        "suspended": "is suspended",
+        "guard": "has no guard for it that holds",
+        "unexpected": "does not expect it here",
+    }.get(event["reason"], event["reason"])
+    return f"{event['application']} ignores {event['name']}: it {why}"
+
+
+def _finished(teller: Teller, event: Fields) -> str:
+    what = action_words(event)
+    return f"{what} ends {'well' if event['ok'] else 'badly: ' + str(event.get('error'))}"
+
+
+def _at(verb: str) -> Callable[[Teller, Fields], str]:
+    return lambda teller, event: (
+        f"{event['application']} {verb} {teller.state(event['application'], event['state'])}"
+    )
+
+
+_TOLD: dict[str, Callable[[Teller, Fields], str]] = {
+    "data": _data,
+    "condition": lambda teller, e: (
+        f"the condition of situation {e['situation']} "
+        f"{'holds' if e['holds'] else 'no longer holds'}"
+    ),
+    "situation": lambda teller, e: (
+        f"situation {e['to']}" + (f" after {e['from']}" if e["from"] is not None else "")
+    ),
+    "acquire": lambda teller, e: f"{e['module']} asks for {words.listed(_asked(e)) or 'nothing'}",
+    "abandon": lambda teller, e: f"{e['module']} gives back {words.listed(e['resources'])}",
+    "lost": lambda teller, e: f"{e['module']} is lost",
+    "connected": lambda teller, e: f"{e['module']} connects",
+    "authority": _authority,
+    "mapping": _mapping,
+    "event": lambda teller, e: f"event {e['name']} comes to {e['application']}",
+    "ignored": _ignored,
+    "exit": _at("leaves"),
+    "enter": _at("enters"),
+    "transition": _transition,
+    "screen": _at("shows the screen of"),
+    "action": lambda teller, e: f"{e['application']} begins {action_words(e)}",
+    "finished": _finished,
+    "cancelled": lambda teller, e: f"{action_words(e)} is cancelled",
+    "suspend": lambda teller, e: (
+        f"{e['application']} is suspended: it does not hold {words.listed(e['missing'])}"
+    ),
+    "resume": lambda teller, e: f"{e['application']} goes on",
+    "warning": lambda teller, e: f"warning: {e['message']}",
+    "error": lambda teller, e: f"error: {e['message']}",
+}
+
+
+def _asked(event: Fields) -> list[str]:
+    return [*event["resources"], *event.get("optional", ())]
+
+
+def kept_by_runtime(tag: str) -> bool:
+    """Whether a tag is written by the runtime itself, so that nobody sets it."""
+    return tag.startswith((*RESERVED_ROOTS, "clock.")) or tag in ("situation", "listen")

@@ -1,0 +1,205 @@
+"""Why something happened, and why something did not.
+
+``chain`` follows the causes of a trace back to the outside input; ``why_not`` finds what
+stood in the way at a moment: the guard, the priority, the suspension or the input that
+did not come, with the values then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from situ.document.project import Project
+from situ.errors import UsageError
+from situ.rehearse.expect import fits
+from situ.rehearse.past import Past
+from situ.rehearse.reason import Answer, Reason
+from situ.rehearse.recording import Fields, Recording
+from situ.rehearse.stays import stays
+from situ.rehearse.telling import moment
+from situ.rehearse.ways import frames, leads_to, ways
+from situ.rehearse.why_action import why_not_begun
+from situ.rehearse.why_held import why_not_held, why_not_moved
+from situ.rehearse.why_situation import why_not_current
+from situ.rehearse.why_state import Stuck
+
+
+def chain(events: Sequence[Fields], seq: int) -> list[Fields]:
+    """The event ``seq`` and what caused it, the outside input or the start first.
+
+    Where the trace begins later than a cause, the chain begins with the first that it has.
+    UsageError where there is no such event.
+    """
+    by_seq = {event["seq"]: event for event in events}
+    at = by_seq.get(seq)
+    if at is None:
+        last = max(by_seq, default=0)
+        raise UsageError(f"there is no event {seq} in this trace; its last is {last}")
+    found = [at]
+    while at is not None and at["cause"] is not None and at["cause"] < at["seq"]:
+        at = by_seq.get(at["cause"])
+        if at is not None:
+            found.append(at)
+    return found[::-1]
+
+
+def why_not(project: Project, recording: Recording, wanted: dict[str, Any], at: float) -> Answer:
+    """Why no event with the fields ``wanted`` came at ``at`` seconds.
+
+    ``wanted`` has a ``kind`` of ``KINDS`` and that kind's fields as in a trace; what
+    is left out (the application, where there is one only) is found. What came of the moment
+    counts. UsageError where it asks for what there is not.
+    """
+    kind = wanted.get("kind")
+    answer = KINDS.get(kind) if isinstance(kind, str) else None
+    if answer is None:
+        raise UsageError(f"--not wants a “kind” of {', '.join(KINDS)}, not {kind}")
+    events = recording.events
+    happened = [e for e in events if e["t"] == at and fits(wanted, e)]
+    if happened:
+        return Answer(wanted=wanted, at=at, happened=happened[0])
+    reasons = answer(_Question(project, recording, wanted, at))
+    later = next((e for e in events if e["t"] > at and fits(wanted, e)), None)
+    if later is not None:
+        said = f"it did happen later, at {moment(later['t'])}"
+        reasons = [*reasons, Reason(code="note", text=said, seq=later["seq"])]
+    return Answer(wanted=wanted, at=at, reasons=tuple(reasons))
+
+
+class _Question:
+    """What is asked, and the robot as it was."""
+
+    def __init__(
+        self, project: Project, recording: Recording, wanted: dict[str, Any], at: float
+    ) -> None:
+        self.project = project
+        self.recording = recording
+        self.wanted = wanted
+        self.at = at
+
+    def field(self, *names: str) -> str:
+        """A field that has to be there, under one of several names."""
+        for name in names:
+            value = self.wanted.get(name)
+            if isinstance(value, str):
+                return value
+        raise UsageError(f"--not of kind {self.wanted['kind']} needs “{names[0]}”")
+
+    def past(self) -> Past:
+        past = Past(self.project, self.recording.whole)
+        past.until(self.recording, self.at)
+        return past
+
+    def application(self) -> str:
+        """The application meant: named, or the only one that has the state."""
+        known = [one.name for one in self.project.applications.values()]
+        named = self.wanted.get("application")
+        if named is not None:
+            if named not in known:
+                raise UsageError(f"there is no application {named}, only {', '.join(known)}")
+            return str(named)
+        state = self.wanted.get("state", self.wanted.get("to"))
+        able = [n for n in known if not isinstance(state, str) or frames(self.project, n, state)]
+        if len(able) != 1:
+            which = ", ".join(able or known) or "none"
+            raise UsageError(f"--not needs an “application” of {which}")
+        return able[0]
+
+    def stuck(self) -> tuple[Past, Stuck, str]:
+        application = self.application()
+        found, past = stays(self.project, self.recording, application, self.at)
+        return past, Stuck(past, found, application, self.at), application
+
+
+def _enter(asked: _Question) -> list[Reason]:
+    state = asked.field("state")
+    _, stuck, application = asked.stuck()
+    here = [stay for stay in stuck.now() if f"{stay.state}/".startswith(f"{state}/")]
+    if here:
+        since = moment(here[-1].entered["t"])
+        said = f"{application} was in {state} already, since {since}"
+        return [Reason(code="already", text=said, seq=here[-1].entered["seq"])]
+    return stuck.why_not_entered(state)
+
+
+def _transition(asked: _Question) -> list[Reason]:
+    to, source = asked.field("to"), asked.wanted.get("from")
+    _, stuck, application = asked.stuck()
+    if isinstance(source, str) and not any(s.state == source for s in stuck.now()):
+        return stuck.why_not_in(source)
+    found = []
+    for stay in stuck.now():
+        if source not in (None, stay.state):
+            continue
+        for way in ways(asked.project, application, stay.state):
+            name = None if way.event is None else way.event.name
+            named = "event" not in asked.wanted or asked.wanted["event"] == name
+            if named and leads_to(asked.project, application, way, stay.state, to):
+                found += stuck.why_not_taken(stay, way)
+    return found or stuck.why_not_entered(to)
+
+
+def _situation(asked: _Question) -> list[Reason]:
+    name, script = asked.field("to", "situation", "name"), asked.project.spds
+    found = script.situation(name) if script is not None else None
+    if script is None or found is None:
+        known = ", ".join(s.name for s in script.situations) if script is not None else "none"
+        raise UsageError(f"there is no situation {name}, only {known}")
+    past = asked.past()
+    if past.situation is not None and past.situation["to"] == name:
+        said = f"{name} was current already, since {moment(past.situation['t'])}"
+        return [Reason(code="already", text=said, seq=past.situation["seq"])]
+    events = [event for event in asked.recording.events if event["t"] <= asked.at]
+    return why_not_current(past, script, events, found)
+
+
+def _authority(asked: _Question) -> list[Reason]:
+    module, resource = asked.field("to", "module"), asked.field("resource")
+    past = asked.past()
+    found = why_not_held(past, module, resource)
+    if found:
+        return found
+    since = past.holders[resource]
+    said = f"{module} held {resource} already, since {moment(since['t'])}"
+    return [Reason(code="already", text=said, seq=since["seq"])]
+
+
+def _mapping(asked: _Question) -> list[Reason]:
+    return why_not_moved(asked.past(), asked.field("module"), asked.field("resource"))
+
+
+def _action(asked: _Question) -> list[Reason]:
+    past, stuck, application = asked.stuck()
+    return why_not_begun(past, stuck, application, asked.wanted)
+
+
+def _event(asked: _Question) -> list[Reason]:
+    name = asked.field("name")
+    _, stuck, _ = asked.stuck()
+    if not stuck.stays:
+        return [stuck.not_started()]
+    return [stuck.did_not_come(stuck.now()[-1], name)]
+
+
+def _resume(asked: _Question) -> list[Reason]:
+    _, stuck, application = asked.stuck()
+    if not stuck.stays:
+        return [stuck.not_started()]
+    suspend = stuck.now()[-1].suspended
+    if suspend is None:
+        return [Reason(code="note", text=f"{application} was not suspended")]
+    return [stuck.suspended("it could not go on, as", suspend)]
+
+
+KINDS: dict[str, Callable[[_Question], list[Reason]]] = {
+    "enter": _enter,
+    "transition": _transition,
+    "situation": _situation,
+    "authority": _authority,
+    "mapping": _mapping,
+    "action": _action,
+    "event": _event,
+    "resume": _resume,
+}
+"""What can be asked for, by the kind of the trace event that did not come."""

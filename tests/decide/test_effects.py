@@ -1,0 +1,108 @@
+"""architecture, idea 2: what a driver is asked to carry out, and how it answers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from situ.decide.effects import AnyEffect, Begin, Cancel, Changed, Map
+from situ.decide.inputs import Attend, Finish, Raise, Set, Start
+from situ.decide.robot import Robot
+
+if TYPE_CHECKING:
+    from tests.decide.conftest import Build
+
+AT = 'x="1" y="1" width="9" height="9"'
+RBD = f"""<state no="1"><screen><components><movie id="m" {AT} src="m.webm" done="seen"/>
+  </components></screen><backgroundactions><speech>A</speech><sound src="b.ogg"/>
+  <service name="s" method="POST" url="http://x/"><param name="n">1</param></service>
+  <launch program="p" keep="true"/><message topic="t">2</message><set tag="x">1</set>
+  </backgroundactions><expectedevents><event name="go" next="2"/></expectedevents></state>
+  <state no="2"/>"""
+
+
+def started(build: Build, rbd: str = RBD) -> tuple[Robot, list[AnyEffect]]:
+    robot = Robot(build(rbd))
+    _, effects = robot.step(Start(), 0)
+    return robot, effects
+
+
+def begun(effects: list[AnyEffect], action: str) -> int:
+    (found,) = [e.id for e in effects if isinstance(e, Begin) and e.action == action]
+    return found
+
+
+def test_what_uses_no_resource_is_begun_with_its_fields(build: Build) -> None:
+    _, effects = started(build)
+    fields = {e.action: (e.name, e.fields) for e in effects if isinstance(e, Begin)}
+    assert fields == {
+        "service": ("s", {"method": "POST", "url": "http://x/", "params": {"n": 1}}),
+        "launch": ("p", {"program": "p", "params": {}}),
+        "message": (None, {"topic": "t", "value": 2}),
+    }
+
+
+def test_what_uses_a_resource_is_mapped_with_the_actions_to_be_answered(build: Build) -> None:
+    robot, effects = started(build)
+    mapped = {e.resource: e for e in effects if isinstance(e, Map)}
+    assert mapped["speech"].value == {"text": "A", "lang": None}
+    assert mapped["screen"].value["components"][0]["id"] == "m"
+    (speech,), (movie,) = mapped["speech"].actions, mapped["screen"].actions
+    events, effects = robot.step(Finish(id=speech), 1)
+    assert type(events[0]).__name__ == "Finished"
+    assert [e.value for e in effects if isinstance(e, Map)] == [None, {"src": "b.ogg"}]
+    events, _ = robot.step(Finish(id=movie), 2)
+    assert [type(event).__name__ for event in events] == ["Finished", "Event", "Ignored"]
+
+
+def test_an_answer_that_comes_late_is_passed_over(build: Build) -> None:
+    robot, effects = started(build)
+    service = begun(effects, "service")
+    robot.step(Raise("go"), 1)
+    assert robot.step(Finish(id=service), 2) == ([], [])
+
+
+def test_what_is_cancelled_is_stopped_but_for_what_is_kept(build: Build) -> None:
+    robot, effects = started(build)
+    _, after = robot.step(Raise("go"), 1)
+    assert [e.id for e in after if isinstance(e, Cancel)] == [begun(effects, "service")]
+    assert [e.value for e in after if isinstance(e, Map) and e.resource == "speech"] == [None]
+
+
+def test_every_change_of_the_blackboard_is_told(build: Build) -> None:
+    robot, effects = started(build)
+    told = {e.tag: e for e in effects if isinstance(e, Changed)}
+    assert {"x", "listen", "application/app", "module/app/speech", "robot/speech"} <= told.keys()
+    assert (told["x"].value, told["x"].version, told["x"].writer) == (1, 1, "app")
+    _, effects = robot.step(Set({"x": None, "gone": None}, "m"), 7)
+    assert effects == [Changed("x", None, 2, "m", 7)]
+
+
+def test_equal_commands_of_two_actions_are_both_carried_out(build: Build) -> None:
+    """The value does not change, but the second has to be answered too."""
+    rbd = """<state no="1"><backgroundactions><robot resource="head" command="nod"/>
+      </backgroundactions><expectedevents><event name="go"/></expectedevents></state>"""
+    twice = rbd.replace('<robot resource="head" command="nod"/>', '<robot resource="head" '
+                        'command="nod"/><robot resource="head" command="nod"/>')  # fmt: skip
+    _, effects = started(build, twice)
+    ids = [e.actions for e in effects if isinstance(e, Map)]
+    assert len(ids) == 2
+    assert ids[0] != ids[1]
+
+
+def test_an_event_for_an_application_that_is_not_there_is_refused(build: Build) -> None:
+    robot, _ = started(build)
+    events, effects = robot.step(Raise("go", "nobody"), 1)
+    assert [type(event).__name__ for event in events] == ["Failed"]
+    assert [type(effect).__name__ for effect in effects] == ["Refuse"]
+
+
+@pytest.mark.parametrize("typing", [True, False])
+def test_typing_counts_an_idle_timeout_anew(build: Build, typing: bool) -> None:
+    rbd = f"""<state no="1"><timeout next="2" idle="true">3</timeout><screen><components>
+      <input id="i" {AT} tag="x" kind="text"/></components></screen></state><state no="2"/>"""
+    robot, _ = started(build, rbd)
+    if typing:
+        assert robot.step(Attend(), 2_000_000) == ([], [])
+    assert robot.due() == (5_000_000 if typing else 3_000_000)

@@ -1,0 +1,74 @@
+"""Problems of a large project are found beside the window, and only the last answer counts."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QEventLoop, QTimer, SignalInstance
+from PySide6.QtTest import QSignalSpy
+
+from situ.document.project import Project
+from situ.document.rbd import Application, Event, State
+from situ_studio.checking import Checker
+
+PATIENCE = 5000
+
+
+def project(next: str, states: int = 3) -> Project:
+    every = tuple(
+        State(no=str(n), name="", events=(Event(name="go", next=next),))
+        for n in range(1, states + 1)
+    )
+    return Project(
+        root=".", name="p", applications={"a.rbd.xml": Application("a", "1", states=every)}
+    )
+
+
+def until(signal: SignalInstance) -> None:
+    """Runs the loop until the signal comes; a spy's wait would keep other threads waiting."""
+    loop = QEventLoop()
+    signal.connect(loop.quit)
+    late = QTimer()
+    late.setSingleShot(True)
+    late.timeout.connect(loop.quit)
+    late.start(PATIENCE)
+    loop.exec()
+    assert late.isActive(), "it did not come"
+    late.stop()
+
+
+def test_a_small_project_is_checked_at_once(qt: Any) -> None:
+    checker = Checker(large=10)
+    spy = QSignalSpy(checker.found)
+    small = project("9")
+    checker.ask(small)
+    assert spy.at(0)[0] is small
+    assert "dangling-next" in {p.code for p in spy.at(0)[1]}
+
+
+def test_of_a_large_project_only_the_last_value_is_told(qt: Any) -> None:
+    checker = Checker(large=2)
+    told: list[Project] = []
+    checker.found.connect(lambda asked, _: told.append(asked))
+    values = [project(n) for n in ("9", "8", "1")]
+    for value in values:
+        checker.ask(value)
+    assert told == []
+    until(checker.found)
+    assert told == [values[-1]]
+    assert told[0] is values[-1]
+
+
+def test_a_small_value_overtakes_a_check_that_still_runs(qt: Any) -> None:
+    checker = Checker(large=2)
+    told: list[Project] = []
+    checker.found.connect(lambda asked, _: told.append(asked))
+    small, last = project("1", states=1), project("8")
+    checker.ask(project("9"))
+    checker.ask(small)
+    assert len(told) == 1
+    checker.ask(last)
+    until(checker.found)
+    assert len(told) == 2
+    assert told[0] is small
+    assert told[1] is last
