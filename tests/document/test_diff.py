@@ -396,6 +396,21 @@ def test_timeouts_screens_guards_and_always_that_came() -> None:
     ]
 
 
+def test_where_a_timeout_or_a_situation_leads_and_a_start_that_is_written_out() -> None:
+    after = _pills().replace('<timeout next="2">', '<timeout next="1">')
+    assert _told(_pills(), after) == ["state Take pills: timeout leads to 2 done → 1 Take pills"]
+    ends = {"#again": "the same state anew", "#back": "back"}
+    for target, told in ends.items():
+        after = _pills().replace('<timeout next="2">', f'<timeout next="{target}">')
+        assert _told(_pills(), after) == [f"state Take pills: timeout leads to 2 done → {told}"]
+    other = SCRIPT.replace(' extends="a"', "")
+    assert _told(SCRIPT, other) == ["situation b: extends a → none"]
+    (change,) = compare(
+        _read(_pills()), _read(_pills().replace("<application", "<application start='1'"))
+    )
+    assert (change.behaviour, change.text[:14]) == (False, "the same start")
+
+
 def test_a_test_of_another_tag() -> None:
     before = _pills(events='<event name="e"><when><data tag="a" is="1"/></when></event>')
     assert _told(before, before.replace('tag="a"', 'tag="b"')) == [
