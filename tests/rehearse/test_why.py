@@ -678,6 +678,29 @@ def test_which_application_is_meant_has_to_be_said_where_several_fit(
         why_not(project, record(project), {"kind": "enter", "state": "2"}, 1)
 
 
+def test_a_limit_alone_and_a_holder_of_less_priority(
+    lab: Project, make: Make, record: Record
+) -> None:
+    until = SCRIPT.replace(' limit="5"', "")
+    project = make(APP, until)
+    heat = {"at": 1, "set": {"heat": 50}}, {"at": 2, "set": {"heat": 1}}
+    told = _ask(project, record(project, *heat), 3, "situation", to="calm")
+    assert told.endswith("was current since 1 s; it stays until cooled is true")
+    # A trace without its situations: who holds a resource may have less priority than who asks.
+    lines_ = {"at": 1, "acquire": {"module": "arm", "resources": ["base"]}}, heat[0]
+    events = record(lab, *lines_).events
+    late = [e for e in events if not (e["kind"] == "authority" and e["t"] == 1)]
+    told = _ask(lab, Recording.of(late), 1, "authority", resource="base", to="arm")
+    assert told == "- app held base since 0 s"
+
+
+def test_an_action_that_was_superseded_before_it_began(make: Make, record: Record) -> None:
+    busy = make(BUSY)
+    events = [e for e in record(busy).events if e["kind"] != "action"]
+    told = _ask(busy, Recording.of(events), 1, "action", action="service")
+    assert told == "- it waits for an action before it, or has been superseded"
+
+
 # -- what only the inputs tell --------------------------------------------------------
 
 
