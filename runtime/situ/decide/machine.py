@@ -419,7 +419,7 @@ class Machine:
         status: int | None,
         cause: int | None,
     ) -> None:
-        """X."""
+        """The running action ``action_id`` ended."""
         self.actions.finish(action_id, ok, result, error, status, cause)
         self._settle_idle()
 
