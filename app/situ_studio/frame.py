@@ -104,6 +104,13 @@ class Frame(QMainWindow):
         for strip in (self.recovered, self.incomplete, self.notice):
             column.addWidget(strip)
         self.documents = QStackedWidget()
+        self.no_document = QLabel(
+            self.tr("This project has no document that can be shown. The problems below say why.")
+        )
+        self.no_document.setProperty("role", "dim")
+        self.no_document.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.no_document.setWordWrap(True)
+        self.documents.addWidget(self.no_document)
         column.addWidget(self.documents, 1)
         self.stack.addWidget(centre)
         self.setCentralWidget(self.stack)

@@ -168,6 +168,9 @@ class MainWindow(Frame):
             self.tabs.views.set_offered(("graph", "outline") if view.has_graph else ("outline",))
             self.tabs.views.setVisible(view.has_graph)
             self.tabs.views.show_choice(view.mode)
+        else:
+            self.documents.setCurrentWidget(self.no_document)
+            self.tabs.views.hide()
         self._settle_title()
         self._settle_problems()
         self._settle_incomplete()
@@ -367,7 +370,7 @@ class MainWindow(Frame):
     # -- problems and the disk -------------------------------------------------------------
 
     def _problems_of(self, file: str) -> list[Problem]:
-        return [p for p in self.session.problems if self.session.file_of(p) == file]
+        return self.session.problems_of(file)
 
     def _settle_problems(self) -> None:
         """The panel of the problems; places in other documents name them."""

@@ -93,6 +93,24 @@ def test_a_mend_whose_place_has_changed_says_so(
     assert "changed meanwhile" in used.window.status.said.text()
 
 
+def test_a_project_without_a_document_says_so(studio: Start, tmp_path: Path) -> None:
+    toml = '[project]\nname = "bare"\napplications = ["a.rbd.xml"]\n'
+    (tmp_path / "situ.toml").write_text(toml, encoding="utf-8")
+    (tmp_path / "a.rbd.xml").write_text("<application", encoding="utf-8")
+    used = studio(tmp_path)
+    assert used.window.no_document.isVisible()
+    assert [p.code for p in used.session.problems] == ["malformed-xml"]
+    assert used.window.problems.list.isVisible()
+    used.key(Qt.Key.Key_S, CONTROL)
+    assert used.answers.told == []
+    assert (tmp_path / "a.rbd.xml").read_text(encoding="utf-8") == "<application"
+
+
+def test_where_nothing_is_wrong_the_panel_says_so(studio: Start, tmp_path: Path) -> None:
+    (tmp_path / "situ.toml").write_text('[project]\nname = "bare"\n', encoding="utf-8")
+    assert studio(tmp_path).window.problems.good.isVisible()
+
+
 def test_many_problems_are_all_told(studio: Start, folder: Callable[..., Path]) -> None:
     states = tuple(
         rbd.State(no=str(n), name="x" * 200, events=(rbd.Event(name="go", next=f"{n}000"),))

@@ -171,6 +171,7 @@ class Problems(QWidget):
         column.addStretch(1)
         self._stack.addWidget(self.list)
         self._stack.addWidget(good)
+        self._stack.setCurrentIndex(1)
 
     def set_theme(self, theme: Theme) -> None:
         self._delegate.set_theme(theme)
