@@ -9,11 +9,9 @@ from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QMainWindow,
-    QScrollArea,
     QSizePolicy,
     QStackedWidget,
     QToolBar,
@@ -29,7 +27,7 @@ from situ_studio.panels.header import PanelHeader
 from situ_studio.panels.inspector import Inspector
 from situ_studio.panels.notice import Notice
 from situ_studio.panels.outline import Outline
-from situ_studio.panels.palette import Palette
+from situ_studio.panels.palette import Palette, PaletteRoom
 from situ_studio.panels.problems import Problems
 from situ_studio.panels.project_tree import ProjectTree
 from situ_studio.status import Status
@@ -42,6 +40,10 @@ LEFT, RIGHT, BOTTOM = 224, 280, 132
 LEFT_SMALL, RIGHT_SMALL = 208, 264
 LOW = 860
 """Px of the window's height below which rows are denser."""
+LOWER = 640
+"""Px below which not everything at the left has room."""
+ROBOT_PANEL = 232
+"""Px that a panel with the robot's tables wants."""
 
 
 class Frame(QMainWindow):
@@ -74,6 +76,7 @@ class Frame(QMainWindow):
         self.setStatusBar(self.status)
         self.finder = FindAnything(self.theme, self)
         self.bottom.folded.connect(lambda _: self._settle_bottom())
+        self.bottom.chosen.connect(self._on_bottom)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._on_scheme)
 
     def add_commands(self, actions: Actions) -> None:
@@ -101,6 +104,13 @@ class Frame(QMainWindow):
         for strip in (self.recovered, self.incomplete, self.notice):
             column.addWidget(strip)
         self.documents = QStackedWidget()
+        self.no_document = QLabel(
+            self.tr("This project has no document that can be shown. The problems below say why.")
+        )
+        self.no_document.setProperty("role", "dim")
+        self.no_document.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.no_document.setWordWrap(True)
+        self.documents.addWidget(self.no_document)
         column.addWidget(self.documents, 1)
         self.stack.addWidget(centre)
         self.setCentralWidget(self.stack)
@@ -132,14 +142,7 @@ class Frame(QMainWindow):
         search.clicked.connect(self.outline.toggle_search)
         headers["outline"].add(search)
         self.headers = headers
-        # It scrolls only where a window is too low for it.
-        self._palette_room = QScrollArea()
-        self._palette_room.setWidgetResizable(True)
-        self._palette_room.setFrameShape(QFrame.Shape.NoFrame)
-        self._palette_room.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._palette_room.viewport().setProperty("role", "panel")
-        self._palette_room.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._palette_room.setWidget(self.palette_)
+        self._palette_room = PaletteRoom(self.palette_)
         sides: tuple[tuple[str, QWidget], ...] = (
             ("project", self.project_tree),
             ("outline", self.outline),
@@ -262,6 +265,12 @@ class Frame(QMainWindow):
         )
         self.resizeDocks([self.docks["bottom"]], [BOTTOM], vertical)
 
+    def _on_bottom(self, name: str) -> None:
+        """Tables of what a robot tells want more room than problems do."""
+        if name != "problems" and self.docks["bottom"].height() < ROBOT_PANEL:
+            room = min(ROBOT_PANEL, self.height() // 3)
+            self.resizeDocks([self.docks["bottom"]], [room], Qt.Orientation.Vertical)
+
     def _settle_bottom(self) -> None:
         if not self.bottom.is_folded:
             self.resizeDocks([self.docks["bottom"]], [BOTTOM], Qt.Orientation.Vertical)
@@ -269,6 +278,7 @@ class Frame(QMainWindow):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.palette_.set_dense(self.height() < LOW)
+        self._palette_room.set_low(self.height() < LOWER)
         if self.stack.currentIndex() == 1:
             self.size_docks()
 

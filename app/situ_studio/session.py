@@ -64,6 +64,9 @@ class Session(QObject):
         self._project: Project | None = None
         self._read_problems: list[Problem] = []
         self._problems: list[Problem] = []
+        self._by_file: dict[str, list[Problem]] = {}
+        # By what problems call a file: the path as the user gave it.
+        self._called: dict[str, str | None] = {}
         self._incomplete: dict[str, Document] = {}
         self._read: dict[str, Document] = {}
         self._saved: dict[str, Document] = {}
@@ -130,6 +133,7 @@ class Session(QObject):
         if project is None:
             raise UsageError(str(problems[0]) if problems else f"{path}: no project could be read")
         self._project = project
+        self._called = {}
         self._read_problems = problems
         self._steps = []
         self._at = 0
@@ -143,7 +147,7 @@ class Session(QObject):
         }
         self._on_disk = {file: self._digest(file) for file in self.files}
         self._watch()
-        self._problems = problems
+        self._keep_problems(problems)
         self._check()
         self.opened.emit()
         self.stack_changed.emit()
@@ -295,16 +299,29 @@ class Session(QObject):
         if project is not self._project:
             return
         unread = [p for p in self._read_problems if not self._edited_since(p)]
-        self._problems = merge(unread, found)
+        self._keep_problems(merge(unread, found))
         self.problems_changed.emit()
+
+    def _keep_problems(self, problems: list[Problem]) -> None:
+        self._problems = problems
+        self._by_file = {}
+        for problem in problems:
+            file = self.file_of(problem)
+            if file is not None:
+                self._by_file.setdefault(file, []).append(problem)
 
     def file_of(self, problem: Problem) -> str | None:
         """The document that a problem is about; None for one about the project itself."""
-        root = self.root
-        for file in self.files:
-            if problem.file in (file, str(root / file)) or Path(problem.file) == root / file:
-                return file
-        return None
+        if problem.file not in self._called:
+            root = self.root
+            self._called[problem.file] = next(
+                (f for f in self.files if problem.file == f or Path(problem.file) == root / f), None
+            )
+        return self._called[problem.file]
+
+    def problems_of(self, file: str) -> list[Problem]:
+        """The problems of one document, as ``problems`` has them."""
+        return self._by_file.get(file, [])
 
     # -- inside ------------------------------------------------------------------
 

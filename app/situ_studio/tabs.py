@@ -199,6 +199,7 @@ class BottomPanels(QWidget):
     """
 
     folded = Signal(bool)
+    chosen = Signal(str)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -268,6 +269,7 @@ class BottomPanels(QWidget):
         self._buttons[name].setChecked(True)
         self._stack.setCurrentWidget(self._panels[name])
         self.set_folded(False)
+        self.chosen.emit(name)
 
     def button(self, name: str) -> QPushButton:
         return self._buttons[name]

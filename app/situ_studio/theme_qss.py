@@ -129,6 +129,7 @@ QTreeView, QListView, QTableView {{ background: {panel}; border: 0; outline: 0;
   alternate-background-color: {row_alt}; selection-background-color: {accent_soft};
   selection-color: {text}; }}
 QTreeView::item {{ height: 24px; border: 0; }}
+QTableView::item {{ padding: 0 5px; border: 0; }}
 QTreeView::item:hover, QListView::item:hover {{ background: {hover}; }}
 QTreeView::item:selected, QListView::item:selected {{ background: {accent_soft}; color: {text}; }}
 QTreeView QLineEdit, QTableView QLineEdit, QListView QLineEdit {{ border-radius: 0;

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QDockWidget,
 )
 
+from situ.document.mend import mends
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places, words
@@ -88,6 +89,7 @@ class MainWindow(Frame):
         self.inspector.added.connect(self.fill_in)
         self.inspector.refused.connect(self.say)
         self.problems.chosen.connect(self._on_problem)
+        self.problems.mend_asked.connect(self._on_mend)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
         welcome = self.welcome
         welcome.back_asked.connect(self.leave_welcome)
@@ -166,6 +168,9 @@ class MainWindow(Frame):
             self.tabs.views.set_offered(("graph", "outline") if view.has_graph else ("outline",))
             self.tabs.views.setVisible(view.has_graph)
             self.tabs.views.show_choice(view.mode)
+        else:
+            self.documents.setCurrentWidget(self.no_document)
+            self.tabs.views.hide()
         self._settle_title()
         self._settle_problems()
         self._settle_incomplete()
@@ -365,7 +370,7 @@ class MainWindow(Frame):
     # -- problems and the disk -------------------------------------------------------------
 
     def _problems_of(self, file: str) -> list[Problem]:
-        return [p for p in self.session.problems if self.session.file_of(p) == file]
+        return self.session.problems_of(file)
 
     def _settle_problems(self) -> None:
         """The panel of the problems; places in other documents name them."""
@@ -400,6 +405,18 @@ class MainWindow(Frame):
         file = self.session.file_of(problem)
         if file is not None:
             self.go_to(file, problem.place)
+
+    def _on_mend(self, problem: Problem) -> None:
+        project = self.session.project
+        found = mends(project, problem) if project is not None else []
+        if problem.mend is None or not found:
+            self.say(self.tr("This has changed meanwhile: there is nothing to mend there now."))
+            return
+        words, after = found[0]
+        self.commit(after, words, problem.mend.file)
+        if problem.mend.file == self.current_file:
+            self.select(problem.place)
+        self.say(words)
 
     def _on_disk(self, file: str) -> None:
         if file not in self.session.dirty:

@@ -19,8 +19,10 @@ from situ.document import condition as conditions
 from situ.document.aside import Aside
 from situ.document.condition import Condition, Group
 from situ.document.diff import compare
+from situ.document.diff_media import compare_media
 from situ.document.folder import load
 from situ.document.project import Mqtt, Project, Setting
+from situ.errors import UsageError
 
 Place = tuple[str, ...]
 
@@ -396,6 +398,21 @@ def test_timeouts_screens_guards_and_always_that_came() -> None:
     ]
 
 
+def test_where_a_timeout_or_a_situation_leads_and_a_start_that_is_written_out() -> None:
+    after = _pills().replace('<timeout next="2">', '<timeout next="1">')
+    assert _told(_pills(), after) == ["state Take pills: timeout leads to 2 done → 1 Take pills"]
+    ends = {"#again": "the same state anew", "#back": "back"}
+    for target, told in ends.items():
+        after = _pills().replace('<timeout next="2">', f'<timeout next="{target}">')
+        assert _told(_pills(), after) == [f"state Take pills: timeout leads to 2 done → {told}"]
+    other = SCRIPT.replace(' extends="a"', "")
+    assert _told(SCRIPT, other) == ["situation b: extends a → none"]
+    (change,) = compare(
+        _read(_pills()), _read(_pills().replace("<application", "<application start='1'"))
+    )
+    assert (change.behaviour, change.text[:14]) == (False, "the same start")
+
+
 def test_a_test_of_another_tag() -> None:
     before = _pills(events='<event name="e"><when><data tag="a" is="1"/></when></event>')
     assert _told(before, before.replace('tag="a"', 'tag="b"')) == [
@@ -584,6 +601,17 @@ def test_many_moved_things_are_summed_up(
     assert capsys.readouterr().out.splitlines()[1:] == ["5 things moved in the drawing"]
 
 
+def test_media_without_a_folder_or_that_can_not_be_read(tmp_path: Path) -> None:
+    (tmp_path / "media").mkdir()
+    (tmp_path / "media" / "a.png").symlink_to(tmp_path / "nowhere")
+    whole = Project(root=str(tmp_path), name="p", toml="situ.toml", media="media")
+    bare = Project(root=str(tmp_path), name="p", toml="situ.toml")
+    assert [c.text for c in compare_media(bare, whole)] == ["media a.png added"]
+    assert compare_media(bare, Project(root=".", name="p")) == []
+    with pytest.raises(UsageError, match="cannot be read"):
+        compare_media(whole, whole)
+
+
 def test_media_with_other_content_are_told(tmp_path: Path) -> None:
     projects = []
     for name, content in (("one", b"1"), ("two", b"2")):
@@ -597,8 +625,6 @@ def test_media_with_other_content_are_told(tmp_path: Path) -> None:
         (folder / "situ.toml").write_text(text, encoding="utf-8")
         projects.append(str(folder))
     assert main(["diff", *projects]) == 1
-    from situ.document.diff_media import compare_media
-
     loaded = [load(path)[0] for path in projects]
     assert loaded[0] is not None
     assert loaded[1] is not None

@@ -231,7 +231,7 @@ class Maker:
 
 
 @settings(
-    max_examples=100,
+    max_examples=60,
     deadline=None,
     suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
 )
@@ -380,7 +380,7 @@ def test_the_example_is_exported_whole_and_flat(
     assert [one for one in problems if one.severity == "error"] == []
     assert flat is not None
     assert original is not None
-    lines = [
+    lines: list[dict[str, Any]] = [
         {"at": 1, "event": "clickStart"},
         {"at": 2, "use": {"component": "field", "value": "Ann"}},
         {"at": 3, "event": "clickNo"},

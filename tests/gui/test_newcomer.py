@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
+from PySide6.QtGui import QInputMethodEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
@@ -243,6 +244,28 @@ def test_what_is_refused_says_why_where_it_is_seen(studio: Start, tmp_path: Path
     Newcomer(used).press("state")
     used.fill(used.window.inspector.form.field("no"), "1")
     assert used.window.status.said.text() == "1 is taken already."
+
+
+def test_names_are_written_in_japanese(studio: Start, tmp_path: Path) -> None:
+    used = studio()
+    used.answers.put("name", "p")
+    used.answers.put("new_folder", str(tmp_path))
+    used.click(used.window.welcome.new)
+    me = Newcomer(used)
+    me.press("state")
+    field = QApplication.focusWidget()
+    assert field is not None
+    # What is still being composed is no edit.
+    QApplication.sendEvent(field, QInputMethodEvent("あいさつ", []))
+    used.settle()
+    assert me.application.state("2").name == "state 2"
+    done = QInputMethodEvent()
+    done.setCommitString("挨拶")
+    QApplication.sendEvent(field, done)
+    used.key(Qt.Key.Key_Return)
+    assert me.application.state("2").name == "挨拶"
+    used.key(Qt.Key.Key_S, CONTROL)
+    assert "挨拶" in (tmp_path / "p" / "p.rbd.xml").read_text(encoding="utf-8")
 
 
 def test_searching_for_nothing_says_so(studio: Start) -> None:

@@ -206,3 +206,14 @@ def test_a_place_that_can_not_be_written_is_2(house: House) -> None:
     house.write("a.jsonl", OPENS)
     status, _, err = house.test("--junit", str(house.root / "none" / "x.xml"))
     assert (status, err.count("\n")) == (2, 1)
+
+
+def test_a_scenario_elsewhere_and_an_expectation_that_leaves_open_what_it_means(
+    house: House, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    path = tmp_path_factory.mktemp("elsewhere") / "x.jsonl"
+    path.write_text('{"at":1,"expect":{"kind":"enter","application":"none"}}\n')
+    status, out, _ = house.test(str(path))
+    assert status == 1
+    assert out[0] == f"FAIL  {path}  1 of 1 expectation failed"
+    assert not any("in the way" in line for line in out)

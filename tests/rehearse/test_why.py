@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from situ.cli import main
+from situ.document.modules import Module, Modules
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse.reason import Answer, lines
@@ -615,6 +616,91 @@ def test_more_of_authority_and_situations(lab: Project, make: Make, record: Reco
     assert _ask(lab, record(lab), 1, "resume", application="app") == "- app was not suspended"
 
 
+def test_a_module_that_nobody_gave_a_priority(make: Make, record: Record) -> None:
+    known = Modules((Module("arm", ("hand",)),))
+    free = make(APP, modules=known, modules_file="modules.xml")
+    recording = record(free, {"at": 1, "acquire": {"module": "arm", "resources": ["hand"]}})
+    told = _ask(free, recording, 2, "authority", resource="hand", to="arm")
+    assert told == "- arm has no priority in this project"
+
+
+def test_a_trace_cut_off_before_authority_was_given(lab: Project, record: Record) -> None:
+    acquire = {"at": 1, "acquire": {"module": "arm", "resources": ["hand"]}}
+    events = record(lab, acquire).events
+    cut = [e for e in events if not (e["kind"] == "authority" and e["t"] == 1)]
+    told = _ask(lab, Recording.of(cut), 1, "authority", resource="hand", to="arm")
+    assert told == "- nobody held hand"
+    late = Recording.of([e for e in events if e["kind"] == "acquire"])
+    told = _ask(lab, late, 1, "authority", resource="hand", to="arm")
+    assert told == "- arm has no priority in no situation"
+
+
+def test_giving_back_some_keeps_the_rest(lab: Project, record: Record) -> None:
+    recording = record(
+        lab,
+        {"at": 1, "acquire": {"module": "arm", "resources": ["base", "hand"]}},
+        {"at": 2, "abandon": {"module": "arm", "resources": ["base"]}},
+        {"at": 3, "abandon": {"module": "arm", "resources": ["hand"]}},
+    )
+    told = _ask(lab, recording, 2, "authority", resource="base", to="arm")
+    assert told == "- arm did not ask for base, only for hand"
+    told = _ask(lab, recording, 3, "authority", resource="hand", to="arm")
+    assert told == "- arm did not ask for hand"
+    alone = Recording.of([e for e in recording.events if e["kind"] == "abandon"])
+    assert _ask(lab, alone, 4, "authority", resource="hand", to="arm") == told
+
+
+def test_a_group_of_all_and_a_tag_that_was_deleted(make: Make, record: Record) -> None:
+    group = '<any><all><data tag="x" is="1"/><data tag="y" is="1"/></all></any>'
+    project = make(CLOCK.replace('<data tag="clock.time" above="09:00"/>', group))
+    recording = record(
+        project, {"at": 1, "set": {"x": 1, "y": 1}}, {"at": 2, "set": {"y": None}},
+        {"at": 3, "event": "go"},
+    )  # fmt: skip
+    assert _ask(project, recording, 3, "enter", state="2") == (
+        "- go came at 3 s, but its guard did not hold: none of these held: "
+        "y is 1: it was nothing, deleted at 2 s by scenario"
+    )
+
+
+def test_which_application_is_meant_has_to_be_said_where_several_fit(
+    make: Make, record: Record
+) -> None:
+    script = '<spds name="s"><situation name="on"><module name="a" priority="1"/>'
+    script += '<module name="b" priority="1"/></situation></spds>'
+    script = script.replace(
+        '<situation', '<modules><module name="a" resources="base"/>'
+        '<module name="b" resources="base"/></modules><situation', 1
+    )  # fmt: skip
+    two = [CLOCK.replace('"app"', f'"{name}"') for name in "ab"]
+    project = make(two, script)
+    with pytest.raises(UsageError, match="needs an “application” of a, b"):
+        why_not(project, record(project), {"kind": "enter", "state": "2"}, 1)
+
+
+def test_a_limit_alone_and_a_holder_of_less_priority(
+    lab: Project, make: Make, record: Record
+) -> None:
+    until = SCRIPT.replace(' limit="5"', "")
+    project = make(APP, until)
+    heat = {"at": 1, "set": {"heat": 50}}, {"at": 2, "set": {"heat": 1}}
+    told = _ask(project, record(project, *heat), 3, "situation", to="calm")
+    assert told.endswith("was current since 1 s; it stays until cooled is true")
+    # A trace without its situations: who holds a resource may have less priority than who asks.
+    lines_ = {"at": 1, "acquire": {"module": "arm", "resources": ["base"]}}, heat[0]
+    events = record(lab, *lines_).events
+    late = [e for e in events if not (e["kind"] == "authority" and e["t"] == 1)]
+    told = _ask(lab, Recording.of(late), 1, "authority", resource="base", to="arm")
+    assert told == "- app held base since 0 s"
+
+
+def test_an_action_that_was_superseded_before_it_began(make: Make, record: Record) -> None:
+    busy = make(BUSY)
+    events = [e for e in record(busy).events if e["kind"] != "action"]
+    told = _ask(busy, Recording.of(events), 1, "action", action="service")
+    assert told == "- it waits for an action before it, or has been superseded"
+
+
 # -- what only the inputs tell --------------------------------------------------------
 
 
@@ -724,6 +810,7 @@ def test_what_stood_in_the_way_is_printed(
         ["/none", "1"],
         ["{project}", "1"],
         ["1", "--script", "{script}"],
+        ["--not", '{{"kind":"enter","state":"1"}}', "--at", "1", "--project", "{project}"],
         ["{trace}", "1", "--project", "/none"],
     ],
 )

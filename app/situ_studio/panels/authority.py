@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from PySide6.QtWidgets import QWidget
 
 from situ.decide.values import in_text
@@ -32,6 +34,13 @@ class Authority(RowsTable):
             holder or self.tr("nobody"),
             ago(t - since) if holder is not None else "",
             ", ".join(others),
-            in_text(does) if resource != "screen" else self.tr("shown") if does else "",
+            self.tr("shown") if resource == "screen" and does else _does(does),
         )
         return Row(resource, cells, holder is not None)
+
+
+def _does(value: Any) -> str:
+    """What a resource does, in words where there are some: what is said, not the message."""
+    if isinstance(value, dict) and value.get("text"):
+        return f"“{in_text(value['text'])}”"
+    return in_text(value) if value else ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QMimeData, QPoint, Qt, Signal
 from PySide6.QtGui import QDrag, QMouseEvent
-from PySide6.QtWidgets import QApplication, QGridLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document.modules import Modules
 from situ.document.rbd import Application
@@ -28,6 +28,10 @@ def offered(document: Document | None) -> tuple[Kind, ...]:
     elif isinstance(document, Modules):
         parts = ("modules",)
     return tuple(k for part in parts for k in KINDS if k.palette == part)
+
+
+LOWEST = 80
+"""Px of the palette that are seen in the lowest window."""
 
 
 class PaletteItem(ThemedButton):
@@ -62,10 +66,39 @@ class PaletteItem(ThemedButton):
         drag.exec(Qt.DropAction.CopyAction)
 
 
+class PaletteRoom(QScrollArea):
+    """Holds the palette: as high as that, but in a low window, where it scrolls."""
+
+    def __init__(self, palette: Palette, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._palette = palette
+        self._low = False
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.viewport().setProperty("role", "panel")
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidget(palette)
+        palette.filled.connect(self._settle)
+        self._settle()
+
+    def set_low(self, low: bool) -> None:
+        """Whether the window has no room for all of it."""
+        self._low = low
+        self._settle()
+
+    def _settle(self) -> None:
+        height = self._palette.maximumHeight()
+        self.setMaximumHeight(height)
+        self.setMinimumHeight(min(height, LOWEST) if self._low else height)
+
+
 class Palette(QWidget):
-    """Two columns; never scrolls."""
+    """Two columns."""
 
     kind_asked = Signal(str)
+    filled = Signal()
+    """It is of another height now."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -117,3 +150,4 @@ class Palette(QWidget):
         gap, row = (2, 24) if self._dense else (4, 28)
         self._grid.setVerticalSpacing(gap)
         self.setFixedHeight(max(8, (len(self._kinds) + 1) // 2 * (row + gap) + 8 - gap))
+        self.filled.emit()

@@ -1,9 +1,20 @@
-"""Problems: a row each with its mark, its place and plain words; a click goes there."""
+"""Problems: a row each with its mark, its place and plain words; a click goes there.
+
+Where there is a mend it stands at the right end of the row: a click, or Ctrl+Enter, does it.
+"""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QPainter, QStandardItem, QStandardItemModel
+from PySide6.QtCore import QModelIndex, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QFontMetrics,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPen,
+    QStandardItem,
+    QStandardItemModel,
+)
 from PySide6.QtWidgets import (
     QLabel,
     QListView,
@@ -24,8 +35,21 @@ PROBLEM = PLACE
 WHERE = PLACE + 10
 
 
+MEND_MOST = 280
+"""Px of width that a mend's words get at most."""
+
+
+def mend_box(rect: QRect, problem: Problem) -> QRect:
+    """Where the mend's button stands in a row; empty where there is none."""
+    if problem.mend is None:
+        return QRect()
+    width = QFontMetrics(font(12, 500)).horizontalAdvance(problem.mend.words) + 20
+    width = min(width, MEND_MOST, rect.width() // 2)
+    return QRect(rect.right() - width - 8, rect.y() + 3, width, 22)
+
+
 class ProblemDelegate(QStyledItemDelegate):
-    """28 px: mark, place (128 px), words."""
+    """28 px: mark, place (128 px), words, and the mend's button."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,27 +82,83 @@ class ProblemDelegate(QStyledItemDelegate):
         right = Qt.TextElideMode.ElideRight
         painter.drawText(where, middle, cut(index.data(WHERE), right, int(where.width())))
         painter.setPen(theme.color("text"))
-        words = QRectF(where.right() + 8, rect.y(), rect.right() - where.right() - 20, 28)
+        button = QRectF(mend_box(option.rect, problem))
+        end = button.x() if button.width() else rect.right()
+        words = QRectF(where.right() + 8, rect.y(), end - where.right() - 20, 28)
         painter.drawText(words, middle, cut(problem.message, right, int(words.width())))
+        if problem.mend is not None:
+            painter.setPen(QPen(theme.color("line_strong")))
+            painter.setBrush(theme.color("panel"))
+            painter.drawRoundedRect(button.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
+            painter.setPen(theme.color("accent"))
+            painter.setFont(font(12, 500))
+            text = painter.fontMetrics().elidedText(
+                problem.mend.words, right, int(button.width()) - 16
+            )
+            painter.drawText(button, int(Qt.AlignmentFlag.AlignCenter), text)
         painter.restore()
 
 
+class ProblemList(QListView):
+    """Tells which row's mend was asked for."""
+
+    mend_asked = Signal(object)
+
+    def _mend_at(self, event: QMouseEvent) -> Problem | None:
+        at = event.position().toPoint()
+        index = self.indexAt(at)
+        problem: Problem | None = index.data(PROBLEM)
+        if problem is None or not mend_box(self.visualRect(index), problem).contains(at):
+            return None
+        return problem
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        # A press on the button does not choose the row.
+        if self._mend_at(event) is None:
+            super().mousePressEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        problem = self._mend_at(event)
+        if problem is None:
+            super().mouseReleaseEvent(event)
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self.mend_asked.emit(problem)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        hand = self._mend_at(event) is not None
+        shape = Qt.CursorShape.PointingHandCursor if hand else Qt.CursorShape.ArrowCursor
+        self.viewport().setCursor(shape)
+        super().mouseMoveEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+        problem: Problem | None = self.currentIndex().data(PROBLEM)
+        enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        if held and enter and problem is not None and problem.mend is not None:
+            self.mend_asked.emit(problem)
+        else:
+            super().keyPressEvent(event)
+
+
 class Problems(QWidget):
-    """Tells the problem that a person chose."""
+    """Tells the problem that a person chose, or wants mended."""
 
     chosen = Signal(object)
+    mend_asked = Signal(object)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("role", "panel")
         self._stack = QStackedLayout(self)
-        self.list = QListView()
+        self.list = ProblemList()
+        self.list.mend_asked.connect(self.mend_asked)
         self.list.setAccessibleName(self.tr("Problems"))
         self.list.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
         self.list.setMouseTracking(True)
         self._delegate = ProblemDelegate(theme, self.list)
         self.list.setItemDelegate(self._delegate)
-        self._model = QStandardItemModel(self)
+        self._shown: list[tuple[Problem, str]] = []
+        self._model = QStandardItemModel(0, 1, self)
         self.list.setModel(self._model)
         self.list.clicked.connect(self._on_chosen)
         self.list.activated.connect(self._on_chosen)
@@ -91,6 +171,7 @@ class Problems(QWidget):
         column.addStretch(1)
         self._stack.addWidget(self.list)
         self._stack.addWidget(good)
+        self._stack.setCurrentIndex(1)
 
     def set_theme(self, theme: Theme) -> None:
         self._delegate.set_theme(theme)
@@ -99,15 +180,26 @@ class Problems(QWidget):
     def show_problems(self, problems: list[tuple[Problem, str]]) -> None:
         """Each problem with its place in words; errors stand first."""
         problems = sorted(problems, key=lambda pair: pair[0].severity != "error")
+        if problems == self._shown:
+            return
+        self._shown = problems
         current = self.list.currentIndex().data(PROBLEM)
-        self._model.clear()
-        for problem, where in problems:
-            item = QStandardItem(problem.message)
+        # What is below the last one goes, the others change in place: the list stays where it is.
+        there = self._model.rowCount()
+        self._model.setRowCount(len(problems))
+        self.list.setCurrentIndex(QModelIndex())
+        for row, (problem, where) in enumerate(problems):
+            if row >= there:
+                self._model.setItem(row, QStandardItem())
+            item = self._model.item(row)
+            item.setText(problem.message)
             item.setData(problem, PROBLEM)
             item.setData(where, WHERE)
-            item.setToolTip(problem.message)
-            item.setAccessibleText(f"{problem.severity}: {where}: {problem.message}")
-            self._model.appendRow(item)
+            mend = ""
+            if problem.mend is not None:
+                mend = self.tr("Ctrl+Enter: {0}").format(problem.mend.words)
+            item.setToolTip(f"{problem.message}\n{mend}".strip())
+            item.setAccessibleText(f"{problem.severity}: {where}: {problem.message} {mend}".strip())
             if problem == current:
                 self.list.setCurrentIndex(item.index())
         self._stack.setCurrentIndex(0 if problems else 1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from PySide6.QtGui import QKeyEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from situ.decide.values import in_text
@@ -19,20 +20,40 @@ _LOUD = ("transition", "situation", "authority", "error", "warning")
 class Trace(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         titles = ("Time", "What", "Because of", "Details")
-        super().__init__("Trace", [self.tr(t) for t in titles], (90, 110, 90), theme, parent)
+        super().__init__("Trace", [self.tr(t) for t in titles], (90, 120, 90), theme, parent)
+        self._follows = True
+        bar = self.verticalScrollBar()
+        bar.rangeChanged.connect(self._on_range)
+        bar.sliderMoved.connect(self._on_scrolled)
+        bar.actionTriggered.connect(lambda _: self._on_scrolled(bar.sliderPosition()))
 
     def show_all(self, events: list[TraceFields]) -> None:
         """Begins anew with these events."""
+        self._follows = True
         self.rows.show([_row(event) for event in events[-LIMIT:]])
         self.scrollToBottom()
 
     def add(self, events: list[TraceFields]) -> None:
         """Adds events; stays at the end where it was at the end."""
-        bar = self.verticalScrollBar()
-        at_end = bar.value() == bar.maximum()
         self.rows.append([_row(event) for event in events], LIMIT)
-        if at_end:
+        if self._follows:
             self.scrollToBottom()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        super().wheelEvent(event)
+        self._on_scrolled(self.verticalScrollBar().value())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        super().keyPressEvent(event)
+        self._on_scrolled(self.verticalScrollBar().value())
+
+    def _on_scrolled(self, value: int) -> None:
+        self._follows = value >= self.verticalScrollBar().maximum()
+
+    def _on_range(self, _: int, end: int) -> None:
+        # It may have been hidden, or lower, while events came.
+        if self._follows:
+            self.verticalScrollBar().setValue(end)
 
 
 def _row(event: TraceFields) -> Row:

@@ -413,7 +413,7 @@ class Machine:
         status: int | None,
         cause: int | None,
     ) -> None:
-        """An action ended; an ``idle`` timeout may count again."""
+        """The running action ``action_id`` ended."""
         self.actions.finish(action_id, ok, result, error, status, cause)
         self._settle_idle()
 

@@ -212,7 +212,8 @@ class Past:
             said = f"{words.child(test)}: it was never set"
             if kept_by_runtime(test.tag) and not self.whole:
                 said = f"{words.child(test)}: not told by a trace alone"
-        elif entry is not None:
+        else:
+            assert entry is not None
             verb = "deleted" if entry.value is None else "set"
             said += f", {verb} at {moment(entry.time / SECOND)} by {entry.writer}"
         other = only_reference(test.value)

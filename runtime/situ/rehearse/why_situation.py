@@ -13,10 +13,8 @@ from situ.rehearse.telling import moment
 def why_not_current(
     past: Past, script: Spds, events: list[Fields], wanted: Situation
 ) -> list[Reason]:
-    """What kept ``wanted`` from being current; empty where it is. events: up to that moment."""
+    """What kept ``wanted``, which is not current, from being so. events: up to that moment."""
     current = past.situation["to"] if past.situation is not None else None
-    if current == wanted.name:
-        return []
     found: list[Reason] = []
     if not past.holds(wanted.condition) and wanted.condition is not None:
         said, values = not_held(past.judge(child) for child in wanted.condition.children)
