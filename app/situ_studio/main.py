@@ -71,7 +71,9 @@ def create_window(
     Raises UsageError, with one line, where ``path`` is no project that can be read.
     """
     application()
-    window = MainWindow(Session(), settings or QSettings(), shipped_examples, theme)
+    window = MainWindow(
+        Session(), settings or QSettings(), shipped_examples, theme, path is not None
+    )
     if path is not None:
         try:
             window.open_project(Path(path))

@@ -38,7 +38,8 @@ RECENT = 8
 class MainWindow(Frame):
     """One window with one session.
 
-    settings: where it was and what it showed; examples: what the welcome page offers.
+    settings: where it was and what it showed; examples: what the welcome page offers;
+    opening: a project is opened at once, before anything is seen.
     """
 
     def __init__(
@@ -47,6 +48,7 @@ class MainWindow(Frame):
         settings: QSettings,
         examples: Callable[[], list[Example]],
         theme: str | None = None,
+        opening: bool = False,
     ) -> None:
         super().__init__(settings, theme)
         self.session = session
@@ -67,7 +69,8 @@ class MainWindow(Frame):
         self._wire()
         self.set_theme(self.theme)
         self.restore()
-        self.show_welcome()
+        # Reading the examples takes longer than opening a project: not for one that comes at once.
+        self.show_welcome(with_examples=not opening)
 
     def _wire(self) -> None:
         session = self.session
@@ -199,11 +202,12 @@ class MainWindow(Frame):
         if self.current_file is not None and len(self.tabs.files()) > 1:
             self.close_file(self.current_file)
 
-    def show_welcome(self) -> None:
+    def show_welcome(self, with_examples: bool = True) -> None:
         """Shows the welcome page; an open project stays open."""
         self.welcome.show_recent(self.recent)
         self.welcome.show_connect(self.can_connect)
-        self.welcome.show_examples(self._list_examples())
+        if with_examples:
+            self.welcome.show_examples(self._list_examples())
         self.welcome.themes.show_choice(self.theme_choice)
         if self.stack.currentIndex() == 1:
             self._before_welcome = self.current_file

@@ -41,6 +41,22 @@ def test_every_request_keeps_the_lease(hand: Any) -> None:
         assert hand.at(tenths / 10).ask("nod", "get", names=["x"])["re"] == "values"
 
 
+def test_a_core_that_stood_still_hears_what_was_said_meanwhile_first(hand: Any) -> None:
+    hand.hello("nod", resources=["head"])
+    # Its process was stopped, or its machine busy: nothing was received, nothing done.
+    hand.now = 5_000_000
+    hand.sessions.advance(hand.now)
+    assert hand.ask("nod", "heartbeat")["re"] == "alive"
+    # Who says nothing then either is lost, a moment later.
+    hand.at(5.9)
+    hand.now = 9_000_000
+    hand.sessions.advance(hand.now)
+    hand.at(9.24)
+    assert hand.core.modules
+    hand.at(9.25)
+    assert not hand.core.modules
+
+
 def test_hand_over_happens_in_the_step_in_which_the_holder_is_lost(hand: Any) -> None:
     hand.hello("looker", role="viewer")
     hand.hello("chase", resources=["head"])

@@ -17,6 +17,10 @@ from situ.errors import UsageError
 
 HELD = 10_000
 
+# As plain numbers: these stand in the way of every message, and pyzmq's enumerations are slow.
+NOW = int(zmq.DONTWAIT)
+_EVENTS, _INCOMING = int(zmq.EVENTS), int(zmq.POLLIN)
+
 
 class Link:
     """The sockets of one client. A Qt application drives it like this::
@@ -63,6 +67,8 @@ class Link:
         # A request is for the core that is there, never for one that comes later.
         self._dealer.setsockopt(zmq.IMMEDIATE, 1)
         self._subscriber.setsockopt(zmq.RCVHWM, HELD)
+        # No limit: beyond one, subscriptions would be dropped unseen.
+        self._subscriber.setsockopt(zmq.SNDHWM, 0)
         try:
             self._dealer.connect(endpoint)
         except zmq.ZMQError as error:
@@ -83,17 +89,19 @@ class Link:
         """Takes all that has come, does what is due, sends all that is to be sent."""
         if self._closed:
             return
+        # What is to be sent first: then one look is enough to know that nothing was missed.
+        self._send()
         self._receive()
         while self._send():
             self._receive()
 
     def _receive(self) -> None:
         while has_come(self._dealer):
-            frames = self._dealer.recv_multipart(zmq.DONTWAIT)
+            frames = self._dealer.recv_multipart(NOW)
             if len(frames) == 1:
                 self.dialog.receive(frames[0], self.clock())
         while has_come(self._subscriber):
-            frames = self._subscriber.recv_multipart(zmq.DONTWAIT)
+            frames = self._subscriber.recv_multipart(NOW)
             if len(frames) == 1:
                 self.dialog.hear(frames[0], self.clock())
         self.dialog.tick(self.clock())
@@ -113,7 +121,7 @@ class Link:
             some = True
         while dialog.outgoing:
             try:
-                self._dealer.send(dialog.outgoing[0], zmq.DONTWAIT)
+                self._dealer.send(dialog.outgoing[0], NOW)
             except zmq.Again:
                 # Nobody is connected; the descriptor tells when somebody is.
                 break
@@ -134,4 +142,4 @@ class Link:
 
 def has_come(socket: zmq.Socket[bytes]) -> bool:
     """Whether there is something to receive. Cheaper than to try, and to be told no."""
-    return bool(int(socket.getsockopt(zmq.EVENTS)) & zmq.POLLIN)
+    return bool(int(socket.getsockopt(_EVENTS)) & _INCOMING)

@@ -13,7 +13,7 @@ from urllib.parse import urlsplit
 import zmq
 
 from situ.blackboard import protocol
-from situ.blackboard.link import has_come
+from situ.blackboard.link import NOW, has_come
 from situ.errors import UsageError
 
 TURN = 500
@@ -52,14 +52,15 @@ class Server:
         return self._router.fileno(), self._publisher.fileno()
 
     def drain(self, received: Callable[[bytes, bytes], None]) -> bool:
-        """Takes what has come and gives it to ``received``; echoes new subscribers.
+        """Takes what has come and gives it to ``received``, which may ``send`` what follows;
+        echoes new subscribers.
 
         True where more may be waiting: then call again soon, the descriptors may not tell.
         """
         for _ in range(TURN):
             if not has_come(self._router):
                 return self._subscriptions()
-            peer, *frames = self._router.recv_multipart(zmq.DONTWAIT)
+            peer, *frames = self._router.recv_multipart(NOW)
             # A request is one frame; of anything else the sessions say what is wrong.
             received(peer, frames[0] if len(frames) == 1 else b"")
         return True
@@ -68,25 +69,25 @@ class Server:
         for _ in range(TURN):
             if not has_come(self._publisher):
                 return False
-            frame = self._publisher.recv(zmq.DONTWAIT)
+            frame = self._publisher.recv(NOW)
             if frame.startswith(b"\x01" + protocol.ECHO):
-                self._publisher.send(frame[1:] + b"\n" + _ECHO, zmq.DONTWAIT)
+                self._publisher.send(frame[1:] + b"\n" + _ECHO, NOW)
         return True
 
-    def send(self, replies: Iterable[tuple[Any, bytes]], notices: Iterable[bytes]) -> bool:
+    def send(self, replies: Iterable[tuple[Any, bytes]], notices: Iterable[bytes]) -> None:
         """Sends; a peer that has gone or does not read loses its reply.
 
-        True where a send has hidden that something came in: then ``drain`` again.
+        Sending can hide that something came in: ``drain`` afterwards.
         """
         for notice in notices:
-            self._publisher.send(notice, zmq.DONTWAIT)
+            self._publisher.send(notice, NOW)
         for peer, body in replies:
             try:
-                self._router.send_multipart((peer, body), zmq.DONTWAIT)
+                self._router.send(peer, _MORE)
+                self._router.send(body, NOW)
             except zmq.ZMQError as error:
                 if error.errno not in (zmq.EAGAIN, zmq.EHOSTUNREACH):
                     raise
-        return has_come(self._router) or has_come(self._publisher)
 
     def close(self) -> None:
         self._router.close()
@@ -94,6 +95,7 @@ class Server:
 
 
 _ECHO = protocol.encode(protocol.Echo())
+_MORE = NOW | int(zmq.SNDMORE)
 
 
 def _bind(socket: zmq.Socket[bytes], address: str) -> str:

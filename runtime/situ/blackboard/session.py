@@ -11,12 +11,13 @@ from collections.abc import Hashable
 
 from situ.blackboard import protocol
 from situ.blackboard.core import SECOND, Core, Outgoing
-from situ.blackboard.protocol import LEASE, Addresses, Malformed
+from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Malformed
 from situ.blackboard.requests import No, Session, answer
 from situ.decide import inputs
 from situ.document import names
 
 _LEASE = int(LEASE * SECOND)
+_LATE = int(HEARTBEAT * SECOND)
 
 
 class Sessions:
@@ -36,6 +37,8 @@ class Sessions:
         self._addresses = addresses
         self._scripted = scripted
         self._sessions: dict[Hashable, Session] = {}
+        # No lease ends before: every message only puts one off.
+        self._look: int | None = None
         self._applications = {a.name for a in core.project.applications.values()}
 
     # -- for who drives it ---------------------------------------------------
@@ -73,17 +76,25 @@ class Sessions:
 
         To be called when all messages that have come are received: who sent one lives.
         """
+        due = self.due()
         self._move(now)
+        if due is not None and now > due + _LATE:
+            # We stood still ourselves: what was sent to us meanwhile may yet be on its way.
+            for session in self._sessions.values():
+                session.heard = max(session.heard, now - _LEASE + _LATE)
+        if self._look is None or now < self._look:
+            return
         for session in [s for s in self._sessions.values() if now >= s.heard + _LEASE]:
             self._end(session)
+        ends = (session.heard + _LEASE for session in self._sessions.values())
+        self._look = min(ends, default=None)
 
     def due(self) -> int | None:
         """When ``advance`` is to be called next, in µs; None: not before a message comes."""
-        ends = [session.heard + _LEASE for session in self._sessions.values()]
         robot = None if self._scripted else self._core.due()
-        if robot is not None:
-            ends.append(robot)
-        return min(ends, default=None)
+        if robot is None or self._look is None:
+            return robot if self._look is None else self._look
+        return min(robot, self._look)
 
     def take(self) -> Outgoing:
         """What is to be sent and carried out since the last call."""
@@ -148,6 +159,8 @@ class Sessions:
                 heard=self._core.now,
             )
             self._sessions[peer] = session
+            if self._look is None:
+                self._look = session.heard + _LEASE
             if session.module is not None:
                 self._core.modules[session.module] = (
                     hello.resources,

@@ -170,6 +170,7 @@ class Live:
         self._core.now = self._now()
         self._core.move(moment)
         self._flush()
+        self._drain()
 
     # -- the loop ------------------------------------------------------------
 
@@ -178,10 +179,10 @@ class Live:
 
     def _drain(self) -> None:
         """Requests have come; takes them, with what follows."""
-        more = self._server.drain(self._received)
-        if self._flush() or more:
+        if self._server.drain(self._received):
             # The descriptors tell of a change once only, and others must have their turn.
             self._at("drain", self._loop.time(), self._drain)
+        self._wait()
 
     def _received(self, peer: bytes, body: bytes) -> None:
         try:
@@ -189,6 +190,7 @@ class Live:
         except Exception:
             # The others are served on; the descriptors would not tell of them again.
             _log.exception("a request could not be carried out")
+        self._flush()
         self._came.set()
 
     def _submit(self, given: inputs.AnyInput) -> None:
@@ -197,32 +199,33 @@ class Live:
         refused = self._sessions.submit(given, self._now())
         if refused is not None:
             _log.warning("%s", refused)
-        if self._flush():
-            self._drain()
+        self._flush()
+        self._drain()
 
     def _ring(self) -> None:
         """Something has fallen due. Who has sent something by now is not taken for dead."""
         if self._server.drain(self._received):
             self._at("drain", self._loop.time(), self._ring)
-        else:
-            self._sessions.advance(self._now())
-        if self._flush():
-            self._drain()
+            return
+        self._sessions.advance(self._now())
+        self._flush()
+        self._drain()
 
-    def _flush(self) -> bool:
-        """Sends and carries out what follows from the last steps; True: requests may wait."""
+    def _flush(self) -> None:
+        """Sends and carries out what follows from the last steps; to be drained after it."""
         out = self._sessions.take()
-        waiting = self._server.send(out.replies, out.notices)
+        self._server.send(out.replies, out.notices)
         if self._performer is not None:
             for effect in out.effects:
                 self._performer.perform(effect)
+
+    def _wait(self) -> None:
         due = self._sessions.due()
         if due is not None:
             # A timer may ring a little early by the loop's reckoning; never by ours.
             self._at("due", self._started + (due + 1) / SECOND, self._ring)
         elif "due" in self._timers:
             self._timers.pop("due").cancel()
-        return waiting
 
     def _at(self, name: str, when: float, call: Callable[[], None]) -> None:
         before = self._timers.get(name)
