@@ -15,6 +15,7 @@ from collections.abc import Iterable
 
 from situ.document import words
 from situ.document.analysis_data import events, holders
+from situ.document.analysis_loops import search_loops
 from situ.document.analysis_search import Search
 from situ.document.analysis_ways import Dead, Way, Ways
 from situ.document.condition import Condition, Group, Test
@@ -38,6 +39,7 @@ def search_states(search: Search, file: str, application: Application) -> set[st
     if file in search.project.applications:
         dead_ends = _dead_ends(search, ways, reached)
         _no_way_back(search, ways, reached, dead_ends)
+    search_loops(search, ways, reached)
     return reached
 
 

@@ -134,6 +134,7 @@ class Ways:
             if state.flow is None:
                 before = [opposite(one.guard) for one in unnamed]
         by = tuple(one.place for one in unnamed)
+        by = next(((one.place,) for one in unnamed if one.guard is ALWAYS), by)
         at_once = bool(before) and self._is_left_at_once(before)
         if at_once:
             self.left_at_once.add(state.no)

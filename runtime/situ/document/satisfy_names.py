@@ -158,6 +158,13 @@ class Variables:
             var = self._relations[name, other] = self._variable(full, name, other)
         return var, mask
 
+    def beside(self, name: str) -> list[int]:
+        """The variables that say something of a name beside that of its value."""
+        return [var for var, of in enumerate(self._name) if name in of and var != self.var[name]]
+
+    def is_age(self, name: str, var: int) -> bool:
+        return name in self._ages and self._ages[name][0] == var
+
     # -- what single variables do not say ----------------------------------------
 
     def fits(self, chosen: dict[int, int]) -> bool | None:
