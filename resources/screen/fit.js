@@ -32,9 +32,11 @@ export function fit(box, inner, wanted) {
   };
   if (box.clientWidth === 0) return;
   delete box.dataset.parted;
+  delete box.dataset.cut;
   if (largest() >= wanted * 0.6) return;
   box.dataset.parted = "script";
   if (largest() > 0) return;
   box.dataset.parted = "anywhere";
-  largest();
+  // What does not fit at any size shows its beginning, and nothing beside its box.
+  if (largest() === 0) box.dataset.cut = "true";
 }

@@ -58,10 +58,14 @@ function show(next) {
   layout();
 }
 
+// One that can not be had is left out: a broken picture behind everything tells nobody anything.
+background.addEventListener("error", () => { background.hidden = true; });
+
 function showBackground(src) {
+  if ((background.getAttribute("src") ?? null) === src) return;
   background.hidden = src === null;
   if (src === null) background.removeAttribute("src");
-  else if (background.getAttribute("src") !== src) background.setAttribute("src", src);
+  else background.setAttribute("src", src);
 }
 
 // A component stays the same node while its key does: no flicker, no lost caret, no restart.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import logging
 import os
 import sys
 from pathlib import Path
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
     from situ.document.project import Project
     from situ.engine.live import Live
     from situ.engine.script import Script
+
+_log = logging.getLogger("situ.run")
 
 
 def add(commands: Any) -> None:
@@ -88,7 +91,8 @@ def run(args: argparse.Namespace) -> int:
             out = sys.stdout.buffer
         elif args.trace is not None:
             try:
-                out = stack.enter_context(open(args.trace, "wb"))
+                # Without a buffer: what could not be written must not be tried again at the end.
+                out = stack.enter_context(open(args.trace, "wb", buffering=0))
             except OSError as error:
                 raise UsageError(f"{args.trace}: {error.strerror or error}") from None
         return asyncio.run(_run(args, project, lines, out))
@@ -110,17 +114,28 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any)
     stopped = asyncio.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         loop.add_signal_handler(number, stopped.set)
-    endpoint = args.endpoint or project.endpoint
+    endpoint = project.endpoint if args.endpoint is None else args.endpoint
     screen = args.http or ("127.0.0.1", _higher(endpoint, 2))
     check_local(f"http://{screen[0]}:{screen[1]}")
     script = None if lines is None else Script(lines, args.speed)
 
+    torn: OSError | None = None
+
     def heard(events: list[TraceEvent], moment: float) -> None:
+        nonlocal torn
         if script is not None:
             script.heard(events, moment)
-        if out is not None:
-            out.writelines(stamped(event, moment) + b"\n" for event in events)
-            out.flush()
+        if out is None or torn is not None:
+            return
+        try:
+            _write(out, b"".join(stamped(event, moment) + b"\n" for event in events))
+        except OSError as error:
+            # A robot does not stand still because a disk is full.
+            torn = error
+            if isinstance(error, BrokenPipeError):
+                stopped.set()
+            else:
+                _log.error("%s: %s; the trace ends here", args.trace, error.strerror)
 
     def performer(submit: Any, tag: Any) -> Performer:
         state = _state(args.state, project)
@@ -144,7 +159,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any)
         print(ready, file=sys.stderr if args.trace == "-" else sys.stdout, flush=True)
         if script is None:
             await stopped.wait()
-            return 0
+            return _whole(torn)
         board = AsyncBoard(Link(addresses.requests, Person(role="scenario")))
         async with board:
             play = asyncio.create_task(_play(script, live, board, args.clients))
@@ -160,7 +175,21 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any)
         await live.stop()
     for failure in script.verdict.failures:
         print(f"{args.script}: {failure}", file=sys.stderr)
-    return 1 if script.verdict.failures else 0
+    return 1 if script.verdict.failures else _whole(torn)
+
+
+def _write(out: Any, data: bytes) -> None:
+    left = memoryview(data)
+    while left:
+        left = left[out.write(left) :]
+    out.flush()
+
+
+def _whole(torn: OSError | None) -> int:
+    """The exit status: whether the trace that was asked for could be written."""
+    if isinstance(torn, BrokenPipeError):
+        raise torn
+    return 0 if torn is None else 1
 
 
 async def _play(script: Script, live: Live, board: AsyncBoard, clients: int) -> None:

@@ -119,11 +119,14 @@ def test_what_is_refused_is_one_line_and_status_2(
         (["--endpoint", "tcp://*:0"], "can be reached from other machines"),
         (["--endpoint", "tcp://127.0.0.1:0", "--notify", "tcp://[::]:0"], "bind it to 127.0.0.1"),
         (["--endpoint", "tcp://127.0.0.1:0", "--http", "0.0.0.0:0"], "bind it to 127.0.0.1"),
+        (["--endpoint", "tcp://127.0.0.1:99999"], "there is no port"),
+        (["--endpoint", "tcp://127.0.0.1:-1"], "there is no port -1"),
+        (["--endpoint", "tcp://127.0.0.1:65534"], "there is no port 65536"),
+        (["--endpoint", ""], "write it as tcp://127.0.0.1:5570"),
         (["--endpoint", "nonsense"], "write it as tcp://127.0.0.1:5570"),
         (["--endpoint", "tcp://127.0.0.1:0", "--auto-finish", "1"], "goes with --script"),
         (["--endpoint", "tcp://127.0.0.1:0", "--script", "none.jsonl"], "none.jsonl"),
     ],
-    ids=["any", "star", "notify", "http", "nonsense", "auto-finish", "no-script"],
 )
 def test_a_run_that_may_not_be_is_one_line_and_status_2(
     arguments: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

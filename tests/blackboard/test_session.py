@@ -313,6 +313,15 @@ def test_leases_run_by_the_clock_though_the_scenario_has_its_own_time(
     assert hand.at(1.9).ask("play", "heartbeat")["code"] == "session"
 
 
+def test_names_have_an_end(hand: Any) -> None:
+    assert hand.hello("m" * 501)["code"] == "name"
+    hand.hello("eyes")
+    refused = hand.ask("eyes", "publish", event="e" * 501)
+    assert refused["code"] == "invalid"
+    assert len(refused["message"]) < 600
+    assert hand.ask("eyes", "publish", event="e" * 500)["re"] == "done"
+
+
 @pytest.mark.parametrize("do", ["set", "publish", "use", "touch", "finish", "acquire", "command"])
 def test_a_viewer_changes_nothing(hand: Any, do: str) -> None:
     hand.hello("looker", role="viewer")

@@ -404,6 +404,36 @@ def test_every_text_fits_its_box(play: Any, viewport: Any) -> None:
     play(scenario, viewport=viewport)
 
 
+def test_a_text_that_fits_at_no_size_is_cut_at_its_box(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(text("W" * 20_000, "huge"), text("short", "other", y=60))
+        await expect(stage.component("huge")).to_have_attribute("data-cut", "true")
+        cut = "one => getComputedStyle(one).overflow + getComputedStyle(one).alignItems"
+        assert await stage.component("huge").evaluate(cut) == "hiddenflex-start"
+        # Once it is short enough nothing of that stays.
+        stage.show(text("short", "huge"), text("short", "other", y=60))
+        await expect(stage.component("huge")).not_to_have_attribute("data-cut", "true")
+
+    play(scenario)
+
+
+def test_a_background_that_can_not_be_had_is_left_out(play: Any, media: Path) -> None:
+    shutil.copy(example("reception") / "media" / "lobby.png", media)
+
+    async def scenario(stage: Any) -> None:
+        background = stage.page.locator("#background")
+        async with stage.page.expect_response("**/none.png"):
+            stage.show(text("Hello"), background="none.png")
+        await expect(background).to_be_hidden()
+        stage.show(text("Hello again"), background="none.png")
+        await expect(stage.component("hello")).to_have_text("Hello again")
+        await expect(background).to_be_hidden()
+        stage.show(text("Hello"), background="lobby.png")
+        await expect(background).to_be_visible()
+
+    play(scenario)
+
+
 def test_default_looks_tell_the_answer_from_the_others(play: Any) -> None:
     async def looks(stage: Any) -> list[str]:
         found: list[str] = await stage.page.evaluate(

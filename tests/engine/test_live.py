@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 
+import situ
 from situ.blackboard.client import AsyncBoard, Link, Person, connect_async
 from situ.decide import inputs
 from situ.decide.effects import AnyEffect, Begin, Map
@@ -261,6 +262,35 @@ def test_an_expectation_that_fails_is_told_and_is_status_1(tmp_path: Path) -> No
     assert done.returncode == 1
     assert "line 2, at 1 s: expected" in done.stderr
     assert [json.loads(line)["seq"] for line in done.stdout.splitlines()][:3] == [1, 2, 3]
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs a disk that is full")
+def test_a_disk_that_is_full_ends_the_trace_and_not_the_robot(tmp_path: Path) -> None:
+    script = LAB / "scenarios" / "call.jsonl"
+    command = run_lab("--script", str(script), "--speed", "1000", state=tmp_path)
+    done = subprocess.run(
+        [*command, "--trace", "/dev/full"], capture_output=True, text=True, timeout=DEADLINE
+    )
+    assert done.returncode == 1
+    (line,) = [line for line in done.stderr.splitlines() if "/dev/full" in line]
+    assert "No space left on device; the trace ends here" in line
+    assert "expected" not in done.stderr
+
+
+def test_a_run_whose_trace_nobody_reads_any_more_ends(tmp_path: Path) -> None:
+    with subprocess.Popen(
+        run_lab("--trace", "-", state=tmp_path), stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        assert json.loads(process.stdout.readline())["seq"] == 1
+        process.stdout.close()
+        endpoint = re.search(rb"tcp://\S+", process.stderr.readline())
+        assert endpoint is not None
+        with situ.connect(endpoint[0].decode()) as board:
+            board.set("x", 1)
+        assert process.wait(DEADLINE) == 128 + signal.SIGPIPE
+        assert b"Traceback" not in process.stderr.read()
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])

@@ -13,39 +13,64 @@ from situ.decide.trace import TraceEvent
 
 CAPACITY = 20_000
 """Events; older ones are forgotten."""
+BYTES = 64_000_000
+"""Of all events kept, so that large values do not fill the memory."""
+PAGE = 1_000_000
+"""Bytes after which ``since`` gives no more at once."""
 
 
 class Backlog:
-    """A bounded run of events without a gap; each with the moment (UNIX seconds) it was made."""
+    """A bounded run of events without a gap; each with the moment (UNIX seconds) it was made.
 
-    def __init__(self, capacity: int = CAPACITY) -> None:
-        self._kept: deque[tuple[TraceEvent, float]] = deque(maxlen=capacity)
+    The newest is always kept, however large it is.
+    """
+
+    def __init__(self, capacity: int = CAPACITY, limit: int = BYTES) -> None:
+        self._kept: deque[tuple[int, bytes, float]] = deque()
+        self._capacity = capacity
+        self._limit = limit
+        self._bytes = 0
 
     @property
     def first(self) -> int:
         """The seq of the oldest event kept; 1 where there is none yet."""
-        return self._kept[0][0].seq if self._kept else 1
+        return self._kept[0][0] if self._kept else 1
 
     @property
     def last(self) -> int:
         """The seq of the newest event; 0 where there is none yet."""
-        return self._kept[-1][0].seq if self._kept else 0
+        return self._kept[-1][0] if self._kept else 0
 
     def add(self, events: Iterable[TraceEvent], moment: float) -> None:
         for event in events:
-            self._kept.append((event, moment))
+            line = _encoder.encode(event)
+            self._kept.append((event.seq, line, moment))
+            self._bytes += len(line)
+        while len(self._kept) > 1 and (
+            len(self._kept) > self._capacity or self._bytes > self._limit
+        ):
+            self._bytes -= len(self._kept.popleft()[1])
 
     def since(self, seq: int, limit: int) -> Iterator[bytes]:
-        """At most ``limit`` events from ``seq`` on, oldest first, as ``stamped``."""
+        """At most ``limit`` events from ``seq`` on, oldest first, as ``stamped``; at least one
+        where there is one, and no more after ``PAGE`` bytes."""
         begin = max(seq - self.first, 0)
-        for event, moment in islice(self._kept, begin, begin + limit):
-            yield stamped(event, moment)
+        size = 0
+        for _, line, moment in islice(self._kept, begin, begin + limit):
+            yield _with_time(line, moment)
+            size += len(line)
+            if size > PAGE:
+                return
 
 
 def stamped(event: TraceEvent, moment: float) -> bytes:
     """The event as in the trace, without newline, with ``time`` (RFC 3339, UTC) at its end."""
+    return _with_time(_encoder.encode(event), moment)
+
+
+def _with_time(line: bytes, moment: float) -> bytes:
     # Every trace event is an object with fields, so its JSON ends in a brace.
-    return _encoder.encode(event)[:-1] + b',"time":"%s"}' % time_text(moment).encode()
+    return line[:-1] + b',"time":"%s"}' % time_text(moment).encode()
 
 
 def time_text(moment: float) -> str:

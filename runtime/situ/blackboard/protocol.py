@@ -529,7 +529,9 @@ def read_request(body: bytes) -> AnyRequest:
     try:
         request = _requests.decode(body)
         # Most bodies are too short of brackets to be looked at.
-        if body.count(b"[") + body.count(b"{") > DEPTH and _deep(_requests_as_found.decode(body)):
+        if body.count(b"[") + body.count(b"{") > DEPTH and too_deep(
+            _requests_as_found.decode(body)
+        ):
             raise RecursionError
         return request
     except _BROKEN as error:
@@ -567,7 +569,8 @@ def notice(topic: bytes, body: Notice) -> bytes:
     return topic + _encoder.encode(body)
 
 
-def _deep(value: Any) -> bool:
+def too_deep(value: Any) -> bool:
+    """Whether there are more than ``DEPTH`` levels, and those of a request round the value."""
     level: list[Any] = [value]
     for _ in range(DEPTH + 3):
         level = [

@@ -127,6 +127,8 @@ def _publish(core: Core, session: Session, request: protocol.Publish) -> protoco
     _may_write(session)
     if not request.event.strip():
         raise No("invalid", "an event has a name")
+    if len(request.event) > LONGEST:
+        raise No("invalid", f"{request.event[:LONGEST]!r} and so on is too long for a name")
     _do(core, inputs.Raise(request.event, request.application))
     return protocol.Done(id=request.id)
 

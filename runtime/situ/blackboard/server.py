@@ -116,6 +116,9 @@ def check_local(address: str) -> None:
     parts = urlsplit(address)
     if parts.scheme not in ("tcp", "http") or not parts.hostname:
         raise UsageError(f"{address}: no address; write it as tcp://127.0.0.1:5570")
+    port = parts.netloc.rpartition(":")[2]
+    if port.lstrip("-").isdigit() and not 0 <= int(port) <= 65535:
+        raise UsageError(f"{address}: there is no port {port}; choose one up to 65535, or 0")
     try:
         local = ipaddress.ip_address(parts.hostname).is_loopback
     except ValueError:

@@ -12,7 +12,7 @@ from collections.abc import Hashable
 from situ.blackboard import protocol
 from situ.blackboard.core import SECOND, Core, Outgoing
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Malformed
-from situ.blackboard.requests import No, Session, answer
+from situ.blackboard.requests import LONGEST, No, Session, answer
 from situ.decide import inputs
 from situ.document import names
 
@@ -206,8 +206,10 @@ class Sessions:
         if hello.module is None:
             return
         name = hello.module
-        if not names.is_tag(f"module/{name}/x") or "/" in name:
-            raise No("name", f"{name!r} can be no module's name: use letters, digits, - and _")
+        if len(name) > LONGEST or not names.is_tag(f"module/{name}/x") or "/" in name:
+            raise No(
+                "name", f"{name[:LONGEST]!r} can be no module's name: use letters, digits, - and _"
+            )
         if name in self._applications:
             raise No("name", f"{name} is an application of this project: choose another name")
         if name in self._core.modules:

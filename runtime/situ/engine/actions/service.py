@@ -15,6 +15,7 @@ from urllib.parse import unquote, urlsplit
 import httpx
 import msgspec
 
+from situ.blackboard.protocol import too_deep
 from situ.engine.actions import ActionFailed
 from situ.engine.media import MediaFolder
 
@@ -58,11 +59,11 @@ class Services:
         try:
             if file.stat().st_size > LIMIT:
                 raise ActionFailed(f"media file {path} is larger than {LIMIT >> 20} MB")
-            return msgspec.json.decode(file.read_bytes())
+            return _value(file.read_bytes())
         except OSError as error:
             raise ActionFailed(f"media file {path} can not be read: {error.strerror}") from error
-        except msgspec.DecodeError as error:
-            raise ActionFailed(f"media file {path} is no JSON: {error}") from error
+        except ValueError as error:
+            raise ActionFailed(f"media file {path} is {error}") from None
 
     async def _request(self, url: str, method: str, params: dict[str, Any]) -> tuple[Any, int]:
         shown = _shown(url)
@@ -117,11 +118,22 @@ class Services:
         if response.headers.get("content-type", "").startswith("text/plain"):
             return body.decode("utf-8", "replace")
         try:
-            return msgspec.json.decode(bytes(body))
-        except (msgspec.DecodeError, UnicodeDecodeError) as error:
-            raise ActionFailed(
-                f"{shown} answered with something that is no JSON", status
-            ) from error
+            return _value(bytes(body))
+        except ValueError as error:
+            raise ActionFailed(f"{shown} answered with something that is {error}", status) from None
+
+
+def _value(body: bytes) -> Any:
+    """What may stand on the blackboard. Raises ValueError: what the body is instead."""
+    try:
+        value = msgspec.json.decode(body)
+        if too_deep(value):
+            raise RecursionError
+    except RecursionError:
+        raise ValueError("nested too deep") from None
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"no JSON: {error}") from None
+    return value
 
 
 def _text(value: Any) -> str:
