@@ -27,15 +27,17 @@ def live_view(application: Application, moment: ApplicationMoment, t: float) -> 
         way = exit_of(application, crossed)
         if way is not None:
             latest.append(Taken(crossed.source, way, t - crossed.t))
-    here = frozenset({moment.state})
+    # Inside a part (``5/q``) it is the state that holds the part that glows here.
+    active = moment.state.partition("/")[0]
+    here = frozenset({active})
     return LiveView(
         active=here,
         suspended=here if moment.suspended else frozenset(),
-        entered={moment.state: t - moment.since},
+        entered={active: t - moment.since},
         counts=moment.entered,
         times={
             **moment.spent,
-            moment.state: moment.spent.get(moment.state, 0.0) + t - moment.since,
+            active: moment.spent.get(active, 0.0) + t - moment.since,
         },
         taken=tuple(latest),
         transitions=counted,

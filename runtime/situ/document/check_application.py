@@ -112,11 +112,15 @@ class _Check:
         if always is not None and always.screen is not None:
             shown_always = {one.id for one in always.screen.components}
         seen: set[str] = set()
+        parts = {state.no for state in application.states if state.flow is not None}
         for state in application.states:
             if state.no in seen:
                 said = f"There are two states {shown(state.no)}: give this one another no"
                 error("double-state", said, state.aside, ("state", state.no))
             seen.add(state.no)
+            if state.no.rpartition("/")[0] in parts:
+                said = f"{shown(state.no)} is how a state of the part is called: give another no"
+                error("double-state", said, state.aside, ("state", state.no))
             self.state(state, shown_always if state.always else set())
 
     def nearest(self) -> str:

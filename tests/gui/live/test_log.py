@@ -10,6 +10,7 @@ import pytest
 from situ.decide.robot import Robot
 from situ.decide.trace import TraceEvent, to_fields
 from situ.document.project import Project
+from situ.document.rbd import Application, State
 from situ.document.ready import load_ready
 from situ.rehearse import scenario
 from situ.rehearse.expect import Expect
@@ -82,6 +83,17 @@ def test_every_transition_is_found_on_the_graph(name: str, script: str) -> None:
     glow = live_script(log.now)
     assert glow.situation == log.now.situation
     assert set(glow.authority) == set(log.now.holders)
+
+
+def test_inside_a_part_the_state_that_holds_it_glows() -> None:
+    part = Application("visit", states=(State("5", "register", flow="register.rbd.xml"),))
+    log = TraceLog()
+    for seq, state in enumerate(("5", "5/1", "5/2"), 1):
+        fields = {"kind": "enter", "seq": seq, "t": float(seq), "cause": None}
+        log.add([{**fields, "application": "visit", "state": state}])
+    view = live_view(part, log.now.applications["visit"], 4.0)
+    assert view.active == {"5"}
+    assert view.counts["5"] == 1
 
 
 def test_events_seen_before_are_passed_over() -> None:
