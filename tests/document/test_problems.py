@@ -96,14 +96,6 @@ CHECKING = [
     ("no-state", '@<application name="a"/>', "add a <state>"),
     ("dangling-start", '@<application name="a" start="2"><state no="1"/></application>', '"2"'),
     ("double-state", '<application name="a"><state no="1"/>@<state no="1"/></application>', "two"),
-    (
-        "double-state",
-        (
-            '<application name="a"><state no="5"><flow src="b.rbd.xml"/></state>'
-            '@<state no="5/1"/></application>'
-        ),
-        "a state of the part",
-    ),
     ("dangling-next", EVENTS.format('@<event name="a" next="7"/>'), '"7"; the states are 1'),
     ("dangling-next", STATE.format('@<timeout next="7">5</timeout>'), '"7"'),
     (
@@ -268,6 +260,17 @@ def test_an_error_names_code_place_and_mend(
     (message,) = [p.message for p in found if p.severity == "error"]
     assert words in message
     assert "\n" not in str(found[0])
+
+
+def test_a_number_may_not_be_the_path_of_a_state_of_a_part(tmp_path: Path) -> None:
+    (tmp_path / "b.rbd.xml").write_text('<application name="b"><state no="1"/></application>')
+    found, line, column = problems_of(
+        tmp_path,
+        '<application name="a"><state no="5"><flow src="b.rbd.xml"/></state>'
+        '@<state no="5/1"/></application>',
+    )
+    errors = [(p.code, p.line, p.column) for p in found if p.severity == "error"]
+    assert errors == [("double-state", line, column)]
 
 
 @pytest.mark.parametrize(
