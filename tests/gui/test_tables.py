@@ -28,7 +28,9 @@ def subclasses(base: type) -> Iterator[type]:
 
 @pytest.mark.parametrize("base", [rbd.Action, rbd.Component])
 def test_every_action_and_component_has_a_kind(base: type) -> None:
-    assert {k.value for k in kinds.KINDS if issubclass(k.value, base)} == set(subclasses(base))
+    # Those of documents; the runtime has one more of its own, which nobody writes.
+    written = {one for one in subclasses(base) if one.__module__ == rbd.__name__}
+    assert {k.value for k in kinds.KINDS if issubclass(k.value, base)} == written
 
 
 # What a form leaves to others: the graph, the codec, the parts of a later issue.
