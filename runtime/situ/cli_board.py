@@ -25,6 +25,11 @@ def add(commands: Any) -> None:
 
     watch = _command(commands, "watch", _watch, "print each change of a tag", as_json=True)
     watch.add_argument("tag", metavar="TAG", help="a tag or a pattern: face.*")
+    watch.add_argument(
+        "--messages",
+        action="store_true",
+        help="the messages of applications instead; TAG is a topic or a pattern: spo2/*",
+    )
 
     event = _command(commands, "event", _event, "raise an event")
     event.add_argument("name", metavar="NAME")
@@ -94,12 +99,26 @@ def _set(args: argparse.Namespace) -> int:
 
 
 def _watch(args: argparse.Namespace) -> int:
+    if args.messages:
+        return _listen(args)
     with _connect(args, "viewer") as board, board.watch(args.tag) as changes:
         for change in changes:
             if args.json:
                 _print(change)
             else:
                 _say(change.tag, change.value)
+    return 0
+
+
+def _listen(args: argparse.Namespace) -> int:
+    from msgspec.structs import asdict
+
+    with _connect(args, "viewer") as board, board.messages(args.tag) as messages:
+        for message in messages:
+            if args.json:
+                _print(asdict(message))
+            else:
+                _say(message.topic, message.value)
     return 0
 
 

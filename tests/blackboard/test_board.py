@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import queue
 import random
 import re
 import select
@@ -186,6 +187,44 @@ def until_state(changes: Any, state: str) -> bool:
         if change.value["state"] == state:
             return True
     return False
+
+
+def test_messages_of_applications_are_heard(running: Any, board: Board) -> None:
+    told: queue.Queue[Any] = queue.Queue()
+    with (
+        board.messages("desk/*") as messages,
+        board.messages("spo2/*") as others,
+        board.messages("**", told.put),
+    ):
+        be_busy(board)
+        message = messages.next(DEADLINE)
+        assert message is not None
+        assert (message.topic, message.application) == ("desk/busy", "desk")
+        assert told.get(timeout=DEADLINE) == message
+        assert others.next(0.0) is None
+
+
+def test_messages_are_heard_in_asyncio(running: Any) -> None:
+    async def go() -> None:
+        async with situ.connect_async(running.endpoint) as board:
+            called: asyncio.Queue[Any] = asyncio.Queue()
+            async with board.messages("desk/busy") as heard, board.messages("desk/**") as all_heard:
+                board.messages("desk/*", called.put_nowait)
+                await board.publish("go")
+                async for message in heard:
+                    assert (message.topic, message.application) == ("desk/busy", "desk")
+                    break
+                assert await all_heard.next(DEADLINE) == message
+                assert await called.get() == message
+            await board.publish("asked", "desk")
+
+    asyncio.run(asyncio.wait_for(go(), DEADLINE))
+
+
+def be_busy(board: Board) -> None:
+    """The desk's state ``busy`` is entered, and left again."""
+    board.publish("go")
+    board.publish("asked", "desk")
 
 
 def test_modules_and_documents_are_told(running: Any, board: Board) -> None:
@@ -496,5 +535,5 @@ assert "zmq" in sys.modules
 def test_the_public_names_stay() -> None:
     assert {name for name in dir(Board) if not name.startswith("_")} == {
         *("addresses", "authority", "close", "connected", "disclose", "documents", "entries"),
-        *("get", "modules", "publish", "set", "touch", "trace", "use", "watch"),
+        *("get", "messages", "modules", "publish", "set", "touch", "trace", "use", "watch"),
     }

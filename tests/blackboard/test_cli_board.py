@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import select
 import subprocess
 import sys
 from collections.abc import Callable
@@ -74,6 +75,24 @@ def test_watch_and_trace_print_as_it_comes(running: Any, arguments: list[str], l
     with subprocess.Popen(command, stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline().startswith(line)
+        process.terminate()
+
+
+def test_watch_prints_messages_too(running: Any) -> None:
+    command = [sys.executable, "-m", "situ", "watch", "--messages", "--json", "desk/*"]
+    with (
+        subprocess.Popen([*command, "--at", running.endpoint], stdout=subprocess.PIPE) as process,
+        situ.connect(running.endpoint) as board,
+    ):
+        assert process.stdout is not None
+        # Nothing tells when it listens: the application sends until it is heard.
+        for _ in range(round(DEADLINE / 0.1)):
+            board.publish("go")
+            board.publish("asked", "desk")
+            if select.select([process.stdout], [], [], 0.1)[0]:
+                break
+        line = json.loads(process.stdout.readline())
+        assert (line["topic"], line["application"]) == ("desk/busy", "desk")
         process.terminate()
 
 

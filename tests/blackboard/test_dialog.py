@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import random
 from collections import deque
 from collections.abc import Callable
@@ -12,6 +13,8 @@ import pytest
 from situ.blackboard import protocol
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.dialog import Dialog
+from situ.blackboard.feeds import KEPT
+from situ.blackboard.subscriptions import Subscriptions
 from situ.errors import Refused, Unreachable
 
 
@@ -86,6 +89,10 @@ def is_connected(net: Net) -> bool:
     return net.dialog.connected
 
 
+def is_ready(feed: Any) -> bool:
+    return bool(feed.ready)
+
+
 def taken(feed: Any) -> list[Any]:
     return list(iter(feed.take, None))
 
@@ -151,6 +158,45 @@ def test_a_change_lost_in_between_is_found_by_the_version(net: Net) -> None:
     assert [(c.value, c.version, c.missed) for c in taken(watch)] == [(1, 1, 0), (3, 3, 1)]
 
 
+def test_messages_are_heard_as_they_are_sent_and_only_those_asked_for(net: Net) -> None:
+    heard, other = net.dialog.messages("desk/*"), net.dialog.messages("nurse/call")
+    assert not is_ready(heard)
+    net.turn()
+    assert is_ready(heard)
+    net.get(net.dialog.publish("go"))
+    (message,) = taken(heard)
+    assert (message.topic, message.application) == ("desk/busy", "desk")
+    assert not taken(other)
+    net.dialog.unlisten(heard)
+    net.beat(20)
+    net.get(net.dialog.publish("go"))
+    assert heard.ended
+    assert not taken(heard)
+
+
+def test_messages_are_heard_again_after_a_loss_of_the_connection(net: Net) -> None:
+    heard = net.dialog.messages("**")
+    net.turn()
+    net.cut = True
+    net.beat(6)
+    assert not net.dialog.connected
+    assert not is_ready(heard)
+    net.reconnect()
+    net.beat(4)
+    assert is_ready(heard)
+    net.get(net.dialog.publish("go"))
+    assert [message.topic for message in taken(heard)] == ["desk/busy"]
+
+
+def test_of_messages_that_nobody_takes_the_last_are_kept(net: Net) -> None:
+    heard = net.dialog.messages("**")
+    net.turn()
+    for number in range(KEPT + 5):
+        frame = protocol.Message(topic="x", value=number, application="desk")
+        net.dialog.hear(protocol.notice(protocol.message_topic("x"), frame), 0.0)
+    assert [message.value for message in taken(heard)] == list(range(5, KEPT + 5))
+
+
 def test_a_last_change_that_was_lost_is_found_by_the_heartbeat(net: Net) -> None:
     watch = net.dialog.watch("x")
     net.turn()
@@ -171,6 +217,38 @@ def test_an_echo_that_was_lost_is_asked_for_again(net: Net) -> None:
     net.dialog.hear = heard  # type: ignore[method-assign]
     net.beat(12)
     assert [c.value for c in taken(watch)] == [1]
+
+
+def test_no_echo_counts_that_was_asked_for_before_the_connection_stood() -> None:
+    # What was subscribed to by then arrives in any order, a topic after its own echo too.
+    asked: list[tuple[str, ...]] = []
+
+    class Connected:
+        connected = True
+
+        def next_id(self) -> int:
+            return next(count)
+
+        def ask(self, request: Any, read: Callable[[Any], Any], again: bool) -> Call[Any]:
+            asked.append(request.patterns)
+            return Call(request, read, again)
+
+    count = itertools.count(1)
+    subscriptions = Subscriptions(Connected())
+
+    def echoes() -> list[bytes]:
+        wanted = [t for t, on in subscriptions.topics if on and t.startswith(protocol.ECHO)]
+        subscriptions.topics.clear()
+        return wanted
+
+    subscriptions.watch("a")
+    subscriptions.watch("b")
+    for topic in echoes():
+        subscriptions.hear(protocol.Echo(), topic + b"\n")
+    assert asked == []
+    for topic in echoes():
+        subscriptions.hear(protocol.Echo(), topic + b"\n")
+    assert asked == [("a",), ("b",)]
 
 
 @pytest.mark.parametrize("seed", range(30))

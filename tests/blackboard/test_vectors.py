@@ -58,6 +58,12 @@ def test_a_malformed_request_is_told_in_one_line(vector: dict[str, Any]) -> None
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("vector", vectors("topics"), ids=lambda vector: vector["pattern"])
+def test_a_pattern_is_subscribed_to_by_its_beginning(vector: dict[str, str]) -> None:
+    topics = {"changes": protocol.pattern_topic, "messages": protocol.messages_topic}
+    assert topics[vector["of"]](vector["pattern"]).decode() == vector["subscribe"]
+
+
 def test_every_message_has_a_vector() -> None:
     requests = {body["do"] for body in vectors("requests")}
     replies = {body["re"] for body in vectors("replies")}

@@ -16,6 +16,7 @@ from situ.blackboard.protocol import (
     AnyReply,
     Entry,
     Files,
+    Message,
     ModuleStates,
     Need,
     Offer,
@@ -99,6 +100,14 @@ class AsyncBoard:
         )
 
     # -- what happens --------------------------------------------------------
+
+    def messages(
+        self, pattern: str, callback: Callable[[Message], None] | None = None
+    ) -> AsyncFollowing[Message]:
+        """Not awaited, as ``watch``; heard for certain from its ``async with`` on."""
+        heard = self._dialog.messages(pattern, callback)
+        self._soon()
+        return AsyncFollowing(self, heard, self._dialog.unlisten, lambda: heard.ready, lambda: None)
 
     async def publish(self, event: str, application: str | None = None) -> None:
         await self._answer(self._dialog.publish(event, application))

@@ -13,9 +13,17 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from situ.blackboard.calls import Call, which
 from situ.blackboard.dialog import Dialog
-from situ.blackboard.feeds import Change, TraceFeed, Watch
+from situ.blackboard.feeds import Change, Messages, TraceFeed, Watch
 from situ.blackboard.link import Link
-from situ.blackboard.protocol import Addresses, Entry, Files, ModuleStates, Need, Offer
+from situ.blackboard.protocol import (
+    Addresses,
+    Entry,
+    Files,
+    Message,
+    ModuleStates,
+    Need,
+    Offer,
+)
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
@@ -124,6 +132,21 @@ class Board:
         return events
 
     # -- what happens --------------------------------------------------------
+
+    def messages(
+        self, pattern: str, callback: Callable[[Message], None] | None = None
+    ) -> Following[Message]:
+        """The messages that applications send (``topic``, ``value``, ``application``) from here
+        on; as ``watch``, but not without a gap.
+
+        pattern: of topics, ``*`` for one part between slashes, ``**`` for any number. What is
+        sent while the connection is away is lost: what must arrive stands at a tag.
+        """
+        with self._lock:
+            heard = self._dialog.messages(pattern, callback)
+        messages = Following[Message](self, heard, self._dialog.unlisten)
+        self._expect(messages, lambda: heard.ready)
+        return messages
 
     def publish(self, event: str, application: str | None = None) -> None:
         """An event for an application, or (None) for every one."""
@@ -265,7 +288,7 @@ class Board:
         with contextlib.suppress(BlockingIOError, OSError):
             self._wakers[1].send(b"\0")
 
-    def _calling(self) -> list[Watch | TraceFeed]:
+    def _calling(self) -> list[Watch | Messages | TraceFeed]:
         """What has something for its callback."""
         return [one for one in self._dialog.following() if one.callback is not None and len(one)]
 
@@ -311,7 +334,7 @@ class Board:
 
 
 class Followed(Protocol[T_co]):
-    """A ``Watch`` or a ``TraceFeed``."""
+    """A ``Watch``, ``Messages`` or a ``TraceFeed``."""
 
     ended: bool
 

@@ -21,11 +21,12 @@ from situ.blackboard.asynchronous import AsyncAuthority, AsyncBoard, AsyncFollow
 from situ.blackboard.blocking import PATIENCE, Authority, Board, Following
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.dialog import Dialog
-from situ.blackboard.feeds import Change, TraceFeed, Watch
+from situ.blackboard.feeds import Change, Messages, TraceFeed, Watch
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import (
     Entry,
     Files,
+    Message,
     ModuleState,
     ModuleStates,
     Need,
@@ -48,6 +49,8 @@ __all__ = [
     "Files",
     "Following",
     "Link",
+    "Message",
+    "Messages",
     "ModuleState",
     "ModuleStates",
     "Need",

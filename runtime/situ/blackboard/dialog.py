@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 from situ.blackboard import protocol
 from situ.blackboard.calls import Call, Person
-from situ.blackboard.feeds import TraceFeed, Watch
+from situ.blackboard.feeds import Messages, TraceFeed, Watch
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Malformed, Request
 from situ.blackboard.subscriptions import Subscriptions
 from situ.errors import BlackboardError, Refused, Unreachable
@@ -60,6 +60,8 @@ class Dialog:
             self.subscribing.append((protocol.authority_topic(resource), True))
         self.watch = self._subscriptions.watch
         self.unwatch = self._subscriptions.unwatch
+        self.messages = self._subscriptions.listen
+        self.unlisten = self._subscriptions.unlisten
         self.trace = self._subscriptions.trace
         self.untrace = self._subscriptions.untrace
 
@@ -354,9 +356,10 @@ class Dialog:
         self.ended = True
         return call
 
-    def following(self) -> list[Watch | TraceFeed]:
-        """All that is watched and traced."""
-        return [*self._subscriptions.watches, *self._subscriptions.feeds]
+    def following(self) -> list[Watch | Messages | TraceFeed]:
+        """All that is watched, listened to and traced."""
+        subscriptions = self._subscriptions
+        return [*subscriptions.watches, *subscriptions.messages, *subscriptions.feeds]
 
     # -- authority -----------------------------------------------------------
 

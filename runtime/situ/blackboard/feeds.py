@@ -135,6 +135,37 @@ class Watch:
         self._queue = deque(last.values())
 
 
+class Messages:
+    """The messages whose topic ``pattern`` fits, from when ``ready`` on.
+
+    What is sent while the connection is away is not heard; of more than ``KEPT`` that
+    nobody takes the oldest are dropped.
+    """
+
+    def __init__(
+        self, pattern: str, callback: Callable[[protocol.Message], None] | None = None
+    ) -> None:
+        self.pattern = protocol.one_line(pattern)
+        self.callback = callback
+        self.ready = False
+        self.asking = False
+        self.ended = False
+        self._queue: deque[protocol.Message] = deque(maxlen=KEPT)
+
+    def take(self) -> protocol.Message | None:
+        """The next message; None where there is none yet."""
+        return self._queue.popleft() if self._queue else None
+
+    def __len__(self) -> int:
+        return len(self._queue)
+
+    # -- for the dialog ------------------------------------------------------
+
+    def hear(self, message: protocol.Message) -> None:
+        if names.matches(self.pattern, protocol.one_line(message.topic)):
+            self._queue.append(message)
+
+
 class TraceFeed:
     """Trace events as plain objects (formats.md, *Trace*, with ``time``), in order of seq.
 

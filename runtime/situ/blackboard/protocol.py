@@ -483,13 +483,21 @@ def change_topic(tag: str) -> bytes:
 
 
 def pattern_topic(pattern: str) -> bytes:
-    """What to subscribe to for a pattern: all topics that can fit begin with it."""
-    star = pattern.find("*")
-    if star < 0:
-        return change_topic(pattern)
-    # ``user.**`` fits ``user`` too, so the separator before it may be missing.
+    """What to subscribe to for a pattern of tags: all topics that can fit begin with it."""
+    return change_topic(pattern) if "*" not in pattern else b"t:" + _beginning(pattern)
+
+
+def messages_topic(pattern: str) -> bytes:
+    """The same for a pattern of messages' topics."""
+    pattern = one_line(pattern)
+    return message_topic(pattern) if "*" not in pattern else b"m:" + _beginning(pattern)
+
+
+def _beginning(pattern: str) -> bytes:
+    star = pattern.index("*")
     head = pattern[:star]
-    return b"t:" + (head[:-1] if pattern[star : star + 2] == "**" else head).encode()
+    # ``user.**`` fits ``user`` too, so the separator before it may be missing.
+    return (head[:-1] if pattern[star : star + 2] == "**" else head).encode()
 
 
 def authority_topic(resource: str) -> bytes:
@@ -497,7 +505,12 @@ def authority_topic(resource: str) -> bytes:
 
 
 def message_topic(topic: str) -> bytes:
-    return b"m:%s\n" % " ".join(topic.split()).encode()
+    return b"m:%s\n" % one_line(topic).encode()
+
+
+def one_line(topic: str) -> str:
+    """A message's topic as it is subscribed to: a line break would end it."""
+    return " ".join(topic.split())
 
 
 # -- bytes -------------------------------------------------------------------

@@ -15,7 +15,7 @@ from typing import Any, Protocol, TypeVar
 
 from situ.blackboard import protocol
 from situ.blackboard.calls import Call
-from situ.blackboard.feeds import Change, TraceFeed, Watch
+from situ.blackboard.feeds import Change, Messages, TraceFeed, Watch
 from situ.errors import Refused
 
 T = TypeVar("T")
@@ -36,18 +36,22 @@ class Talk(Protocol):
 
 
 class Subscriptions:
-    """Watches and trace feeds of one client; ``topics``: (topic, on or off), to be subscribed
-    to in this order.
+    """Watches, messages and trace feeds of one client.
+
+    topics: (topic, on or off), to be subscribed to in this order.
     """
 
     def __init__(self, talk: Talk) -> None:
         self.topics: deque[tuple[bytes, bool]] = deque()
         self.watches: list[Watch] = []
+        self.messages: list[Messages] = []
         self.feeds: list[TraceFeed] = []
         self._talk = talk
         # Nobody else may ask for the same echo: only the first would get it.
         self._token = secrets.token_hex(6)
-        self._echo: dict[bytes, tuple[list[Watch], int]] = {}
+        # Topic to who waits for it, the heartbeat at which it was asked for, and whether the
+        # connection for notices stood already.
+        self._echo: dict[bytes, tuple[list[Watch | Messages], int, bool]] = {}
         self._beats = 0
         self._up = False
         self._by_tag: dict[str, tuple[Watch, ...]] = {}
@@ -64,6 +68,9 @@ class Subscriptions:
             for feed in self.feeds:
                 if not feed.add(notice.events):
                     self._fetch(feed)
+        elif isinstance(notice, protocol.Message):
+            for messages in self.messages:
+                messages.hear(notice)
         elif isinstance(notice, protocol.Echo):
             self._echoed(frame[: frame.index(b"\n")])
 
@@ -72,8 +79,8 @@ class Subscriptions:
         self.topics.extend((topic, False) for topic in self._echo)
         self._echo.clear()
         self._up = False
-        for watch in self.watches:
-            watch.ready = watch.asking = False
+        for one in self._heard():
+            one.ready = one.asking = False
         for feed in self.feeds:
             feed.asking = False
 
@@ -82,21 +89,21 @@ class Subscriptions:
         if restarted:
             for feed in self.feeds:
                 feed.restart()
-        self._sync(self.watches)
+        self._sync(self._heard())
         for feed in self.feeds:
             self._fetch(feed)
 
     def check(self, alive: protocol.Alive) -> None:
         """What a heartbeat told: asks for what must have been lost."""
         self._beats += 1
-        for topic, (watches, beat) in list(self._echo.items()):
+        for topic, (asked, beat, _) in list(self._echo.items()):
             if self._beats > beat + PATIENCE:
                 # It was lost, or came before anybody listened.
                 del self._echo[topic]
                 self.topics.append((topic, False))
-                self._ask_echo(watches)
+                self._ask_echo(asked)
         lost = [w for w in self.watches if w.ready and w.behind(alive.changes.get(w.pattern, 0))]
-        self._sync([*lost, *(w for w in self.watches if not w.ready)])
+        self._sync([*lost, *(one for one in self._heard() if not one.ready)])
         for feed in self.feeds:
             if feed.behind(alive.seq):
                 self._fetch(feed)
@@ -135,31 +142,39 @@ class Subscriptions:
             request = protocol.Unwatch(id=self._talk.next_id(), patterns=(watch.pattern,))
             self._talk.ask(request, _nothing, again=False)
 
-    def _sync(self, watches: Iterable[Watch]) -> None:
+    def _heard(self) -> list[Watch | Messages]:
+        return [*self.watches, *self.messages]
+
+    def _sync(self, feeds: Iterable[Watch | Messages]) -> None:
         """Asks for snapshots, when it is sure that changes are heard by then."""
-        asked = [watch for watch in watches if not watch.asking]
+        asked = [one for one in feeds if not one.asking]
         if not asked:
             return
-        for watch in asked:
-            watch.ready, watch.asking = False, True
+        for one in asked:
+            one.ready, one.asking = False, True
         self._ask_echo(asked)
 
-    def _ask_echo(self, asked: list[Watch]) -> None:
+    def _ask_echo(self, asked: list[Watch | Messages]) -> None:
         topic = protocol.ECHO + f"{self._token}:{self._talk.next_id()}".encode()
-        self._echo[topic] = asked, self._beats
+        self._echo[topic] = asked, self._beats, self._up
         self.topics.append((topic, True))
 
     def _echoed(self, topic: bytes) -> None:
         if topic not in self._echo or not self._talk.connected:
             return
-        watches, _ = self._echo.pop(topic)
+        asked, _, certain = self._echo.pop(topic)
         self.topics.append((topic, False))
-        if not self._up:
+        if not certain:
             # Topics subscribed to before the connection stood arrive in any order, those
             # after in theirs: only an echo of the second kind tells of those before it.
             self._up = True
-            self._ask_echo(watches)
+            self._ask_echo(asked)
             return
+        for one in asked:
+            if isinstance(one, Messages):
+                # Nothing stands anywhere that could be asked for.
+                one.ready, one.asking = True, False
+        watches = [one for one in asked if isinstance(one, Watch)]
         patterns = tuple(dict.fromkeys(w.pattern for w in watches if not w.ended))
         if not patterns:
             return
@@ -171,6 +186,30 @@ class Subscriptions:
         request = protocol.Watch(id=self._talk.next_id(), patterns=patterns)
         call = self._talk.ask(request, read, again=False)
         call.then(lambda: _refused(watches, call))
+
+    # -- messages ------------------------------------------------------------
+
+    def listen(
+        self, pattern: str, callback: Callable[[protocol.Message], None] | None = None
+    ) -> Messages:
+        """Messages of applications from when ``ready``; kept up over losses of the connection,
+        in which those that are sent meanwhile are lost."""
+        messages = Messages(pattern, callback)
+        if all(one.pattern != messages.pattern for one in self.messages):
+            self.topics.append((protocol.messages_topic(messages.pattern), True))
+        self.messages.append(messages)
+        if self._talk.connected:
+            self._sync([messages])
+        return messages
+
+    def unlisten(self, messages: Messages) -> None:
+        """No more of them is heard; asking twice is no fault."""
+        messages.ended = True
+        if messages not in self.messages:
+            return
+        self.messages.remove(messages)
+        if all(one.pattern != messages.pattern for one in self.messages):
+            self.topics.append((protocol.messages_topic(messages.pattern), False))
 
     # -- trace ---------------------------------------------------------------
 
