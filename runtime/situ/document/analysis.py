@@ -11,8 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from situ.document.analysis_modules import search_modules
+from situ.document.analysis_script import search_situations
 from situ.document.analysis_search import Cancelled, Search
 from situ.document.analysis_states import search_states
+from situ.document.analysis_ways import Ways
 from situ.document.project import Project
 
 __all__ = ["Cancelled", "Search", "analyse"]
@@ -25,7 +28,13 @@ def analyse(project: Project, cancel: Callable[[], bool] | None = None) -> Searc
     whatever the documents hold.
     """
     search = Search(project, cancel)
+    ways: dict[str, tuple[Ways, set[str]]] = {}
     for file, application in {**project.applications, **project.parts}.items():
         search.go_on()
-        search_states(search, file, application)
+        found = search_states(search, file, application)
+        if file in project.applications:
+            ways[application.name] = found
+    if project.spds is not None and project.spds_file is not None:
+        current = search_situations(search, project.spds_file, project.spds)
+        search_modules(search, project.spds_file, project.spds, current, ways)
     return search

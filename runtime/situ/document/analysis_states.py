@@ -25,14 +25,16 @@ from situ.document.problem import Change, Mend
 from situ.document.rbd import AGAIN, BACK, Application, Event, State
 
 
-def search_states(search: Search, file: str, application: Application) -> set[str]:
-    """Tells what is never taken, reached or left in an application; gives the states reached."""
+def search_states(search: Search, file: str, application: Application) -> tuple[Ways, set[str]]:
+    """Tells what is never taken, reached or left in an application; gives its ways and the
+    states reached.
+    """
     ways = Ways(search, file, application)
     _guards(search, file, application)
     _never_taken(search, ways)
     reached = reachable(ways)
     if not _is_whole(application):
-        return {state.no for state in application.states}
+        return ways, {state.no for state in application.states}
     for state in application.states:
         if state.no not in reached:
             _unreachable(search, ways, state, reached)
@@ -40,7 +42,7 @@ def search_states(search: Search, file: str, application: Application) -> set[st
         dead_ends = _dead_ends(search, ways, reached)
         _no_way_back(search, ways, reached, dead_ends)
     search_loops(search, ways, reached)
-    return reached
+    return ways, reached
 
 
 def reachable(ways: Ways) -> set[str]:

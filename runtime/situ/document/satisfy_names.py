@@ -158,6 +158,21 @@ class Variables:
             var = self._relations[name, other] = self._variable(full, name, other)
         return var, mask
 
+    def groups(self) -> list[int]:
+        """By variable, the number of its group; different groups are free of each other."""
+        known: dict[str, str] = {}
+
+        def find(name: str) -> str:
+            while known.setdefault(name, name) != name:
+                name = known[name]
+            return name
+
+        links = [(name, above) for name, (above, _, _) in self._parent.items()]
+        for one, other in [*links, *self._relations, *self._members]:
+            known[find(one)] = find(other)
+        first: dict[str, int] = {}
+        return [first.setdefault(find(of[0]), var) for var, of in enumerate(self._name)]
+
     def beside(self, name: str) -> list[int]:
         """The variables that say something of a name beside that of its value."""
         return [var for var, of in enumerate(self._name) if name in of and var != self.var[name]]

@@ -1,0 +1,311 @@
+"""Modules: those that can never hold authority, and ties between them.
+
+What is claimed: in a situation that can be current a module can *win* where the others may
+ask, or not, in such a way that it is granted something. Modules decide by themselves: each may
+ask for any part of what it declared, or for nothing. An application asks for what the state
+that it is in uses, and it may be in any state that is reached; one with parts is taken to ask
+as it likes. At equal priorities either may come first.
+
+A *tie* is two modules of equal priority in a situation that can be current, which can ask
+for the same resource: who comes first then depends on who held or asked first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from situ.document.analysis_search import Search
+from situ.document.analysis_ways import Ways
+from situ.document.aside import Aside
+from situ.document.check_application import used_resources
+from situ.document.finding import Place
+from situ.document.rbd import AGAIN, BACK, Robot, Screen, Sound, Speech
+from situ.document.spds import Situation, Spds
+
+Asks = tuple[frozenset[str], frozenset[str]]
+"""What a request needs, and what it takes beside that where it is free."""
+
+MOST = 20_000
+"""Ways to share out resources that are looked at, for one question."""
+
+
+class Asker:
+    """A module of the script. asks: the requests it makes, None for any part of ``resources``."""
+
+    def __init__(self, resources: frozenset[str], asks: frozenset[Asks] | None) -> None:
+        self.resources = resources
+        self.asks = asks
+
+
+def search_modules(
+    search: Search,
+    file: str,
+    script: Spds,
+    current: list[Situation],
+    ways: dict[str, tuple[Ways, set[str]]],
+) -> None:
+    """``ways``: by name of the application, its ways and the states that are reached."""
+    askers = _askers(search, script, ways)
+    _ties(search, file, script, current, askers)
+    for name, asker in askers.items():
+        search.go_on()
+        _never_wins(search, file, script, current, askers, name, asker)
+
+
+def _askers(
+    search: Search, script: Spds, ways: dict[str, tuple[Ways, set[str]]]
+) -> dict[str, Asker]:
+    project = search.project
+    applications = {a.name: a for a in project.applications.values()}
+    found: dict[str, Asker] = {}
+    for name, resources in project.declared().items():
+        application = applications.get(name)
+        if application is None:
+            found[name] = Asker(frozenset(resources), None)
+        elif name in ways:
+            asks = requests(*ways[name])
+            if asks is None:
+                used = frozenset(used_resources(project, application))
+            else:
+                used = frozenset(one for needs, takes in asks for one in needs | takes)
+            found[name] = Asker(used, asks)
+    return found
+
+
+def requests(ways: Ways, reached: set[str]) -> frozenset[Asks] | None:
+    """What an application asks for in the states that are reached; None: it has parts."""
+    application = ways.application
+    states = [state for state in application.states if state.no in reached]
+    if any(state.flow is not None for state in states):
+        return None
+    shown = _shown(ways, reached)
+    found: set[Asks] = set()
+    for state in states:
+        needs: set[str] = set()
+        takes: set[str] = set()
+        for action in state.actions:
+            resource = _resource(action)
+            if resource is not None:
+                optional = isinstance(action, (Speech, Sound, Robot)) and action.optional
+                (takes if optional else needs).add(resource)
+        always = application.always
+        if state.always and always is not None and _shows(always.screen):
+            needs.add("screen")
+        for is_shown in shown.get(state.no, ()):
+            with_screen = needs | {"screen"} if is_shown else needs
+            found.add((frozenset(with_screen), frozenset(takes - with_screen)))
+    return frozenset(found)
+
+
+def _shown(ways: Ways, reached: set[str]) -> dict[str, set[bool]]:
+    """By state, whether a screen of a state can be shown there, and whether none can be."""
+    application = ways.application
+    states = {state.no: state for state in application.states}
+    start = application.start_no
+    found: dict[str, set[bool]] = {no: set() for no in reached}
+    into: dict[str, set[str]] = {no: set() for no in reached}
+    for no in reached:
+        for way in ways.of[no]:
+            for target in ways.targets(way) if way.next != AGAIN else ():
+                into[target].add(no)
+
+    def after(no: str, before: bool) -> bool:
+        screen = states[no].screen
+        return before if screen is None else _shows(screen)
+
+    waiting: list[tuple[str, bool]] = []
+    if start in reached and start is not None:
+        waiting.append((start, after(start, False)))
+    while waiting:
+        no, is_shown = waiting.pop()
+        if is_shown in found[no]:
+            continue
+        found[no].add(is_shown)
+        for way in ways.of[no]:
+            targets = into[no] if way.next == BACK else ways.targets(way)
+            waiting += [(target, after(target, is_shown)) for target in targets]
+    return found
+
+
+def _shows(screen: Screen | None) -> bool:
+    return screen is not None and bool(screen.components or screen.background or screen.touched)
+
+
+def _resource(action: object) -> str | None:
+    if isinstance(action, (Speech, Sound)):
+        return "speech"
+    return action.resource if isinstance(action, Robot) else None
+
+
+# -- winning ---------------------------------------------------------------------
+
+
+class _Spent(Exception):
+    """Too many ways were looked at."""
+
+
+def _never_wins(
+    search: Search,
+    file: str,
+    script: Spds,
+    current: list[Situation],
+    askers: dict[str, Asker],
+    name: str,
+    asker: Asker,
+) -> None:
+    entries = [
+        (situation, at)
+        for situation in script.situations
+        for at, entry in enumerate(situation.entries)
+        if entry.module == name and entry.priority is not None
+    ]
+    is_application = any(a.name == name for a in search.project.applications.values())
+    if not entries:
+        if not is_application and asker.resources:
+            where, place = _declaration(script, name)
+            message = (
+                f'The module "{name}" can never hold authority: no situation gives it a '
+                f'priority; add <module name="{name}" priority="…"/> to one'
+            )
+            search.warn(file, "never-wins", message, where, place)
+        return
+    first, at = entries[0]
+    place = ("situation", first.name, "entry", str(at))
+    aside = first.entries[at].aside
+    if not asker.resources:
+        message = (
+            f'The module "{name}" has no resources, so its priority has no effect: take it out'
+        )
+        search.warn(file, "never-wins", message, aside, place)
+        return
+    try:
+        wins = any(can_win(script.priorities(situation), askers, name) for situation in current)
+    except _Spent:
+        search.undecided(file, f'whether "{name}" ever holds authority', aside, place)
+        return
+    if not wins:
+        given = [s for s in current if name in script.priorities(s)]
+        why = "others with a higher priority always hold what it could ask for"
+        if not given:
+            why = "the situations that give it a priority are never current"
+        message = (
+            f'The module "{name}" can never hold authority: {why}; raise its priority, or give '
+            "it a situation of its own"
+        )
+        search.warn(file, "never-wins", message, aside, place)
+
+
+def _declaration(script: Spds, name: str) -> tuple[Aside, Place]:
+    for declared in script.modules:
+        if declared.name == name:
+            return declared.aside, ("module", name)
+    return script.aside, ()
+
+
+def can_win(priorities: dict[str, int], askers: dict[str, Asker], name: str) -> bool:
+    """Whether a module can be granted something with these priorities."""
+    if name not in priorities or name not in askers:
+        return False
+    mine = priorities[name]
+    above: dict[int, list[Asker]] = {}
+    for module, priority in priorities.items():
+        if priority > mine and module in askers:
+            above.setdefault(priority, []).append(askers[module])
+    taken: set[frozenset[str]] = {frozenset()}
+    for priority in sorted(above, reverse=True):
+        taken = _after(taken, above[priority])
+    return any(_granted(askers[name], one) for one in taken)
+
+
+def _granted(asker: Asker, taken: frozenset[str]) -> bool:
+    if asker.asks is None:
+        return bool(asker.resources - taken)
+    return any(not needs & taken and bool(needs or takes - taken) for needs, takes in asker.asks)
+
+
+def _after(taken: set[frozenset[str]], several: list[Asker]) -> set[frozenset[str]]:
+    """What can be taken after modules of one priority asked, in any order."""
+    everyone = frozenset(range(len(several)))
+    reached = {(one, everyone) for one in taken}
+    waiting = list(reached)
+    while waiting:
+        held, left = waiting.pop()
+        for at in left:
+            for more in _may_take(several[at], held):
+                new = (held | more, left - {at})
+                if new not in reached:
+                    reached.add(new)
+                    waiting.append(new)
+                    if len(reached) > MOST:
+                        raise _Spent
+    return {held for held, left in reached if not left}
+
+
+def _may_take(asker: Asker, taken: frozenset[str]) -> Iterator[frozenset[str]]:
+    """What a module can be granted when its turn comes."""
+    if asker.asks is None:
+        yield from _parts(asker.resources - taken)
+        return
+    for needs, takes in asker.asks:
+        yield needs | (takes - taken) if not needs & taken else frozenset()
+
+
+def _parts(resources: Iterable[str]) -> Iterator[frozenset[str]]:
+    several = sorted(resources)
+    if len(several) > 12:
+        raise _Spent
+    for bits in range(1 << len(several)):
+        yield frozenset(one for at, one in enumerate(several) if bits >> at & 1)
+
+
+# -- ties ------------------------------------------------------------------------
+
+
+def _ties(
+    search: Search,
+    file: str,
+    script: Spds,
+    current: list[Situation],
+    askers: dict[str, Asker],
+) -> None:
+    known: dict[str, set[tuple[str, str]]] = {}
+    for situation in script.situations:
+        known[situation.name] = set(_tied(script.priorities(situation), askers))
+    names = {situation.name for situation in current}
+    for situation in current:
+        found = known[situation.name]
+        # Where the situation that it extends is told of already, once is enough.
+        if situation.extends in names and situation.extends is not None:
+            found = found - known.get(situation.extends, set())
+        for one, other in sorted(found):
+            shared = sorted(askers[one].resources & askers[other].resources)
+            priority = script.priorities(situation)[one]
+            aside, place = _entry(situation, one, other)
+            message = (
+                f'"{one}" and "{other}" both have the priority {priority} in "{situation.name}" '
+                f"and can ask for {', '.join(shared)}: who asked first would win; give one of "
+                "them another priority"
+            )
+            search.warn(file, "tie", message, aside, place)
+
+
+def _tied(priorities: dict[str, int], askers: dict[str, Asker]) -> Iterator[tuple[str, str]]:
+    by_priority: dict[int, list[str]] = {}
+    for module, priority in priorities.items():
+        if module in askers:
+            by_priority.setdefault(priority, []).append(module)
+    for several in by_priority.values():
+        several.sort()
+        for at, one in enumerate(several):
+            for other in several[at + 1 :]:
+                if askers[one].resources & askers[other].resources:
+                    yield one, other
+
+
+def _entry(situation: Situation, one: str, other: str) -> tuple[Aside, Place]:
+    """The entry of the situation that brings the tie about, the lower one first."""
+    place: Place = ("situation", situation.name)
+    for at in reversed(range(len(situation.entries))):
+        if situation.entries[at].module in (one, other):
+            return situation.entries[at].aside, (*place, "entry", str(at))
+    return situation.aside, place
