@@ -21,7 +21,15 @@ class Running:
     def __init__(self, project: Path, state: Path, endpoint: str = "tcp://127.0.0.1:0") -> None:
         self.project, self.state = project, state
         command = [sys.executable, "-m", "situ", "run", str(project), "--endpoint", endpoint]
-        command += ["--http", "127.0.0.1:0", "--state", str(state), "--json"]
+        command += [
+            "--notify",
+            "tcp://127.0.0.1:0",
+            "--http",
+            "127.0.0.1:0",
+            "--state",
+            str(state),
+            "--json",
+        ]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         assert self.process.stdout is not None
         self.endpoint: str = json.loads(self.process.stdout.readline())["requests"]
