@@ -9,7 +9,8 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
-from situ_studio.canvas import thumbnails, words
+from situ.document import words
+from situ_studio.canvas import thumbnails
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.projection import FIRST, HEADER, NEW, PITCH, TIMEOUT, WIDTH, Card, Exit

@@ -13,10 +13,9 @@ from typing import Literal
 from msgspec import Struct
 from msgspec.structs import replace
 
-from situ.document import rbd
+from situ.document import rbd, words
 from situ.document.problem import Problem
 from situ.document.rbd import Application, Event, State, Timeout
-from situ_studio.canvas import words
 
 WIDTH = 176.0
 HEADER = 28.0
@@ -34,6 +33,23 @@ ENTRY = "in"
 
 Kind = Literal["state", "start", "end", "part", "always"]
 Place = tuple[str, ...]
+
+
+ICONS: dict[str, str] = {
+    "speech": "speech",
+    "robot": "robot",
+    "service": "service",
+    "message": "message",
+    "launch": "launch",
+    "sound": "sound",
+    "set": "set",
+    "add": "set",
+    "append": "append",
+    "take": "take",
+    "clear": "clear",
+    "repeat": "repeat",
+}
+"""An action's element to the name of its icon."""
 
 
 class Exit(Struct, frozen=True):
@@ -226,7 +242,7 @@ def _line(state: State) -> tuple[str, str]:
         if isinstance(action, rbd.Speech):
             return action.text, "speech"
     for action in state.actions:
-        return words.action(action), words.ICONS.get(action.element, "set")
+        return words.action(action), ICONS.get(action.element, "set")
     for component in state.screen.components if state.screen else ():
         if isinstance(component, rbd.Text):
             return component.text, "text"
@@ -298,7 +314,7 @@ class Projector:
                 card = kept[2]
             elif isinstance(value, State):
                 line, icon = _line(value)
-                icons = dict.fromkeys(words.ICONS.get(a.element, "set") for a in value.actions)
+                icons = dict.fromkeys(ICONS.get(a.element, "set") for a in value.actions)
                 kind: Kind = "state"
                 if value.no == start:
                     kind = "start"

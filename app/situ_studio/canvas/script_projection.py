@@ -12,10 +12,10 @@ from typing import Literal
 
 from msgspec import Struct
 
+from situ.document import words
 from situ.document.condition import Condition, Group, Test
 from situ.document.problem import Problem
 from situ.document.spds import Observed, Situation, Spds
-from situ_studio.canvas import words
 
 Kind = Literal["data", "condition", "situation", "module", "resource"]
 Place = tuple[str, ...]

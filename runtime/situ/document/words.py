@@ -74,6 +74,8 @@ def _wanted(test: Test) -> str:
             several = None
         if isinstance(several, list):
             return ", ".join(one if isinstance(one, str) else json.dumps(one) for one in several)
+    if test.value.replace(" ", "") == "[]":
+        return "[ ]"  # two brackets alone are read as one box
     return test.value or "empty"
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from situ.document import words
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Question
 from situ.document.problem import Problem
 from situ.document.rbd import Application, Event, Say, Service, State
-from situ_studio.canvas import words
 from situ_studio.canvas.projection import NEW, Projector, exit_of, place_of
 
 
