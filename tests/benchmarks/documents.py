@@ -33,7 +33,7 @@ _STATE = """\
   <state no="{no}" name="question {no}" ed:x="{x}" ed:y="{y}">
     <screen>
       <components>
-        <text id="question" x="10" y="18" width="80" height="20">Question {no}, {{user.name}}?</text>
+        <text id="ask" x="10" y="18" width="80" height="20">Question {no}, {{user.name}}?</text>
         <button id="yes" x="10" y="75" width="30" height="15" event="yes">Yes</button>
       </components>
     </screen>
@@ -124,19 +124,17 @@ def parts(count: int, states: int) -> dict[str, bytes]:
 
 
 def _questions(states: int, last: str) -> list[str]:
-    made = []
-    for no in range(1, states + 1):
-        made.append(
-            _STATE.format(
-                no=no,
-                x=no % 40 * 220,
-                y=no // 40 * 130,
-                test=_TESTS[no % len(_TESTS)].format(no % 17, no % 7 + 20),
-                next=no + 1 if no < states else last,
-                aside=(no + 7) % states + 1,
-            )
+    return [
+        _STATE.format(
+            no=no,
+            x=no % 40 * 220,
+            y=no // 40 * 130,
+            test=_TESTS[no % len(_TESTS)].format(no % 17, no % 7 + 20),
+            next=no + 1 if no < states else last,
+            aside=(no + 7) % states + 1,
         )
-    return made
+        for no in range(1, states + 1)
+    ]
 
 
 def _whole(name: str, states: list[str], space: str = "") -> bytes:
