@@ -19,6 +19,7 @@ import pytest
 
 import situ
 from situ.blackboard.client import AsyncBoard, Link, Person, connect_async
+from situ.blackboard.protocol import Addresses
 from situ.decide import inputs
 from situ.decide.effects import AnyEffect, Begin, Map
 from situ.decide.trace import TraceEvent, to_line
@@ -54,6 +55,9 @@ class Hasty:
 
     async def start(self) -> None:
         self._loop = asyncio.get_running_loop()
+
+    def open_door(self, addresses: Addresses) -> None:
+        pass
 
     def perform(self, effect: AnyEffect) -> None:
         self.performed.append(effect)

@@ -45,6 +45,8 @@ class Performing(Protocol):
 
     async def start(self) -> None: ...
 
+    def open_door(self, addresses: Addresses) -> None: ...
+
     def perform(self, effect: AnyEffect) -> None: ...
 
     async def close(self) -> None: ...
@@ -120,6 +122,8 @@ class Live:
             notifications=self._server.notifications,
             http=self._performer.screen_url if self._performer is not None else None,
         )
+        if self._performer is not None:
+            self._performer.open_door(addresses)
         self._started = self._loop.time()
         self._core = Core(
             self._robot, project, epoch=self._wall(), files=self._files, heard=self._heard

@@ -16,6 +16,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from situ.blackboard.protocol import Addresses
 from situ.decide.effects import AnyEffect, Begin, Cancel, Map
 from situ.decide.inputs import AnyInput, Finish, Set
 from situ.document.project import Project
@@ -130,6 +131,11 @@ class Performer:
             except BaseException:
                 await self.close()
                 raise
+
+    def open_door(self, addresses: Addresses) -> None:
+        """The core is there: the screen's server leads to it at ``/board``."""
+        if self._screen is not None:
+            self._screen.door.open(addresses.requests, addresses.notifications)
 
     async def close(self) -> None:
         """Stops everything: silences, holds the robot, ends programs, closes the screen."""

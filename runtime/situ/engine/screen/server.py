@@ -2,7 +2,8 @@
 
 Who opens the page needs the token in its address (``ScreenServer.url``); the page
 then carries it in a cookie that no script can read. The WebSocket is refused to
-pages of other origins. docs/architecture.md, *The robot's screen*, has the messages.
+pages of other origins. docs/architecture.md, *The robot's screen*, has the messages. Beside the
+screen stands the blackboard's WebSocket door, for whoever knows the same token.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from msgspec import UNSET, Struct, UnsetType
 from situ.decide.inputs import AnyInput, Set, Touch, Use
 from situ.engine.media import MediaFolder
 from situ.engine.screen.content import Content, Shown, content
+from situ.engine.screen.door import Door
 from situ.errors import UsageError
 from situ.resources import resource
 
@@ -102,7 +104,7 @@ class ScreenServer:
     """Serves one screen to any number of pages; all show the same.
 
     use: gets what people do. ended(action, error): a movie's end. token: 32 random
-    characters unless given.
+    characters unless given. door: leads to the blackboard once it is opened.
     """
 
     def __init__(
@@ -118,6 +120,7 @@ class ScreenServer:
         self._use = use
         self._ended = ended
         self._log = log
+        self.door = Door(log)
         self._token = token or secrets.token_urlsafe(24)
         self._folder = resource("screen")
         self._fonts = resource("fonts")
@@ -154,6 +157,7 @@ class ScreenServer:
         app.router.add_get("/page/{name}", self._on_file)
         app.router.add_get("/media/{path:.+}", self._on_media)
         app.router.add_get("/ws", self._on_socket)
+        app.router.add_get("/board", self._on_board)
         runner = web.AppRunner(app, access_log=None, handle_signals=False, shutdown_timeout=0.5)
         await runner.setup()
         try:
@@ -171,6 +175,7 @@ class ScreenServer:
         """Tells the pages to wait for the next start, and stops listening."""
         for page in list(self._pages):
             await page.close(code=WSCloseCode.GOING_AWAY, message=b"the robot stops")
+        await self.door.close()
         if self._runner is not None:
             await self._runner.cleanup()
             self._runner = None
@@ -253,7 +258,7 @@ class ScreenServer:
 
     async def _on_socket(self, request: web.Request) -> web.StreamResponse:
         origin = request.headers.get("Origin")
-        if origin != f"{request.scheme}://{request.host}":
+        if origin != _own(request):
             self._log.warning("refused the screen to a page of %s", origin)
             return web.Response(status=403, text="The screen is not for other pages.\n")
         if not self._known(request):
@@ -275,6 +280,19 @@ class ScreenServer:
             del self._pages[page]
             teller.cancel()
         return page
+
+    async def _on_board(self, request: web.Request) -> web.StreamResponse:
+        # A browser always tells the origin; a program of its own has none.
+        origin = request.headers.get("Origin")
+        if origin not in (None, _own(request)):
+            self._log.warning("refused the blackboard to a page of %s", origin)
+            return web.Response(status=403, text="The blackboard is not for other pages.\n")
+        scheme, _, given = request.headers.get("Authorization", "").partition(" ")
+        bearer = scheme.lower() == "bearer" and self._right(given.strip())
+        if not (bearer or self._known(request) or self._right(request.query.get("token", ""))):
+            self._log.warning("refused the blackboard to %s without the token", request.remote)
+            return web.Response(status=403, text=_REFUSED)
+        return await self.door.visit(request)
 
     async def _keep_told(self, page: web.WebSocketResponse, changed: asyncio.Event) -> None:
         """Sends the latest state whenever it changed: a slow page skips, and piles up nothing."""
@@ -346,6 +364,10 @@ class ScreenServer:
             self._log.info("%s was used when it was gone already", used.component)
             return None
         return shown
+
+
+def _own(request: web.Request) -> str:
+    return f"{request.scheme}://{request.host}"
 
 
 @web.middleware
