@@ -10,6 +10,7 @@ from situ.decide.board import Board
 from situ.decide.effects import Changed
 from situ.decide.inputs import Raise, Set, Start, Use
 from situ.decide.robot import Robot
+from situ.decide.trace import Data, Enter
 from situ.document.names import matches
 
 if TYPE_CHECKING:
@@ -153,3 +154,34 @@ def test_no_action_and_no_component_may_set_it_either(build: Build, tag: str) ->
     events, _ = robot.step(Use("b"), 1)
     assert [type(e).__name__ for e in events] == ["Failed"]
     assert robot.board.look(tag) != 1
+
+
+def test_what_was_restored_goes_before_the_tags_of_the_project(build: Build) -> None:
+    project = build((), '<situation name="s"/>', tags={"pill": "08:00", "lamp": "off"})
+    robot = Robot(project)
+    events, effects = robot.step(Start(restored={"pill": ("09:30", 4, "operator:ann")}), 0)
+    told = [(e.tag, e.value, e.writer, e.version) for e in events if isinstance(e, Data)]
+    assert told == [("lamp", "off", "project", 1), ("pill", "09:30", "operator:ann", 4)]
+    assert [e.version for e in effects if isinstance(e, Changed) and e.tag == "pill"] == [4]
+    entry = robot.board.get("pill")
+    assert entry is not None
+    assert (entry.value, entry.version, entry.writer) == ("09:30", 4, "operator:ann")
+
+
+def test_what_was_restored_counts_on_and_is_judged_from_the_start(build: Build) -> None:
+    waits = '<event next="2"><when><data tag="n" is="7"/></when></event>'
+    rbd = f'<state no="1"><expectedevents>{waits}</expectedevents></state><state no="2"/>'
+    robot = Robot(build(rbd))
+    events, _ = robot.step(Start(restored={"n": (7, 3, "m")}), 0)
+    assert [e.state for e in events if isinstance(e, Enter)] == ["1", "2"]
+    _, effects = robot.step(Set({"n": 8}, "m"), 1)
+    assert [e.version for e in effects if isinstance(e, Changed) and e.tag == "n"] == [4]
+
+
+def test_what_was_deleted_before_stays_deleted_and_keeps_its_version(build: Build) -> None:
+    robot = Robot(build((), '<situation name="s"/>', tags={"pill": "08:00"}))
+    events, _ = robot.step(Start(restored={"pill": (None, 5, "operator:ann")}), 0)
+    assert not [e for e in events if isinstance(e, Data)]
+    assert robot.board.get("pill") is None
+    _, effects = robot.step(Set({"pill": "10:00"}, "m"), 1)
+    assert [e.version for e in effects if isinstance(e, Changed)] == [6]

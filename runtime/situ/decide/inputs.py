@@ -20,12 +20,14 @@ class Start(Input, frozen=True):
 
     seed: of everything random. auto_finish: seconds after which every action ends well,
     or None. everyone: every declared module counts as present until it is lost (the
-    simulator); else only those that are connected.
+    simulator); else only those that are connected. restored: what durable tags held in the
+    run before, tag to (value, version, writer); it goes before the project's ``[tags]``.
     """
 
     seed: int = 0
     auto_finish: float | None = None
     everyone: bool = True
+    restored: dict[str, tuple[Any, int, str]] = {}
 
 
 class Set(Input, frozen=True):

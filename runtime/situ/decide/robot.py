@@ -265,7 +265,9 @@ class Robot:
         world.random.seed(given.seed)
         world.auto_finish = None if given.auto_finish is None else duration(given.auto_finish)
         self._everyone = given.everyone
-        world.write(self.project.tags, "project", None)
+        tags = self.project.tags
+        world.write({t: v for t, v in tags.items() if t not in given.restored}, "project", None)
+        world.restore(given.restored)
         world.conditions.start()
         self._listen()
         self._observe()

@@ -9,7 +9,7 @@ from typing import Any
 from msgspec import Struct
 
 from situ.decide import trace
-from situ.decide.board import Board
+from situ.decide.board import Board, Entry
 from situ.decide.conditions import Conditions
 from situ.decide.effects import Changed
 from situ.decide.priorities import RUNTIME, Priorities
@@ -91,6 +91,22 @@ class World:
             self.step.effects.append(Changed(tag, value, entry.version, writer, self.step.now))
         self.board.tell(told)
         return last
+
+    def restore(self, entries: Mapping[str, tuple[Any, int, str]]) -> None:
+        """What durable tags held in the run before, as one write: versions count on, writers stay.
+
+        A deleted one (value None) stands in no trace: nothing changes by it.
+        """
+        told: dict[str, int | None] = {}
+        for tag in sorted(entries):
+            value, version, writer = entries[tag]
+            entry = Entry(value, version, writer, self.step.now, None)
+            self.board.state[tag] = entry
+            if value is not None:
+                seq = self.step.trace(trace.Data, None, tag, value, writer, version)
+                entry.cause = told[tag] = seq
+                self.step.effects.append(Changed(tag, value, version, writer, self.step.now))
+        self.board.tell(told)
 
     def keep_if_new(self, tag: str, value: Any, cause: int | None) -> None:
         """``keep`` where the value differs from what stands there."""
