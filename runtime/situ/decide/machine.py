@@ -15,11 +15,12 @@ from situ.decide import trace
 from situ.decide.actions import Actions, ActionsState
 from situ.decide.display import Display, DisplayState
 from situ.decide.program import Candidate, Program, StateProgram
-from situ.decide.texts import heard_as, translator
+from situ.decide.texts import translator
 from situ.decide.timeouts import Timeouts, TimeoutState
 from situ.decide.values import template
 from situ.decide.world import World
 from situ.document.rbd import AGAIN, BACK, Application, Component
+from situ.document.texts import heard_as
 
 Asked = Callable[[str, int], None]
 """Told that a module asks for something else than before, and the seq of that event."""

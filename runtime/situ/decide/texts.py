@@ -1,8 +1,7 @@
-"""Texts in the language of the tag ``language``, and phrases compared as they are heard."""
+"""Texts in the language of the tag ``language``."""
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Callable
 
 from situ.decide.board import Board
@@ -32,9 +31,3 @@ def translator(project: Project, board: Board, lang: str | None = None) -> Trans
         return text
 
     return translate
-
-
-def heard_as(phrase: str) -> str:
-    """A phrase without case, punctuation and doubled white space, to be compared."""
-    kept = (c for c in phrase.casefold() if unicodedata.category(c)[0] != "P")
-    return " ".join("".join(kept).split())

@@ -56,6 +56,7 @@ from situ.document.rbd import (
     Take,
     Timeout,
 )
+from situ.document.texts import heard_as
 from situ.errors import UsageError
 
 LIMIT = 2_000
@@ -277,8 +278,43 @@ class _Flattening:
             timeout=self.timeout(node, levels),
             screen=self.screen(node, levels),
             actions=self.actions(node, leaf),
-            events=tuple(events),
+            events=self.that_come_in_turn(events),
         )
+
+    def that_come_in_turn(self, events: Iterable[Event]) -> tuple[Event, ...]:
+        """Without those whose name an earlier one without ``when`` always takes.
+
+        Their phrases go to that one, unless one between them is taken for the same words.
+        """
+        kept: list[Event] = []
+        always: dict[str | None, int] = {}
+        for event in events:
+            at = always.get(event.name)
+            if at is None:
+                if event.when is None:
+                    always[event.name] = len(kept)
+                kept.append(event)
+            elif self.confused(event, kept[at + 1 :]):
+                kept.append(event)
+            else:
+                kept[at] = replace(kept[at], says=(*kept[at].says, *event.says))
+        return tuple(kept)
+
+    def confused(self, event: Event, before: list[Event]) -> bool:
+        """Whether one of these may be taken for what is said for the event."""
+        here = self.phrases(event)
+        there = [text for one in before if one.name != event.name for text in self.phrases(one)]
+        # What a reference stands for may be anything.
+        open_ended = any("{" in text for text in (*here, *there))
+        same = {heard_as(text) for text in here} & {heard_as(text) for text in there}
+        return bool(here and there and (open_ended or same))
+
+    def phrases(self, event: Event) -> list[str]:
+        """What is said for it, in every language."""
+        texts = [say.text for say in event.says]
+        return texts + [
+            known[text] for known in self.project.texts.values() for text in texts if text in known
+        ]
 
     def events(self, node: _Node, level: int, events: tuple[Event, ...]) -> Iterator[Event]:
         for event in events:

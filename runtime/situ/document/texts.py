@@ -1,8 +1,11 @@
-"""The texts of a project in other languages: ``texts/LANG.po`` (formats.md, *A project*)."""
+"""The texts of a project in other languages: ``texts/LANG.po`` (formats.md, *A project*), and
+phrases compared as they are heard (*Speech heard*).
+"""
 
 from __future__ import annotations
 
 import re
+import unicodedata
 
 import polib
 
@@ -39,3 +42,9 @@ def read(data: bytes, file: str) -> tuple[dict[str, str], list[Problem]]:
         for entry in entries
         if entry.msgstr and not entry.obsolete and not entry.fuzzy
     }, []
+
+
+def heard_as(phrase: str) -> str:
+    """A phrase without case, punctuation and doubled white space, to be compared."""
+    kept = (c for c in phrase.casefold() if unicodedata.category(c)[0] != "P")
+    return " ".join("".join(kept).split())
