@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from situ.blackboard.client import Board
-    from situ.blackboard.protocol import Role
+    from situ.blackboard.protocol import ModuleState, Role
 
 PATIENCE = 1.0
 """Seconds that the robot has to answer."""
@@ -138,13 +138,34 @@ def _modules(args: argparse.Namespace) -> int:
             what = f"data {want.data}" if want.data is not None else f"module {want.module}"
             print(f"{what}  wanted by {', '.join(want.by)}")
     else:
-        for state in states.modules:
-            there = "present" if state.present else "absent"
-            kind = "application" if state.application else "module"
-            resources = " ".join(state.resources) or "-"
-            holds = f"  holds {' '.join(state.holds)}" if state.holds else ""
-            print(f"{state.name}  {kind}  {there}  {resources}{holds}")
+        _table([_HEADINGS, *(_row(state) for state in states.modules)])
     return 0
+
+
+_HEADINGS = ("MODULE", "KIND", "PRESENT", "RESOURCES", "HOLDS", "PROVIDES", "NEEDS")
+
+
+def _row(state: ModuleState) -> tuple[str, ...]:
+    needs = [
+        need.data if need.data is not None else f"module {need.module}" for need in state.requires
+    ]
+    return (
+        state.name,
+        "application" if state.application else "module",
+        "yes" if state.present else "no",
+        " ".join(state.resources),
+        " ".join(state.holds),
+        ", ".join(offer.data for offer in state.provides),
+        ", ".join(needs),
+    )
+
+
+def _table(rows: list[tuple[str, ...]]) -> None:
+    """Columns as wide as what stands in them; - where there is nothing."""
+    widths = [max(len(cell) for cell in column) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = ((cell or "-").ljust(width) for cell, width in zip(row, widths, strict=True))
+        print("  ".join(cells).rstrip())
 
 
 def _trace(args: argparse.Namespace) -> int:

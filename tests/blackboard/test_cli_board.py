@@ -53,9 +53,12 @@ def test_an_event_is_raised(say: Callable[..., str]) -> None:
 
 
 def test_modules_are_listed(say: Callable[..., str]) -> None:
-    lines = say("modules").splitlines()
-    assert "chase  module  absent  head" in lines
-    assert "desk  application  present  screen  holds screen" in lines
+    rows = [line.split() for line in say("modules").splitlines()]
+    assert rows[0] == ["MODULE", "KIND", "PRESENT", "RESOURCES", "HOLDS", "PROVIDES", "NEEDS"]
+    needs = ["face.direction,", "module", "eyes"]
+    assert ["chase", "module", "no", "head", "-", "-", *needs] in rows
+    assert ["desk", "application", "yes", "screen", "screen", "-", "-"] in rows
+    assert ["eyes", "module", "no", "-", "-", "face.direction", "camera.left"] in rows
     assert "data face.direction  wanted by chase" in say("modules", "--wanted").splitlines()
     assert json.loads(say("modules", "--json"))[0]["name"] == "carry"
     assert json.loads(say("modules", "--wanted", "--json"))[0]["data"] == "camera.left"
