@@ -25,6 +25,7 @@ from situ.document.rbd import (
     Text,
 )
 from situ.rehearse import scenario
+from situ.rehearse.expect import Expect
 from situ.rehearse.simulate import simulate
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -175,7 +176,7 @@ def test_the_flat_reception_does_the_same() -> None:
 def done(played: Project, file: Path) -> list[tuple[object, ...]]:
     """When which action began or ended, but for what the flat form adds."""
     written = scenario.load(file, ["reception"])
-    lines = [line for line in written if not isinstance(line.does, scenario.Expect)]
+    lines = [line for line in written if not isinstance(line.does, Expect)]
     found: list[tuple[object, ...]] = []
 
     def tell(events: list[TraceEvent]) -> None:

@@ -281,7 +281,7 @@ class _Flattening:
             events=self.that_come_in_turn(events),
         )
 
-    def that_come_in_turn(self, events: Iterable[Event]) -> tuple[Event, ...]:
+    def that_come_in_turn(self, events: list[Event]) -> tuple[Event, ...]:
         """Without those whose name an earlier one without ``when`` always takes.
 
         Their phrases go to that one, unless one between them is taken for the same words.

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 
 from situ.decide.robot import Robot
 from situ.decide.trace import TraceEvent, to_fields
@@ -17,7 +18,7 @@ from situ.rehearse.expect import Expect
 from situ.rehearse.scenario import End
 from situ.rehearse.simulate import Rehearsal
 from situ.resources import examples
-from situ_studio.live.log import TraceLog
+from situ_studio.live.log import Taken, TraceLog
 from situ_studio.live.views import exit_of, live_script, live_view
 
 SCENARIOS = [
@@ -65,6 +66,18 @@ def test_the_moment_is_what_the_robot_is(name: str, script: str) -> None:
         assert value == robot.board.look(f"robot/{resource}")
 
 
+def inside(project: Project, file: Application, crossed: Taken) -> tuple[Application, Taken]:
+    """The file whose states it joins, and what it is called there."""
+    holder, part, source = crossed.source.partition("/")
+    if not part:
+        return file, crossed
+    state = file.state(holder)
+    assert state is not None
+    assert state.flow is not None
+    to = crossed.to.removeprefix(f"{holder}/")
+    return inside(project, project.parts[state.flow], replace(crossed, source=source, to=to))
+
+
 @pytest.mark.parametrize(("name", "script"), SCENARIOS)
 def test_every_transition_is_found_on_the_graph(name: str, script: str) -> None:
     project, _, events = played(name, script)
@@ -73,13 +86,15 @@ def test_every_transition_is_found_on_the_graph(name: str, script: str) -> None:
     for application in project.applications.values():
         moment = log.now.applications[application.name]
         view = live_view(application, moment, log.now.t)
-        assert view.active == {moment.state}
+        assert moment.state is not None
+        assert view.active == {moment.state.partition("/")[0]}
         own = [c for c in moment.taken if exit_of(application, c) is not None]
         assert [t.state for t in view.taken] == [c.source for c in reversed(own)]
-        always = application.always.events if application.always is not None else ()
-        shared = {event.name for event in always}
         for crossed in moment.taken:
-            assert exit_of(application, crossed) is not None or crossed.event in shared
+            file, way = inside(project, application, crossed)
+            always = file.always.events if file.always is not None else ()
+            shared = {event.name for event in always}
+            assert exit_of(file, way) is not None or crossed.event in shared
     glow = live_script(log.now)
     assert glow.situation == log.now.situation
     assert set(glow.authority) == set(log.now.holders)
