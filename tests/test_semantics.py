@@ -10,8 +10,11 @@ import pytest
 
 TESTS = Path(__file__).parent
 PAGE = TESTS.parent / "docs" / "semantics.md"
-FILES = sorted([*TESTS.glob("decide/test_*.py"), *TESTS.glob("rehearse/test_*.py")])
-CITED = set(re.findall(r"`((?:decide|rehearse)/\w+\.py::\w+)`", PAGE.read_text(encoding="utf-8")))
+FOLDERS = ("decide", "document", "rehearse")
+FILES = sorted(file for folder in FOLDERS for file in TESTS.glob(f"{folder}/test_*.py"))
+CITED = set(
+    re.findall(r"`((?:decide|document|rehearse)/\w+\.py::\w+)`", PAGE.read_text(encoding="utf-8"))
+)
 OF_RULES = [file for file in FILES if file.parent.name == "decide"] + [
     TESTS / "rehearse" / "test_scenario.py",
     TESTS / "rehearse" / "test_simulate.py",

@@ -113,8 +113,8 @@ def codes_in(tree: ast.AST) -> Iterator[str]:
             name = getattr(node.func, "attr", getattr(node.func, "id", ""))
             if name in TELLERS:
                 given = [*node.args[:2], *(k.value for k in node.keywords if k.arg == "code")]
-                texts = [one.value for one in given if isinstance(one, ast.Constant)]
-                yield from (one for one in texts if re.fullmatch(r"[a-z]{2,}", str(one)))
+                texts = [str(one.value) for one in given if isinstance(one, ast.Constant)]
+                yield from (one for one in texts if re.fullmatch(r"[a-z]{2,}", one))
 
 
 def source_codes() -> set[str]:

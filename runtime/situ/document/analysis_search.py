@@ -24,10 +24,6 @@ ALLOWANCE = 400_000
 LONGEST = 400
 """Characters of a message: it may quote what a designer wrote."""
 
-ACCEPTED = "accept"
-"""``ed:accept="code code"`` on an element: these warnings about it and what is in it are known,
-and not wanted."""
-
 
 class Cancelled(Exception):
     """The analysis was cancelled by its caller."""
@@ -76,10 +72,6 @@ class Search:
         place: Place = (),
         mend: Mend | None = None,
     ) -> None:
-        way = follow(of(self.project, file), place)
-        for value in way[1] if way is not None else ():
-            if code in (value.aside.attribute(ACCEPTED) or "").split():
-                return
         line = " ".join(message.split())
         line = line if len(line) <= LONGEST else line[: LONGEST - 1] + "…"
         finding = Finding(code, line, aside, place, "warning", mend)

@@ -6,19 +6,25 @@ what to do, and where a machine can do it, a mend. docs/problems.md has every co
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Iterable
 
 from situ.document import names, projectfile
+from situ.document.accept import ACCEPT
 from situ.document.analysis import analyse
 from situ.document.check_application import check_application, texts, used_resources
 from situ.document.check_script import check_modules, check_script
 from situ.document.datatypes import shown
 from situ.document.finding import Disk, Files, Findings
 from situ.document.folder import called
-from situ.document.problem import Problem, Severity
+from situ.document.mend import EDITOR_FIELD, of
+from situ.document.place import follow
+from situ.document.problem import Change, Mend, Problem, Severity
 from situ.document.project import Project
 from situ.document.rbd import Application
+
+UNUSED = "accept-unused"
 
 _SPOKEN = re.compile(r"[^\W\d_]")
 
@@ -38,6 +44,7 @@ def check(
     search = analyse(project, cancel)
     for file, findings in search.found.items():
         found[file].add(findings)
+    _unused_accepts(project, found)
     return _told(project, files, found, search.toml)
 
 
@@ -65,6 +72,31 @@ def _structure(project: Project, files: Files) -> dict[str, Findings]:
     return found
 
 
+def _unused_accepts(project: Project, found: dict[str, Findings]) -> None:
+    """What ``ed:accept`` names and nothing silences any more. Not told where that may only be
+    because something was not looked at: in single files, with errors, undecided.
+    """
+    if project.toml is None or any(one.has_errors for one in found.values()):
+        return
+    for file, findings in found.items():
+        if findings.has("undecided"):
+            continue
+        for place, aside, unused, used in findings.accepts.unused():
+            mend = None
+            way = follow(of(project, file), place)
+            if way is not None:
+                was = json.dumps(aside.attribute(ACCEPT), ensure_ascii=False)
+                left = json.dumps(" ".join(used) or None, ensure_ascii=False)
+                change = Change((*way[0], EDITOR_FIELD + ACCEPT), "set", left, was)
+                mend = Mend(file, "Take out what is accepted in vain", (change,), safe=True)
+            several = ", ".join(shown(code) for code in unused) or "nothing"
+            said = (
+                f"ed:accept names {several} here, but there is no such warning about this or "
+                "anything in it: take that out"
+            )
+            findings.warning(UNUSED, said, aside, place, mend)
+
+
 def _told(
     project: Project,
     files: Files,
@@ -79,7 +111,11 @@ def merge(read: Iterable[Problem], checked: Iterable[Problem]) -> list[Problem]:
     """Both, without what ``check`` says about a place of which reading already spoke."""
     first = list(read)
     places = {(p.file, p.line, p.column) for p in first}
-    return [*first, *(p for p in checked if (p.file, p.line, p.column) not in places or not p.line)]
+    second = [p for p in checked if (p.file, p.line, p.column) not in places or not p.line]
+    if any(problem.severity == "error" for problem in first):
+        # What could not be read may be what an accepted warning is about.
+        second = [problem for problem in second if problem.code != UNUSED]
+    return [*first, *second]
 
 
 def _application(found: Findings, application: Application, project: Project, files: Files) -> None:

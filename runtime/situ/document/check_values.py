@@ -101,6 +101,8 @@ def check_values(found: Findings, document: Any) -> None:
 
 def _visit(found: Findings, element: Element, value: Any, place: Place, script: bool) -> None:
     look = _LOOKS[id(element)]
+    if value.aside.attributes:
+        found.accepts.note(place, value.aside)
     for field, said, rule, code in look.rules:
         held = getattr(value, field)
         if held is not None:

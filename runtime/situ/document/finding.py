@@ -7,12 +7,13 @@ from typing import Protocol
 
 from msgspec import Struct
 
+from situ.document.accept import Accepts, Place
 from situ.document.aside import NOTHING, Aside
 from situ.document.folder import called, resolve
 from situ.document.locate import locate_all
 from situ.document.problem import Mend, Problem, Severity
 
-Place = tuple[str, ...]
+__all__ = ["Disk", "Files", "Finding", "Findings", "Place"]
 
 
 class Files(Protocol):
@@ -73,7 +74,15 @@ class Findings:
     def __init__(self, root: str, file: str) -> None:
         self._root = root
         self.file = file
+        self.accepts = Accepts()
         self._found: list[Finding] = []
+
+    @property
+    def has_errors(self) -> bool:
+        return any(one.severity == "error" for one in self._found)
+
+    def has(self, code: str) -> bool:
+        return any(one.code == code for one in self._found)
 
     def error(
         self,
@@ -93,16 +102,19 @@ class Findings:
         place: Place = (),
         mend: Mend | None = None,
     ) -> None:
-        self._found.append(Finding(code, message, aside, place, "warning", mend))
+        """Unless it is accepted there."""
+        if not self.accepts.silences(code, place):
+            self._found.append(Finding(code, message, aside, place, "warning", mend))
 
     def add(self, findings: Iterable[Finding]) -> None:
-        """Adds warnings, but for those about something that holds an error: they may follow
-        from it, and the error comes first.
+        """Adds warnings, but for those that are accepted, and those about something that holds
+        an error: they may follow from it, and the error comes first.
         """
         wrong = [one.place for one in self._found if one.severity == "error"]
         for finding in findings:
             size = len(finding.place)
-            if not any(place[:size] == finding.place for place in wrong):
+            follows = any(place[:size] == finding.place for place in wrong)
+            if not follows and not self.accepts.silences(finding.code, finding.place):
                 self._found.append(finding)
 
     def problems(self, files: Files) -> list[Problem]:

@@ -25,12 +25,23 @@ STRUCTS: dict[str, type[Struct]] = {
         condition.Test,
         rbd.Always,
         rbd.Event,
+        rbd.Param,
         rbd.Repeat,
+        rbd.Robot,
         rbd.Say,
+        rbd.Sound,
+        rbd.Speech,
+        spds.Declaration,
+        spds.Entry,
         spds.Observed,
+        spds.Situation,
     )
 }
 """What a mend may put in."""
+
+
+EDITOR_FIELD = "ed:"
+"""A path that ends in ``ed:NAME`` means that attribute of the editor's namespace."""
 
 
 class Stale(ValueError):
@@ -121,6 +132,8 @@ def _do(held: Any, change: Change) -> Any:
     last = change.path[-1]
     if change.do == "set":
         assert isinstance(last, str)
+        if last.startswith(EDITOR_FIELD):
+            return _with_attribute(held, last.removeprefix(EDITOR_FIELD), change)
         if written(getattr(held, last)) != change.was:
             raise Stale(f"{last} is another now")
         return structs.replace(held, **{last: _made(json.loads(change.to))})
@@ -142,6 +155,12 @@ def _do(held: Any, change: Change) -> Any:
         aside = structs.replace(next_.aside, before=(*one.aside.before, *next_.aside.before))
         rest = (*rest[:last], structs.replace(next_, aside=aside), *rest[last + 1 :])
     return rest
+
+
+def _with_attribute(held: Any, name: str, change: Change) -> Any:
+    if json.dumps(held.aside.attribute(name), ensure_ascii=False) != change.was:
+        raise Stale(f"{name} is another now")
+    return structs.replace(held, aside=held.aside.with_attribute(name, json.loads(change.to)))
 
 
 def _made(value: Any) -> Any:

@@ -13,7 +13,7 @@ class Change(Struct, frozen=True):
     """One change to a document, as data (``situ.document.mend`` applies it).
 
     path: fields and positions from the document down, ending in what is changed:
-    ``("states", 4, "timeout", "idle")``.
+    ``("states", 4, "timeout", "idle")``; ``ed:accept`` at its end is that attribute.
     do: ``set`` gives a field the value ``to``; ``insert`` puts ``to`` in at the position in
     which the path ends; ``remove`` takes out what stands there; ``move`` brings it to the
     position ``to``.
