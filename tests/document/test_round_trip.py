@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import gc
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -54,6 +55,20 @@ def test_what_is_written_is_valid_by_the_schema(
     schema = etree.RelaxNG(etree.parse(str(resource("schema", file))))
     tree = etree.fromstring(codec.write(document))
     assert schema.validate(tree), schema.error_log.last_error
+
+
+@pytest.mark.parametrize("states", ["<state no='1'/>", "words", "<state no='1'>", "<x:y/>"])
+def test_nothing_of_a_file_is_kept_once_it_is_read(
+    rbd: Callable[[str], bytes], states: str
+) -> None:
+    data = rbd(states)
+    gc.collect()
+    gc.disable()
+    try:
+        codec.read(data, "a.xml")
+        assert gc.collect() == 0
+    finally:
+        gc.enable()
 
 
 def _riding(value: Any) -> Iterator[str]:

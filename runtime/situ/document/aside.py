@@ -14,7 +14,7 @@ EDITOR = "urn:situ:editor"
 """The namespace of editor-only data (prefix ``ed``); export strips it."""
 
 
-class Aside(Struct, frozen=True, eq=False):
+class Aside(Struct, frozen=True, gc=False, eq=False):
     """Equal to every other ``Aside``.
 
     index: the element's place in its file, counting start tags from 0; -1 for
@@ -27,7 +27,8 @@ class Aside(Struct, frozen=True, eq=False):
     attributes: attributes of foreign namespaces, ``ed`` included, as
         ``("{namespace}name", value)`` in the order written.
     parts: the asides of child elements that have no value of their own
-        (``components``, ``backgroundactions``, ``expectedevents``, ``flow`` …).
+        (``components``, ``backgroundactions``, ``expectedevents`` …), where something rides
+        along with them, and that of ``flow``, for its place.
     """
 
     index: int = -1

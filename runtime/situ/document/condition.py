@@ -25,7 +25,7 @@ TESTS: tuple[TestName, ...] = (
 GroupName = Literal["all", "any", "none"]
 
 
-class Test(Struct, frozen=True):
+class Test(Struct, frozen=True, gc=False):
     """``<data tag=… TEST=… within=… for=…/>``: one test of one name.
 
     tag: a name: a tag, or a tag and fields (``patients.0.room``).
@@ -41,7 +41,7 @@ class Test(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Group(Struct, frozen=True):
+class Group(Struct, frozen=True, gc=False):
     """``<all>``, ``<any>``, ``<none>`` over any mix of tests and groups; valid: not empty."""
 
     kind: GroupName
@@ -49,7 +49,7 @@ class Group(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Condition(Struct, frozen=True):
+class Condition(Struct, frozen=True, gc=False):
     """The content of ``when``, ``condition`` or ``until``: all of its children hold."""
 
     children: tuple[Test | Group, ...] = ()

@@ -8,7 +8,7 @@ from situ.document.aside import NOTHING, Aside
 from situ.document.spds import DataType
 
 
-class Requires(Struct, frozen=True):
+class Requires(Struct, frozen=True, gc=False):
     """Exactly one of ``data`` (a tag) and ``module``."""
 
     data: str | None = None
@@ -16,14 +16,14 @@ class Requires(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Provides(Struct, frozen=True):
+class Provides(Struct, frozen=True, gc=False):
     data: str
     type: DataType | None = None
     unit: str | None = None
     aside: Aside = NOTHING
 
 
-class Module(Struct, frozen=True):
+class Module(Struct, frozen=True, gc=False):
     """resources: those it may ask for; empty for one that only provides data."""
 
     name: str
@@ -34,7 +34,7 @@ class Module(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Modules(Struct, frozen=True):
+class Modules(Struct, frozen=True, gc=False):
     """One ``modules.xml``."""
 
     modules: tuple[Module, ...] = ()

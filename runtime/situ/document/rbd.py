@@ -18,7 +18,7 @@ AGAIN = "#again"
 BACK = "#back"
 
 
-class Param(Struct, frozen=True):
+class Param(Struct, frozen=True, gc=False):
     """``<param name="…">text</param>``; the text is a template (references, JSON)."""
 
     name: str
@@ -26,7 +26,7 @@ class Param(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Result(Struct, frozen=True):
+class Result(Struct, frozen=True, gc=False):
     """``<result tag="…" path="…"/>``: the part of a service's answer that goes to a tag."""
 
     tag: str
@@ -39,7 +39,7 @@ class Result(Struct, frozen=True):
 Align = Literal["left", "center", "right"]
 
 
-class Component(Struct, frozen=True, kw_only=True):
+class Component(Struct, frozen=True, gc=False, kw_only=True):
     """What all six components have. x, y, width, height: percent, origin top left.
 
     size: the text's height in percent of the screen's height; None: the page chooses.
@@ -105,7 +105,7 @@ class List(Component, frozen=True, kw_only=True):
     event: str | None = None
 
 
-class Screen(Struct, frozen=True):
+class Screen(Struct, frozen=True, gc=False):
     """``Screen()`` (``<screen/>``) clears and gives the resource back."""
 
     background: str | None = None
@@ -117,7 +117,7 @@ class Screen(Struct, frozen=True):
 # -- actions -----------------------------------------------------------------
 
 
-class Action(Struct, frozen=True, kw_only=True):
+class Action(Struct, frozen=True, gc=False, kw_only=True):
     """What every action may carry: ``wait``, and the events ``done`` and ``failed``."""
 
     element: ClassVar[str] = ""
@@ -223,14 +223,14 @@ VISIBLE_ACTIONS: tuple[type[Action], ...] = (Speech, Robot, Sound)
 # -- states ------------------------------------------------------------------
 
 
-class Say(Struct, frozen=True):
+class Say(Struct, frozen=True, gc=False):
     """``<say>phrase</say>``: an utterance that means its event."""
 
     text: str
     aside: Aside = NOTHING
 
 
-class Event(Struct, frozen=True):
+class Event(Struct, frozen=True, gc=False):
     """One expected event. Without ``name`` it is unnamed, without ``next`` internal.
 
     next: a state's number, ``#again``, ``#back``, or None.
@@ -244,7 +244,7 @@ class Event(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Timeout(Struct, frozen=True):
+class Timeout(Struct, frozen=True, gc=False):
     """seconds above 0. Without ``next`` it raises the event ``timeout``."""
 
     seconds: float
@@ -253,7 +253,7 @@ class Timeout(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class State(Struct, frozen=True):
+class State(Struct, frozen=True, gc=False):
     """``no`` is unique in the application; ``name`` is the label designers see."""
 
     no: str
@@ -274,7 +274,7 @@ class State(Struct, frozen=True):
         return timeout is None and all(event.next is None for event in self.events)
 
 
-class Always(Struct, frozen=True):
+class Always(Struct, frozen=True, gc=False):
     """What is part of every state of the file."""
 
     timeout: Timeout | None = None
@@ -283,7 +283,7 @@ class Always(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Application(Struct, frozen=True):
+class Application(Struct, frozen=True, gc=False):
     """One ``*.rbd.xml``. ``start`` None: the first state starts."""
 
     name: str

@@ -13,13 +13,14 @@ from __future__ import annotations
 import gc
 from collections.abc import Mapping
 from difflib import get_close_matches
-from typing import Any
+from types import MappingProxyType
+from typing import Any, NoReturn
 from xml.parsers import expat
 
 from msgspec.structs import replace
 
 from situ.document.aside import EDITOR, Aside
-from situ.document.compiled import PARENTS, ROOT_RULES, Plan, Rule
+from situ.document.compiled import NAMES, PARENTS, ROOT_RULES, Known, Plan, Rule
 from situ.document.datatypes import WHITE, shown
 from situ.document.elements import Element, Misfit
 from situ.document.foreign import Foreign, declared
@@ -42,17 +43,29 @@ class _Stop(Exception):
     """Reading ends here; the problem is noted."""
 
 
+class _Again(Exception):
+    """Something is wrong: to be read again, carefully."""
+
+
+class _Absent(ValueError):
+    """An attribute that must be there is not."""
+
+
+def _absent(_text: str) -> NoReturn:
+    raise _Absent
+
+
+_ABSENT = Known(_absent)
+
+
 class _Rest:
     """What an open element has that most have not."""
 
-    __slots__ = ("attributes", "before", "bound", "parts", "texts")
-
-    def __init__(self) -> None:
-        self.before: tuple[str, ...] = ()
-        self.attributes: tuple[tuple[str, str], ...] = ()
-        self.parts: tuple[tuple[str, Aside], ...] = ()
-        self.texts: list[str] = []
-        self.bound: dict[str, str] = {}
+    before: tuple[str, ...] = ()
+    attributes: tuple[tuple[str, str], ...] = ()
+    parts: tuple[tuple[str, Aside], ...] = ()
+    texts: tuple[str, ...] = ()
+    bound: Mapping[str, str] = MappingProxyType({})
 
 
 def read(data: bytes, file: str) -> tuple[Any, list[Problem]]:
@@ -62,25 +75,33 @@ def read(data: bytes, file: str) -> tuple[Any, list[Problem]]:
     showing and checking more of it, and must not be saved over the file. ``file``
     is what problems call it.
     """
-    reading = _Reading(data, file)
-    if reading.is_text():
-        # Everything made here stays: looking for what could be freed costs as much again.
-        collecting = gc.isenabled()
-        gc.disable()
+    # Everything made here stays: looking for what could be freed costs as much again.
+    collecting = gc.isenabled()
+    gc.disable()
+    try:
+        reading = _Reading(data, file, careful=False)
         try:
             reading.parse()
-        finally:
-            if collecting:
-                gc.enable()
+        except _Again:
+            reading = _Reading(data, file, careful=True)
+            reading.parse()
+    finally:
+        if collecting:
+            gc.enable()
     return reading.document, reading.problems()
 
 
 class _Reading:
-    def __init__(self, data: bytes, file: str) -> None:
+    """One reading of a file. Not ``careful``: a file in which nothing is wrong is read in half
+    of the time, and one in which something is raises _Again.
+    """
+
+    def __init__(self, data: bytes, file: str, *, careful: bool) -> None:
         self.data = data
         self.file = file
+        self.careful = careful
         self.document: Any = None
-        self.parser = expat.ParserCreate("utf-8")
+        self.parser = expat.ParserCreate("utf-8", None, dict(NAMES))
         self._found: list[tuple[int, int, int, str, str, tuple[str, ...]]] = []
         top = Rule(Element("", make=dict))
         top.children = {name: (rule, "document", False) for name, rule in ROOT_RULES.items()}
@@ -90,31 +111,44 @@ class _Reading:
         self._pending: list[str] = []
         self._index = -1
         self._declared: list[tuple[str, str]] = []
-        self._root_name = ""
         self._foreign: Foreign | None = None
         self._foreign_plans: dict[tuple[Rule, tuple[str, ...]], tuple[Plan, _Plain]] = {}
 
     # -- the loop ----------------------------------------------------------------
 
     def parse(self) -> None:
-        """Reads all of the data; what comes of it is in ``document`` and ``problems``."""
+        """Reads all of the data; what comes of it is in ``document`` and ``problems``.
+
+        Raises _Again where it is not careful and something is wrong.
+        """
+        if not self._is_text():
+            return
         parser, stack, rests = self.parser, self._stack, self._rests
         texts, pending = self._texts, self._pending
-        long = self._has_long()
+        careful = self.careful
+        self._long = long = self._has_long()
 
         def start(name: str, given: dict[str, Any]) -> None:
             self._index = index = self._index + 1
             parent, _, _, _, held = stack[-1]
-            if texts:
-                self._text_before_child()
             known = parent.children.get(name)
+            if texts and (careful or known is None or parent.text is not None):
+                self._text_before_child()
             if known is None or index >= MAX_ELEMENTS or len(stack) > MAX_DEPTH:
                 self._stranger(name, given)
                 return
             rule, field, many = known
-            if not many and (field in held or (rule.part and self._has_part(name))):
-                self._duplicate(name)
-            stack.append((rule, field, many, index, given))
+            if rule.text is not None and texts:
+                self._text_before_child()
+            if rule.part:
+                if rule.mark in held:
+                    self._duplicate(name)
+                held[rule.mark] = rule.fresh()
+                stack.append((rule, field, many, index, held))
+            else:
+                if not many and field in held:
+                    self._duplicate(name)
+                stack.append((rule, field, many, index, given))
             if pending:
                 self._rest(index).before = tuple(pending)
                 pending.clear()
@@ -123,48 +157,45 @@ class _Reading:
             if plan is None:
                 plan = rule.plan(names)
                 if plan is None:
-                    self._irregular(rule, given, index)
-                    return
+                    plan = self._irregular(rule, given, names, index)
             if long:
                 self._shorten(rule, given)
-            for key, at, parse in plan:
+            for key, at, values in plan:
                 value = given[key]
-                if parse is not None:
+                if values is not None:
                     try:
-                        value = parse(value)
+                        value = values[value]
                     except ValueError as wrong:
                         value = self._bad_attribute(rule, key, wrong)
                 if at is not key:
                     del given[key]
                 given[at] = value
+            if rule.part and given:
+                held.update(given)
 
         def end(_name: str) -> None:
-            rule, field, many, index, values = stack[-1]
+            if careful and texts and stack[-1][0].text is None:
+                self._text_before_child()
+            rule, field, many, index, values = stack.pop()
             if rule.text is not None:
-                if rule.parse_text is None and len(texts) == 1 and not long and index not in rests:
+                if rule.known_text is None and len(texts) == 1 and not long and index not in rests:
                     values[rule.text] = texts.pop().strip(WHITE)
                 else:
                     self._take_text(rule, index, values)
-            elif texts:
-                self._text_before_child()
+            if rule.part:
+                if pending or index in rests or rule.attributes:
+                    rest = self._rest(stack[-1][3])
+                    rest.parts = (*rest.parts, (rule.name, self._aside(index)))
+                return
             for one in rule.many:
                 if one in values:
                     values[one] = tuple(values[one])
-            aside = self._aside(index) if pending or index in rests else Aside(index)
-            if rule.part:
-                stack.pop()
-                _, _, _, above, held = stack[-1]
-                held.update(values)
-                rest = self._rest(above)
-                rest.parts = (*rest.parts, (rule.name, aside))
-                return
-            values["aside"] = aside
+            values["aside"] = self._aside(index) if pending or index in rests else Aside(index)
             try:
                 value = rule.make(**values)  # type: ignore[misc]
             except Misfit as wrong:
                 self._problem(wrong.code, str(wrong), index)
                 value = wrong.instead
-            stack.pop()
             held = stack[-1][4]
             if not many:
                 held[field] = value
@@ -187,7 +218,7 @@ class _Reading:
                     pending.append(text)
                 self._foreign = None
                 texts.clear()
-                listen()
+                self._listen()
 
         def listen() -> None:
             foreign = self._foreign is not None
@@ -204,14 +235,20 @@ class _Reading:
         listen()
         try:
             parser.Parse(self.data, True)
+            if texts:
+                self._text_before_child()
             self.document = self._complete(stack[0][4]["document"])
         except _Stop:
             pass
         except expat.ExpatError as error:
+            if not careful:
+                raise _Again from error
             self._malformed(error)
-        # The functions above and the parser hold each other: let go of the file at once.
-        self._listen = _nothing
-        del self.parser
+        finally:
+            # The functions above and the parser hold each other: let go of the file at once.
+            parser.StartElementHandler = parser.EndElementHandler = None
+            self._listen = _nothing
+            del self.parser
 
     # -- problems ----------------------------------------------------------------
 
@@ -236,6 +273,8 @@ class _Reading:
 
     def _problem(self, code: str, message: str, index: int | None = None) -> None:
         """Notes a problem; its place is the element ``index``, or where the parser stands."""
+        if not self.careful:
+            raise _Again
         line = column = 0
         if index is None:
             line = self.parser.CurrentLineNumber
@@ -255,7 +294,7 @@ class _Reading:
                 return (rule.name, str(values.get("name", "")))
         return ()
 
-    def is_text(self) -> bool:
+    def _is_text(self) -> bool:
         """Whether the bytes are UTF-8 without NUL; expat would take some others for UTF-16."""
         if len(self.data) > MAX_BYTES:
             said = f"The file is larger than {MAX_BYTES // 1_000_000} MB"
@@ -319,7 +358,8 @@ class _Reading:
         text = "".join(self._texts)
         self._texts.clear()
         if rule.text is not None:
-            self._rest(index).texts.append(text)
+            rest = self._rest(index)
+            rest.texts = (*rest.texts, text)
         elif not text.isspace():
             said = f"Text cannot stand directly in <{rule.name}>: {shown(text)}"
             self._problem("unexpected-text", said, index)
@@ -336,11 +376,11 @@ class _Reading:
             self._problem("too-long", f"The text of <{rule.name}> is too long", index)
             text = ""
         assert rule.text is not None
-        if rule.parse_text is None:
+        if rule.known_text is None:
             values[rule.text] = text
             return
         try:
-            values[rule.text] = rule.parse_text(text)
+            values[rule.text] = rule.known_text[text]
         except ValueError as wrong:
             said = f"The text of <{rule.name}> {wrong}"
             if not text:
@@ -356,10 +396,6 @@ class _Reading:
         if rest is None:
             rest = self._rests[index] = _Rest()
         return rest
-
-    def _has_part(self, name: str) -> bool:
-        rest = self._rests.get(self._stack[-1][3])
-        return rest is not None and any(part == name for part, _ in rest.parts)
 
     def _aside(self, index: int) -> Aside:
         inside = tuple(self._pending)
@@ -410,36 +446,32 @@ class _Reading:
         self._problem("duplicate-element", said)
 
     def _bad_attribute(self, rule: Rule, key: str, wrong: ValueError) -> Any:
-        self._problem("bad-value", f"The {key} of <{rule.name}> {wrong}")
+        if isinstance(wrong, _Absent):
+            self._problem("missing-attribute", f'<{rule.name}> needs the attribute "{key}"')
+        else:
+            self._problem("bad-value", f"The {key} of <{rule.name}> {wrong}")
         if key in rule.required:
             return rule.blank[key]
         field = rule.attributes[key][0]
         return next(one.default for one in rule.element.attributes if one.field == field)
 
-    def _irregular(self, rule: Rule, given: dict[str, Any], index: int) -> None:
-        """Reads a start tag with attributes that are foreign, unknown or missing."""
-        names = tuple(given)
+    def _irregular(
+        self, rule: Rule, given: dict[str, Any], names: tuple[str, ...], index: int
+    ) -> Plan:
+        """How to read a start tag with attributes that are foreign, unknown or missing."""
         planned = self._foreign_plans.get((rule, names))
         if planned is None:
-            planned = self._plan(rule, given, index)
+            planned = self._plan(rule, given, names, index)
         plan, foreign = planned
-        self._shorten(rule, given)
+        if self._long:
+            self._shorten(rule, given)
         if foreign:
-            self._rest(index).attributes = tuple((full, given.pop(key)) for key, full in foreign)
-        for key, at, parse in plan:
-            value = given.pop(key)
-            try:
-                given[at] = value if parse is None else parse(value)
-            except ValueError as wrong:
-                given[at] = self._bad_attribute(rule, key, wrong)
-        for key in rule.required:
-            field = rule.attributes[key][0]
-            if field not in given:
-                said = f'<{rule.name}> needs the attribute "{key}"'
-                self._problem("missing-attribute", said)
-                given[field] = rule.blank[key]
+            self._rest(index).attributes = tuple([(full, given.pop(key)) for key, full in foreign])
+        return plan
 
-    def _plan(self, rule: Rule, given: dict[str, Any], index: int) -> tuple[Plan, _Plain]:
+    def _plan(
+        self, rule: Rule, given: dict[str, Any], names: tuple[str, ...], index: int
+    ) -> tuple[Plan, _Plain]:
         """How to read a start tag, and its foreign attributes with their full names.
 
         Takes declarations and what is unknown out of ``given``. A plan is kept where
@@ -449,14 +481,17 @@ class _Reading:
             said = f"<{rule.name}> must have no namespace: take the xmlns attribute out"
             self._problem("unknown-namespace", said)
             raise _Stop
-        names = tuple(given)
         bound = self._declare(given)
         if bound:
             self._rest(index).bound = bound
-        plain, foreign, keep = [], [], not bound and "xmlns" not in given
+        plain: list[tuple[str, str, Known | None]] = []
+        foreign: list[tuple[str, str]] = []
+        keep = not bound and "xmlns" not in given
         for key in names:
             if key in rule.attributes:
-                plain.append((key, *rule.attributes[key]))
+                field, values = rule.attributes[key]
+                if values is not None or field != key:
+                    plain.append((key, field, values))
             elif key == "xmlns" or key.startswith("xmlns:"):
                 del given[key]
             elif ":" in key:
@@ -469,6 +504,11 @@ class _Reading:
                 if rule.attributes:
                     said += f'; did you mean "{_nearest(key, rule.attributes)}"?'
                 self._problem("unknown-attribute", said)
+        for key in rule.required:
+            if key not in given:
+                keep = False
+                given[key] = ""
+                plain.append((key, rule.attributes[key][0], _ABSENT))
         made = (tuple(plain), tuple(foreign))
         if keep and not any(rest.bound for at, rest in self._rests.items() if at > 0):
             self._foreign_plans[rule, names] = made

@@ -13,7 +13,7 @@ DataType = Literal["boolean", "number", "text", "list", "object"]
 DATA_TYPES: tuple[DataType, ...] = ("boolean", "number", "text", "list", "object")
 
 
-class Observed(Struct, frozen=True):
+class Observed(Struct, frozen=True, gc=False):
     """``<observe><data tag type unit/></observe>``: a tag that situations look at."""
 
     tag: str
@@ -22,7 +22,7 @@ class Observed(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Declaration(Struct, frozen=True):
+class Declaration(Struct, frozen=True, gc=False):
     """``<modules><module name resources/></modules>``: resources the module may ask for."""
 
     name: str
@@ -30,7 +30,7 @@ class Declaration(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Entry(Struct, frozen=True):
+class Entry(Struct, frozen=True, gc=False):
     """A module's priority in a situation; None is ``priority="none"``: taken away."""
 
     module: str
@@ -38,7 +38,7 @@ class Entry(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Situation(Struct, frozen=True):
+class Situation(Struct, frozen=True, gc=False):
     """Holds while ``condition`` does; without one always. Times are seconds above 0."""
 
     name: str
@@ -51,7 +51,7 @@ class Situation(Struct, frozen=True):
     aside: Aside = NOTHING
 
 
-class Spds(Struct, frozen=True):
+class Spds(Struct, frozen=True, gc=False):
     """One ``*.spds.xml``. Situations stand in precedence, the first that holds is current."""
 
     name: str
