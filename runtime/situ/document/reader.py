@@ -248,6 +248,7 @@ class _Reading:
             # The functions above and the parser hold each other: let go of the file at once.
             parser.StartElementHandler = parser.EndElementHandler = None
             self._listen = _nothing
+            self._foreign = None
             del self.parser
 
     # -- problems ----------------------------------------------------------------
