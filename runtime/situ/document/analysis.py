@@ -11,10 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from situ.document.analysis_active import runs_of
+from situ.document.analysis_expected import search_expected
 from situ.document.analysis_modules import search_modules
+from situ.document.analysis_screens import search_screens
 from situ.document.analysis_script import search_situations
 from situ.document.analysis_search import Cancelled, Search
 from situ.document.analysis_states import search_states
+from situ.document.analysis_unwritten import search_unwritten
 from situ.document.analysis_ways import Ways
 from situ.document.project import Project
 
@@ -37,4 +41,8 @@ def analyse(project: Project, cancel: Callable[[], bool] | None = None) -> Searc
     if project.spds is not None and project.spds_file is not None:
         current = search_situations(search, project.spds_file, project.spds)
         search_modules(search, project.spds_file, project.spds, current, ways)
+    search_unwritten(search)
+    runs = runs_of(search)
+    search_expected(search, runs)
+    search_screens(search, runs)
     return search

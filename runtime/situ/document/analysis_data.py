@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 from typing import Any
 
 from situ.document import names
 from situ.document.aside import Aside
+from situ.document.check_application import used_resources
 from situ.document.condition import Condition, Group, Test
 from situ.document.finding import Place
 from situ.document.project import Project
@@ -50,7 +52,10 @@ from situ.document.value_sets import (
 from situ.document.values import is_number, read
 
 CLOCK = ("clock.time", "clock.date", "clock.weekday")
+BOARD = "board:"
+"""How the address of a module's service begins."""
 _TIMES = tuple(f"{hour:02}:{minute:02}" for hour in range(24) for minute in range(60))
+_APPLICATION = ("", "state", "name", "suspended")
 _SERVICE = {"ok": BOOLEAN, "status": NUMBER, "error": TEXT}
 
 Use = tuple[str, Aside, Place]
@@ -65,8 +70,13 @@ class Data:
         self._applications = {a.name: a for a in project.applications.values()}
         self.written: set[str] = set(project.tags)
         """Tags that something in the project writes."""
+        self.asks_modules = False
+        """Whether a service is a module's."""
         self._kinds: dict[str, set[str]] = {}
         self._services: set[str] = set()
+        self._known: dict[str, bool] = {}
+        script = project.spds
+        self._observed = {one.tag for one in script.observe} if script is not None else set()
         for tag, value in project.tags.items():
             self._wrote(tag, kind_of(value))
         for application in (*project.applications.values(), *project.parts.values()):
@@ -84,22 +94,14 @@ class Data:
 
     def is_written(self, name: str) -> bool:
         """Whether anything writes what a name can stand for; the runtime too."""
-        root, _, rest = name.partition("/")
-        if rest:
-            who = rest.partition(".")[0]
-            if root == "application":
-                return who in self._applications
-            return root != "service" or who in self._services
-        word = name.partition(".")[0]
-        if word == "clock":
-            return name in CLOCK
-        if word == "situation":
-            return self._project.spds is not None
-        if word in ("listen", "heard"):
-            # A recogniser is no part of a project: it comes with the robot.
-            return True
-        words = name.split(".")
-        return any(".".join(words[:count]) in self.written for count in range(1, len(words) + 1))
+        found = self._known.get(name)
+        if found is None:
+            found = self._known[name] = self._is_kept(name) or _begins(name, self.written)
+        return found
+
+    def is_observed(self, name: str) -> bool:
+        """Whether the script looks at what a name can stand for: modules write it, then."""
+        return _begins(name, self._observed)
 
     def domain(self, name: str) -> Domain:
         """What is known of a name's values: its declared type, and what the runtime keeps."""
@@ -115,6 +117,36 @@ class Data:
         return Domain(frozenset((declared,)))
 
     # ------------------------------------------------------------------------
+
+    def _is_kept(self, name: str) -> bool:
+        """Whether the runtime itself writes it, or a module below its own root."""
+        root, _, rest = name.partition("/")
+        who, _, field = rest.partition(".")
+        if root == "application":
+            return who in self._applications and field in _APPLICATION
+        if root == "service":
+            return who in self._services and (not field or field in _SERVICE)
+        if root == "module" and rest:
+            owner = who.partition("/")[0]
+            return owner in self._applications or owner in self._project.declared()
+        if root == "robot" and rest:
+            return who in self._resources
+        word, _, field = name.partition(".")
+        if word == "clock":
+            return name in CLOCK
+        if word == "situation":
+            kept = field.partition(".")[0] in ("", "name", "priorities")
+            return self._project.spds_file is not None and kept
+        # A recogniser is no part of a project: it comes with the robot.
+        return word in ("listen", "heard")
+
+    @cached_property
+    def _resources(self) -> set[str]:
+        """Everything that somebody may hold."""
+        found = {one for several in self._project.declared().values() for one in several}
+        for application in self._applications.values():
+            found.update(used_resources(self._project, application))
+        return found
 
     def _kept(self, name: str) -> Domain | None:
         """The values of what the runtime keeps, where all applications are known."""
@@ -155,6 +187,7 @@ class Data:
             self._wrote(action.tag, None)
         elif isinstance(action, Service):
             self._services.add(action.name)
+            self.asks_modules = self.asks_modules or action.url.lower().startswith(BOARD)
             for result in action.results:
                 self._wrote(result.tag, None)
 
@@ -179,6 +212,21 @@ class Data:
             if observed.type is not None:
                 found.setdefault(observed.tag, set()).add(observed.type)
         return {tag: next(iter(types)) for tag, types in found.items() if len(types) == 1}
+
+
+def references(text: str) -> tuple[str, ...]:
+    """The names in a text; most texts have none."""
+    return names.references(text) if "{" in text else ()
+
+
+def _begins(name: str, tags: set[str]) -> bool:
+    """Whether a name is one of the tags, or one of them begins it."""
+    end = len(name)
+    while end > 0:
+        if name[:end] in tags:
+            return True
+        end = name.rfind(".", 0, end)
+    return False
 
 
 def kind_of(value: Any) -> str | None:
@@ -254,14 +302,14 @@ def tested(condition: Condition | Group, place: Place) -> Iterator[tuple[Test, P
 def uses(application: Application) -> Iterator[Use]:
     """Every name that an application tests, shows, speaks or sends; not what an ``input`` shows."""
     for screen, place in screens(application):
-        for name in names.references(screen.background or ""):
+        for name in references(screen.background or ""):
             yield name, screen.aside, place
         for component in screen.components:
             at = (*place, component.id)
             for name in shown_names(component):
                 yield name, component.aside, at
             if isinstance(component, Button):
-                for name in names.references(component.value or ""):
+                for name in references(component.value or ""):
                     yield name, component.aside, at
     for holder, place in holders(application):
         for index, event in enumerate(holder.events):
@@ -270,11 +318,11 @@ def uses(application: Application) -> Iterator[Use]:
                 for test, at in tested(event.when, when):
                     yield from _test_uses(test, at)
             for number, say in enumerate(event.says):
-                for name in names.references(say.text):
+                for name in references(say.text):
                     yield name, say.aside, (*place, "event", str(index), "say", str(number))
     for action, place in placed_actions(application):
         for text, aside in _templates(action):
-            for name in names.references(text):
+            for name in references(text):
                 yield name, aside, place
         if isinstance(action, Take):
             yield action.source, action.aside, place
@@ -290,12 +338,12 @@ def _test_uses(test: Test, place: Place) -> Iterator[Use]:
 def shown_names(component: Component) -> Iterator[str]:
     """The names whose values a component shows, but for what is typed into an input."""
     if isinstance(component, (Text, Button)):
-        yield from names.references(component.text)
+        yield from references(component.text)
     elif isinstance(component, (Image, Movie)):
-        yield from names.references(component.src)
+        yield from references(component.src)
     elif isinstance(component, List):
         yield component.items
-        for name in names.references(component.label):
+        for name in references(component.label):
             if name != "item" and not name.startswith("item."):
                 yield name
 

@@ -1,0 +1,278 @@
+"""Screens: components off the screen, and components in each other's way.
+
+What is claimed, up to a hair (half a percent of the screen):
+
+- *off the screen* is what can be touched, and a text with words, where a part of it lies
+  outside; a picture, a movie or a panel (a text without words) where none of it lies inside,
+  for a picture may run over the edge.
+- of two components that overlap, the upper one is *in the way* where the lower one can be
+  touched, whatever the upper one is, since a touch goes to what lies on top; where the lower one
+  is a text with words and the upper one covers it (has a ``fill``, is a picture or a movie or can
+  be touched) or has words too; and where it covers the whole of a picture, a movie or a panel.
+  So a picture or a panel beneath others is as it should be.
+
+What lies above what: later components of a screen above earlier ones, ``always`` above the
+state's screen, outer files above inner ones, wherever a screen is shown or kept. A text whose
+words come from data has words; a picture is not looked through.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from situ.document import words
+from situ.document.analysis_active import Active, Layers, Run, shows
+from situ.document.analysis_search import Search
+from situ.document.finding import Place
+from situ.document.mend import written
+from situ.document.problem import Change, Mend
+from situ.document.rbd import Button, Component, Image, Input, List, Movie, Screen, Text
+
+HAIR = 0.5
+"""Percent of the screen: less than this is no overlap and not off the screen."""
+
+
+class Box(NamedTuple):
+    """A component as it lies there. file, place: of its document.
+
+    words, touch: whether it is read, or touched. covers: whether what lies below is not seen.
+    """
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+    words: bool
+    touch: bool
+    covers: bool
+    component: Component
+    file: str
+    place: Place
+
+
+def search_screens(search: Search, runs: list[Run]) -> None:
+    """Tells of components that are off the screen or in each other's way."""
+    boxes = _Boxes(search)
+    for run in runs:
+        search.go_on()
+        for active in run.actives.values():
+            level = active.levels[-1]
+            own: Layers = ()
+            if shows(level.state.screen):
+                assert level.state.screen is not None
+                own = ((level.file, level.state.screen),)
+                boxes.place(level.state.screen, ("state", level.state.no))
+            for _, screen in active.above:
+                boxes.place(screen, ("always",))
+            boxes.judge((*own, *active.above))
+        for layers in _kept(run):
+            boxes.judge(layers)
+    boxes.tell()
+
+
+def _kept(run: Run) -> Iterator[Layers]:
+    """The screens that states keep, with the screens of ``always`` above them there."""
+    keeping: dict[tuple[int, ...], list[Active]] = {}
+    above: dict[tuple[int, ...], Layers] = {}
+    own: set[tuple[int, ...]] = set()
+    for active in run.actives.values():
+        layers = active.above
+        key = tuple(id(screen) for _, screen in layers)
+        if active.state.screen is not None:
+            own.add(key)
+        elif layers:
+            keeping.setdefault(key, []).append(active)
+            above[key] = layers
+    # Where ``always`` is the same everywhere, what is kept lies as it lay.
+    if not keeping or len(own | set(keeping)) == 1:
+        return
+    before: dict[str, list[Active]] = {}
+    for active in run.actives.values():
+        for _, _, targets in run.ways(active):
+            for target in targets:
+                if target.state.screen is None:
+                    before.setdefault(target.path, []).append(active)
+    for key, several in keeping.items():
+        seen = {one.path for one in several}
+        waiting = list(several)
+        while waiting:
+            for one in before.get(waiting.pop().path, ()):
+                if one.path in seen:
+                    continue
+                seen.add(one.path)
+                if one.state.screen is None:
+                    waiting.append(one)
+                elif shows(one.state.screen):
+                    yield ((one.levels[-1].file, one.state.screen), *above[key])
+
+
+class _Boxes:
+    def __init__(self, search: Search) -> None:
+        self._search = search
+        self._places: dict[int, Place] = {}
+        self._made: dict[int, list[Box]] = {}
+        self._judged: set[tuple[int, int]] = set()
+        self._covered: dict[int, tuple[Box, list[Box]]] = {}
+
+    def place(self, screen: Screen, place: Place) -> None:
+        """Where a screen stands in its document."""
+        self._places.setdefault(id(screen), place)
+
+    def judge(self, layers: Layers) -> None:
+        """Looks at each screen and each two that lie above each other, once."""
+        for number, (file, screen) in enumerate(layers):
+            for other_file, upper in layers[number:]:
+                key = (id(screen), id(upper))
+                if key in self._judged:
+                    continue
+                self._judged.add(key)
+                lower = self._boxes(file, screen)
+                if upper is not screen:
+                    above = self._boxes(other_file, upper)
+                    for box in lower:
+                        self._look(box, above)
+                    continue
+                for at, box in enumerate(lower):
+                    self._look(box, lower[at + 1 :])
+
+    def tell(self) -> None:
+        for boxes in self._made.values():
+            for box in boxes:
+                if _is_off(box):
+                    self._tell_off(box)
+        for box, uppers in self._covered.values():
+            self._tell_covered(box, uppers)
+
+    def _boxes(self, file: str, screen: Screen) -> list[Box]:
+        found = self._made.get(id(screen))
+        if found is None:
+            place = (*self._places[id(screen)], "screen")
+            made = [_box(one, file, (*place, one.id)) for one in screen.components]
+            found = self._made[id(screen)] = made
+        return found
+
+    def _look(self, box: Box, uppers: list[Box]) -> None:
+        left, top = box.left + HAIR, box.top + HAIR
+        right, bottom = box.right - HAIR, box.bottom - HAIR
+        for upper in uppers:
+            if (
+                upper[0] < right
+                and upper[2] > left
+                and upper[1] < bottom
+                and upper[3] > top
+                and in_the_way(box, upper)
+            ):
+                self._covered.setdefault(id(box), (box, []))[1].append(upper)
+
+    def _tell_off(self, box: Box) -> None:
+        one = box.component
+        message = (
+            f"{_called(box)} lies outside the screen, which is 100 wide and 100 high: "
+            "move it in, or make it smaller"
+        )
+        self._search.warn(box.file, "off-screen", message, one.aside, box.place, self._into(box))
+
+    def _into(self, box: Box) -> Mend:
+        one = box.component
+        width, height = min(one.width, 100.0), min(one.height, 100.0)
+        wanted = {
+            "x": min(max(one.x, 0.0), 100.0 - width),
+            "y": min(max(one.y, 0.0), 100.0 - height),
+            "width": width,
+            "height": height,
+        }
+        changes = [
+            self._search.put(box.file, box.place, field, round(value, 4))
+            for field, value in wanted.items()
+            if value != getattr(one, field)
+        ]
+        return self._search.mend(box.file, f"Move {words.quoted(one.id)} in", *changes)
+
+    def _tell_covered(self, box: Box, uppers: list[Box]) -> None:
+        ids = words.listed([words.quoted(one.component.id) for one in uppers[:3]])
+        if len(uppers) > 3:
+            ids += f" and {len(uppers) - 3} more"
+        lies = "lies" if len(uppers) == 1 else "lie"
+        if box.touch:
+            why = f"{ids} {lies} over it, and a touch there does not reach it"
+        elif box.words:
+            why = f"{ids} {lies} over it, so it cannot be read"
+        else:
+            why = f"{ids} {lies} over the whole of it, so it is never seen"
+        outside = next((one for one in uppers if one.place[:-1] != box.place[:-1]), None)
+        if outside is not None:
+            where = "" if outside.file == box.file else f" of {outside.file}"
+            why += f" (of <always>{where}, which lies above the states)"
+        message = f"{_called(box)} is covered: {why}; move them apart, or take one away"
+        self._search.warn(
+            box.file,
+            "covered-component",
+            message,
+            box.component.aside,
+            box.place,
+            self._beneath(box, uppers),
+        )
+
+    def _beneath(self, box: Box, uppers: list[Box]) -> Mend | None:
+        """A picture or a panel of the same screen is put beneath what it covers, where it then
+        is in nobody's way.
+        """
+        upper = uppers[0]
+        if len(uppers) > 1 or upper.touch or upper.words or upper.place[:-1] != box.place[:-1]:
+            return None
+        if in_the_way(upper, box):
+            return None
+        path = self._search.path(box.file, upper.place)
+        to = self._search.path(box.file, box.place)[-1]
+        change = Change(path, "move", str(to), written(upper.component))
+        said = f"Put {words.quoted(upper.component.id)} beneath {words.quoted(box.component.id)}"
+        return self._search.mend(box.file, said, change)
+
+
+def _box(one: Component, file: str, place: Place) -> Box:
+    touch = isinstance(one, (Button, Input, List))
+    has_words = isinstance(one, Text) and bool(one.text.strip())
+    covers = touch or isinstance(one, (Image, Movie)) or one.fill not in (None, "", "transparent")
+    return Box(
+        one.x,
+        one.y,
+        one.x + one.width,
+        one.y + one.height,
+        has_words,
+        touch,
+        covers,
+        one,
+        file,
+        place,
+    )
+
+
+def in_the_way(lower: Box, upper: Box) -> bool:
+    """Whether the upper one of two that overlap is in the way of the lower one."""
+    if lower.touch:
+        return True
+    if lower.words:
+        return upper.covers or upper.words
+    return (
+        lower.covers
+        and upper.covers
+        and upper.left <= lower.left + HAIR
+        and upper.top <= lower.top + HAIR
+        and upper.right >= lower.right - HAIR
+        and upper.bottom >= lower.bottom - HAIR
+    )
+
+
+def _is_off(box: Box) -> bool:
+    if box.touch or box.words:
+        return (
+            box.left < -HAIR or box.top < -HAIR or box.right > 100 + HAIR or box.bottom > 100 + HAIR
+        )
+    return box.covers and (
+        box.right <= HAIR or box.bottom <= HAIR or box.left >= 100 - HAIR or box.top >= 100 - HAIR
+    )
+
+
+def _called(box: Box) -> str:
+    return f"The {box.component.element} {words.quoted(box.component.id)}"
