@@ -96,6 +96,8 @@ class _Loops:
         self.ways = ways
         self.reached = reached
         self.states = {state.no: state for state in ways.application.states}
+        self.order = {no: at for at, no in enumerate(self.states)}
+        self.entered_from = _entered_from(ways, reached)
         self.safe: set[str] = set()
         self.left = MOST
         self.told: set[frozenset[Any]] = set()
@@ -262,13 +264,7 @@ class _Loops:
             if config.known:
                 yield config.known[-1], config.known[:-1], config.depth - 1
                 return
-            into = {
-                way.source
-                for no in self.reached
-                for way in self.ways.of[no]
-                if config.no in self.ways.targets(way) and way.next != AGAIN
-            }
-            for source in sorted(into):
+            for source in self.entered_from.get(config.no, ()):
                 yield source, (), config.depth - 1
         elif to in self.states:
             yield to, (*config.known, config.no), config.depth + 1
@@ -309,8 +305,7 @@ class _Loops:
                 self._tell_loop(steps, sure)
 
     def _tell_loop(self, steps: list[_Step], sure: bool) -> None:
-        order = list(self.states)
-        first = min((step.config.no for step in steps), key=order.index)
+        first = min((step.config.no for step in steps), key=self.order.__getitem__)
         state = self.states[first]
         place: Place = ("state", first)
         aside = state.aside
@@ -334,6 +329,17 @@ class _Loops:
             "followed, or wait for a timeout or for an event from outside"
         )
         self.search.warn(self.ways.file, "livelock", message, aside, place)
+
+
+def _entered_from(ways: Ways, reached: set[str]) -> dict[str, list[str]]:
+    """By state, those from which it is entered."""
+    into: dict[str, set[str]] = {}
+    for no in reached:
+        for way in ways.of[no]:
+            if way.next != AGAIN:
+                for target in ways.targets(way):
+                    into.setdefault(target, set()).add(way.source)
+    return {no: sorted(sources) for no, sources in into.items()}
 
 
 def _called(event: Event, place: Place) -> str:

@@ -35,12 +35,13 @@ def search_states(search: Search, file: str, application: Application) -> tuple[
     reached = reachable(ways)
     if not _is_whole(application):
         return ways, {state.no for state in application.states}
+    into = _into(ways)
     for state in application.states:
         if state.no not in reached:
-            _unreachable(search, ways, state, reached)
+            _unreachable(search, ways, state, into)
     if file in search.project.applications:
         dead_ends = _dead_ends(search, ways, reached)
-        _no_way_back(search, ways, reached, dead_ends)
+        _no_way_back(search, ways, reached, dead_ends, into)
     search_loops(search, ways, reached)
     return ways, reached
 
@@ -169,10 +170,19 @@ def _is_whole(application: Application) -> bool:
     return all(n is None or n in (AGAIN, BACK) or n in numbers for n in nexts)
 
 
-def _unreachable(search: Search, ways: Ways, state: State, reached: set[str]) -> None:
-    into = {way.source for way in _all(ways) if state.no in ways.targets(way)} - {state.no}
-    if into:
-        several = words.listed(sorted(into)[:4])
+def _into(ways: Ways) -> dict[str, list[str]]:
+    """By state, the states from which ways lead to it, each as often as it does."""
+    into: dict[str, list[str]] = {}
+    for way in _all(ways):
+        for target in ways.targets(way):
+            into.setdefault(target, []).append(way.source)
+    return into
+
+
+def _unreachable(search: Search, ways: Ways, state: State, into: dict[str, list[str]]) -> None:
+    others = set(into.get(state.no, ())) - {state.no}
+    if others:
+        several = words.listed(sorted(others)[:4])
         why = f"only states that cannot be reached themselves lead to it ({several})"
     else:
         why = "no event or timeout that can be taken leads to it"
@@ -212,23 +222,26 @@ def _dead_ends(search: Search, ways: Ways, reached: set[str]) -> set[str]:
     return found
 
 
-def _no_way_back(search: Search, ways: Ways, reached: set[str], dead_ends: set[str]) -> None:
+def _no_way_back(
+    search: Search,
+    ways: Ways,
+    reached: set[str],
+    dead_ends: set[str],
+    into: dict[str, list[str]],
+) -> None:
     """From where neither the start nor an end can be reached; a dead end is told by itself."""
-    into: dict[str, list[str]] = {}
-    for way in _all(ways):
-        for target in ways.targets(way):
-            into.setdefault(target, []).append(way.source)
     start = ways.application.start_no
     good = {start, *dead_ends} if start is not None else set(dead_ends)
     good |= {state.no for state in ways.application.states if state.final or state.flow is not None}
     # What can go back leads to wherever it was entered from.
-    for way in _all(ways):
-        if way.next == BACK:
-            for source in set(into.get(way.source, ())):
-                into.setdefault(source, []).append(way.source)
+    back: dict[str, list[str]] = {}
+    for no in {way.source for way in _all(ways) if way.next == BACK}:
+        for source in set(into.get(no, ())):
+            back.setdefault(source, []).append(no)
     waiting = list(good)
     while waiting:
-        for source in into.get(waiting.pop(), ()):
+        no = waiting.pop()
+        for source in (*into.get(no, ()), *back.get(no, ())):
             if source not in good:
                 good.add(source)
                 waiting.append(source)

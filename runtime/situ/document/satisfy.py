@@ -64,12 +64,6 @@ def every(nodes: Iterable[Node]) -> Node:
     return found[0] if len(found) == 1 else Node(ALL, found)
 
 
-def some(nodes: Iterable[Node]) -> Node:
-    """At least one of them holds."""
-    found = tuple(nodes)
-    return found[0] if len(found) == 1 else Node(ONE, found)
-
-
 class Moment:
     """Answers for ``conditions``: all that will be asked about must be among them.
 
@@ -81,10 +75,14 @@ class Moment:
         self, conditions: Iterable[Condition], domain: Callable[[str], Domain] = lambda _: ANY
     ) -> None:
         known = list(conditions)
-        given = [test for one in known for test in every_test(one)]
+        # Designers write the same test again and again: each is looked at once.
+        given = dict.fromkeys(test for one in known for test in every_test(one))
         self.variables = Variables(given, domain)
         self.spent = 0
         self._implied: dict[int, Node] = {}
+        self._nodes: dict[tuple[int, tuple[Node, ...], int, int], Node] = {}
+        self._answers: dict[frozenset[Node], bool] = {}
+        self._tests = {test: self._test(test) for test in given}
         self._conditions = {id(one): (one, self._all(one.children)) for one in known}
 
     def node(self, condition: Condition | None) -> Node:
@@ -100,39 +98,66 @@ class Moment:
         found = node.opposite
         if found is None:
             if node.kind == LITERAL:
-                found = Node(LITERAL, (), node.var, self.variables.full[node.var] & ~node.mask)
+                found = self._literal(node.var, self.variables.full[node.var] & ~node.mask)
             else:
-                children = tuple(self.opposite(child) for child in node.children)
-                found = Node(ONE if node.kind == ALL else ALL, children)
+                children = tuple([self.opposite(child) for child in node.children])
+                found = self._group(ONE if node.kind == ALL else ALL, children)
             node.opposite, found.opposite = found, node
         return found
 
     def is_in(self, name: str, mask: int) -> Node:
         """The name's value is one of this set; the name is one that a condition tests."""
         var = self.variables.var[name]
-        return Node(LITERAL, (), var, mask & self.variables.full[var])
+        return self._literal(var, mask & self.variables.full[var])
 
     def possible(self, *nodes: Node, budget: int = BUDGET) -> bool | None:
-        """Whether all of them can hold at one moment; None: undecided."""
+        """Whether all of them can hold at one moment; None: undecided.
+
+        What was decided once is known from then on.
+        """
+        asked = frozenset(nodes)
+        found = self._answers.get(asked)
+        self.spent = 0
+        if found is not None:
+            return found
         self.variables.left = budget
         try:
-            return self._search({}, list(nodes))
+            found = self._search({}, list(nodes))
         except Spent:
             return None
         finally:
             self.spent = budget - self.variables.left
+        if found is not None:
+            self._answers[asked] = found
+        return found
 
-    # -- conditions as nodes ---------------------------------------------------
+    # -- conditions as nodes, one for all that say the same ----------------------
+
+    def _literal(self, var: int, mask: int) -> Node:
+        key = (LITERAL, (), var, mask)
+        found = self._nodes.get(key)
+        if found is None:
+            found = self._nodes[key] = Node(LITERAL, (), var, mask)
+        return found
+
+    def _group(self, kind: int, children: tuple[Node, ...]) -> Node:
+        if len(children) == 1:
+            return children[0]
+        key = (kind, children, -1, 0)
+        found = self._nodes.get(key)
+        if found is None:
+            found = self._nodes[key] = Node(kind, children)
+        return found
 
     def _all(self, children: tuple[Test | Group, ...]) -> Node:
-        return every(self._one(child) for child in children)
+        return self._group(ALL, tuple([self._one(child) for child in children]))
 
     def _one(self, child: Test | Group) -> Node:
         if isinstance(child, Test):
-            return self._test(child)
+            return self._tests[child]
         if child.kind == "all":
             return self._all(child.children)
-        found = some(self._one(inner) for inner in child.children)
+        found = self._group(ONE, tuple([self._one(inner) for inner in child.children]))
         return found if child.kind == "any" else self.opposite(found)
 
     def _test(self, test: Test) -> Node:
@@ -142,13 +167,13 @@ class Moment:
             var, mask = variables.compared(test, other)
         else:
             var, mask = variables.var[test.tag], variables.values[test.tag].of(test)
-        found = Node(LITERAL, (), var, mask)
+        found = self._literal(var, mask)
         if test.hold is not None:
             lasting = variables.lasted(test.tag, var, mask, test.hold)
             self._implied[lasting] = found
-            found = Node(LITERAL, (), lasting, YES)
+            found = self._literal(lasting, YES)
         if test.within is not None:
-            found = every((found, Node(LITERAL, (), *variables.young(test))))
+            found = self._group(ALL, (found, self._literal(*variables.young(test))))
         return found
 
     # -- the search ------------------------------------------------------------

@@ -55,7 +55,7 @@ class Variables:
     left: the looks that the question being answered may still take.
     """
 
-    def __init__(self, given: list[Test], domain: Callable[[str], Domain]) -> None:
+    def __init__(self, given: Iterable[Test], domain: Callable[[str], Domain]) -> None:
         self.full: list[int] = []
         self.values: dict[str, Values] = {}
         self.var: dict[str, int] = {}
@@ -64,13 +64,13 @@ class Variables:
         self._name: list[tuple[str, ...]] = []
         self._ages: dict[str, tuple[int, list[int]]] = {}
         self._known: dict[tuple[int, int, int], Lasting] = {}
-        self._lasts: dict[str, list[Lasting]] = {}
+        self._pairs: dict[int, tuple[str, str, bool]] = {}
         self._relations: dict[tuple[str, str], int] = {}
         self._members: dict[tuple[str, str], int] = {}
         self._parent: dict[str, tuple[str, str, bool]] = {}
         self._prepare(given, domain)
 
-    def _prepare(self, given: list[Test], domain: Callable[[str], Domain]) -> None:
+    def _prepare(self, given: Iterable[Test], domain: Callable[[str], Domain]) -> None:
         named: dict[str, list[object]] = {}
         ages: dict[str, set[int]] = {}
         pairs: list[tuple[str, str]] = []
@@ -127,8 +127,6 @@ class Variables:
         if found is None:
             var = self._variable(NO | YES, name)
             found = self._known[key] = self.lasting[var] = Lasting(var, *key)
-            if base == self.var[name]:
-                self._lasts.setdefault(name, []).append(found)
         return found.var
 
     def compared(self, test: Test, other: str) -> tuple[int, int]:
@@ -148,6 +146,7 @@ class Variables:
             var = self._members.get((name, other))
             if var is None:
                 var = self._members[name, other] = self._variable(NO | YES, name, other)
+                self._pairs[var] = (name, other, True)
             return var, YES
         mask = RELATIONS[test.test]
         if name > other:
@@ -156,6 +155,7 @@ class Variables:
         if var is None:
             full = APART | EQUAL | SAME | LESS | MORE
             var = self._relations[name, other] = self._variable(full, name, other)
+            self._pairs[var] = (name, other, False)
         return var, mask
 
     def groups(self) -> list[int]:
@@ -189,17 +189,25 @@ class Variables:
             while name in self._parent:
                 name = self._parent[name][0]
                 involved.add(name)
+        # By variable of a value: its tests that have lasted, and those that have not.
+        past: dict[int, tuple[list[Lasting], list[Lasting]]] = {}
+        pairs = []
+        for var, left in chosen.items():
+            if var in self.lasting and left in (NO, YES):
+                lasting = self.lasting[var]
+                past.setdefault(lasting.base, ([], []))[left == NO].append(lasting)
+            elif var in self._pairs:
+                one, other, is_member = self._pairs[var]
+                pairs.append((one, other, var, is_member))
         allowed = {}
         for name in involved:
-            allowed[name] = self._with_past(name, chosen)
-            if not allowed[name]:
+            var = self.var[name]
+            values = chosen.get(var, self.full[var])
+            if var in past and past[var][1]:
+                values = self._with_past(name, values, *past[var], chosen)
+            if not values:
                 return False
-        pairs = [
-            (one, other, var, is_member)
-            for table, is_member in ((self._relations, False), (self._members, True))
-            for (one, other), var in table.items()
-            if var in chosen
-        ]
+            allowed[name] = values
         linked = {n for one, other, _, _ in pairs for n in (one, other)}
         linked |= {name for name in involved if name in self._parent}
         linked |= {self._parent[name][0] for name in involved if name in self._parent}
@@ -210,16 +218,15 @@ class Variables:
             return False
         return None if _has_circle((one, other) for one, other, _, _ in pairs) else True
 
-    def _with_past(self, name: str, chosen: dict[int, int]) -> int:
-        """The values that a name can have now, given what has and has not lasted."""
-        values = chosen.get(self.var[name], self.full[self.var[name]])
-        lasts = self._lasts.get(name)
-        if not lasts:
-            return values
-        kept = [one for one in lasts if chosen.get(one.var) == YES]
-        broken = [one for one in lasts if chosen.get(one.var) == NO]
-        if not broken:
-            return values
+    def _with_past(
+        self,
+        name: str,
+        values: int,
+        kept: list[Lasting],
+        broken: list[Lasting],
+        chosen: dict[int, int],
+    ) -> int:
+        """Those of the values that a name can have now, given what has and has not lasted."""
         full = self.full[self.var[name]]
         found = 0
         for lower, is_last in self._ages_left(name, chosen):
