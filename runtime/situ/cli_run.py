@@ -8,12 +8,14 @@ import logging
 import os
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from situ.blackboard.client import AsyncBoard
+    from situ.blackboard.journal import DurableTags
     from situ.document.project import Project
     from situ.engine.live import Live
+    from situ.engine.recovery import Recovery
     from situ.engine.script import Script
 
 _log = logging.getLogger("situ.run")
@@ -44,6 +46,16 @@ def add(commands: Any) -> None:
         help="the robot's screen; two ports higher than the endpoint unless given",
     )
     parser.add_argument("--state", type=Path, metavar="DIR", help="where the robot keeps its state")
+    parser.add_argument(
+        "--sync",
+        action="store_true",
+        help="acknowledge durable tags when the disk has them: they survive power loss",
+    )
+    parser.add_argument(
+        "--fresh",
+        action="store_true",
+        help="start anew even if the robot was killed; durable tags stay",
+    )
     parser.add_argument("--script", metavar="S.jsonl", help="a scenario to play; ends with it")
     parser.add_argument(
         "--speed",
@@ -86,19 +98,45 @@ def run(args: argparse.Namespace) -> int:
     elif args.auto_finish is not None:
         raise UsageError("--auto-finish goes with --script: alive, actions end when they end")
     with contextlib.ExitStack() as stack:
+        kept = Kept() if lines is not None else _kept(args, project, stack)
         out = None
         if args.trace == "-":
             out = sys.stdout.buffer
         elif args.trace is not None:
             try:
                 # Without a buffer: what could not be written must not be tried again at the end.
-                out = stack.enter_context(open(args.trace, "wb", buffering=0))
+                mode = "ab" if kept.recovery and kept.recovery.found else "wb"
+                out = stack.enter_context(open(args.trace, mode, buffering=0))
             except OSError as error:
                 raise UsageError(f"{args.trace}: {error.strerror or error}") from None
-        return asyncio.run(_run(args, project, lines, out))
+        return asyncio.run(_run(args, project, lines, out, kept))
 
 
-async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any) -> int:
+class Kept(NamedTuple):
+    """What outlives the process; nothing does where a scenario is played."""
+
+    durable: DurableTags | None = None
+    recovery: Recovery | None = None
+
+
+def _kept(args: argparse.Namespace, project: Project, stack: contextlib.ExitStack) -> Kept:
+    from situ.blackboard.journal import DurableTags
+    from situ.engine.folder import StateFolder
+    from situ.engine.recovery import Recovery
+
+    folder = StateFolder(_state(args.state, project))
+    stack.callback(folder.close)
+    durable = None
+    if project.durable:
+        durable = DurableTags(folder.path, project.durable, sync=args.sync)
+        stack.callback(durable.close)
+    recovery = Recovery(folder.path, project)
+    if args.fresh:
+        recovery.forget()
+    return Kept(durable, recovery)
+
+
+async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any, kept: Kept) -> int:
     import asyncio
     import signal
 
@@ -151,6 +189,8 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any)
         seed=args.seed,
         auto_finish=args.auto_finish,
         heard=heard,
+        durable=kept.durable,
+        recovery=kept.recovery,
     )
     addresses = await live.start()
     try:

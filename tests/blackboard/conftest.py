@@ -18,7 +18,7 @@ import pytest
 
 from situ.blackboard import protocol
 from situ.blackboard.backlog import Backlog
-from situ.blackboard.core import Core, Outgoing
+from situ.blackboard.core import Core, Durability, Outgoing
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.session import Sessions
 from situ.decide.robot import Robot
@@ -37,18 +37,28 @@ def lab() -> Project:
 class Hand:
     """A core with sessions; time is told in seconds, messages are plain objects."""
 
-    def __init__(self, project: Project, scripted: bool = False, keep: int = 1000) -> None:
+    def __init__(
+        self,
+        project: Project,
+        scripted: bool = False,
+        keep: int = 1000,
+        durability: Durability | None = None,
+        begin: bool = True,
+    ) -> None:
         self.now = 0
+        self.robot = Robot(project)
         self.core = Core(
-            Robot(project),
+            self.robot,
             project,
             epoch=1_767_323_045.0,
             files={"situ.toml": "…"},
             backlog=Backlog(keep),
+            durability=durability,
         )
         addresses = Addresses("tcp://127.0.0.1:1", "tcp://127.0.0.1:2")
         self.sessions = Sessions(self.core, addresses, scripted=scripted)
-        self.sessions.start()
+        if begin:
+            self.sessions.start()
         self.notices: list[bytes] = []
         self.effects: list[Any] = []
         self._numbers = 0

@@ -457,7 +457,8 @@ def test_everything_comes_back_after_the_core_was_killed_and_started_anew(
         until(changes, 1)
         first.kill()
         assert head.wait_lost(DEADLINE)
-        run_lab("--endpoint", endpoint, "--notify", notifications, "--http", "127.0.0.1:0")
+        again = ("--endpoint", endpoint, "--notify", notifications, "--http", "127.0.0.1:0")
+        run_lab(*again, "--fresh")
         assert head.wait(DEADLINE)
         # What stood there is gone with the core that kept it, and told so.
         until(changes, None)

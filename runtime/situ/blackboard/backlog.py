@@ -22,10 +22,11 @@ PAGE = 1_000_000
 class Backlog:
     """A bounded run of events without a gap; each with the moment (UNIX seconds) it was made.
 
-    The newest is always kept, however large it is.
+    The newest is always kept, however large it is. begin: the seq of the last event before.
     """
 
-    def __init__(self, capacity: int = CAPACITY, limit: int = BYTES) -> None:
+    def __init__(self, capacity: int = CAPACITY, limit: int = BYTES, begin: int = 0) -> None:
+        self._begin = begin
         self._kept: deque[tuple[int, bytes, float]] = deque()
         self._capacity = capacity
         self._limit = limit
@@ -33,13 +34,13 @@ class Backlog:
 
     @property
     def first(self) -> int:
-        """The seq of the oldest event kept; 1 where there is none yet."""
-        return self._kept[0][0] if self._kept else 1
+        """The seq of the oldest event kept; of the next where there is none yet."""
+        return self._kept[0][0] if self._kept else self._begin + 1
 
     @property
     def last(self) -> int:
-        """The seq of the newest event; 0 where there is none yet."""
-        return self._kept[-1][0] if self._kept else 0
+        """The seq of the newest event; 0 where there was none yet."""
+        return self._kept[-1][0] if self._kept else self._begin
 
     def add(self, events: Iterable[TraceEvent], moment: float) -> None:
         for event in events:

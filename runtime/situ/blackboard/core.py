@@ -5,13 +5,14 @@ No I/O. One of these is the core of a running robot; sessions stand round it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from typing import Protocol
 
 from msgspec import Raw, Struct
 
 from situ.blackboard import protocol
 from situ.blackboard.backlog import Backlog, stamped
+from situ.blackboard.history import AnySessionEvent, Past
 from situ.blackboard.presence import Disclosed
 from situ.blackboard.watching import Watching
 from situ.decide import inputs, trace
@@ -39,12 +40,44 @@ class Decider(Protocol):
     def due(self) -> int | None: ...
 
 
+class Durability(Protocol):
+    """The part of ``situ.blackboard.journal.DurableTags`` that the core needs."""
+
+    @property
+    def durable(self) -> Mapping[str, bool]: ...
+
+    def refusal(self, tags: Iterable[str], /) -> str | None: ...
+
+
+class Held(Struct):
+    """A reply that leaves when what it acknowledges is kept; ``no`` if that fails."""
+
+    peer: Hashable
+    reply: bytes
+    request: int | None
+
+    def no(self, why: str) -> bytes:
+        """The reply in its place."""
+        message = (
+            f"durable tags could not be kept ({why}): what was set stands on the blackboard, "
+            "but not after a restart; make room on the robot's disk and set it again"
+        )
+        return protocol.encode(protocol.Refused(id=self.request, code="refused", message=message))
+
+
 class Outgoing(Struct):
-    """In the order in which they must leave, each list by itself."""
+    """In the order in which they must leave, each list by itself.
+
+    past: what happened, to be written down before anything leaves. durable: changes to be
+    kept, before which nothing of ``held`` may leave.
+    """
 
     replies: list[tuple[Hashable, bytes]] = []
     notices: list[bytes] = []
     effects: list[Carried] = []
+    past: list[Past] = []
+    durable: list[Changed] = []
+    held: list[Held] = []
 
 
 class Core:
@@ -53,7 +86,8 @@ class Core:
     moment: its time in µs. epoch: UNIX time of 0 µs by the clock that ``now`` (µs) is read
     from; both differ from ``moment`` only where a scenario gives the time. files: path to
     text of the project's files. modules: those connected; holders: resource to module.
-    tracing: how many follow the trace.
+    tracing: how many follow the trace. heard: as ``Heard``, None: nobody is told.
+    remembers: whether what happens is put into ``Outgoing.past``.
     """
 
     def __init__(
@@ -65,6 +99,7 @@ class Core:
         files: Mapping[str, str] | None = None,
         heard: Heard | None = None,
         backlog: Backlog | None = None,
+        durability: Durability | None = None,
     ) -> None:
         self.project = project
         self.files = files or {}
@@ -76,8 +111,11 @@ class Core:
         self.moment = 0
         self.now = 0
         self.epoch = epoch
+        self.heard = heard
+        self.remembers = False
         self._robot = robot
-        self._heard = heard
+        self._durability = durability
+        self._durable = durability.durable if durability is not None else None
         self._out = Outgoing()
 
     @property
@@ -95,6 +133,15 @@ class Core:
             self.step(None)
         self.moment = max(self.moment, moment)
 
+    def begin(self, start: inputs.Start) -> None:
+        """The first step of a run. What it only restores, and what the project's files say,
+        need not be kept again."""
+        self.step(start)
+        out = self._out
+        given = {tag: entry[1] for tag, entry in start.restored.items()}
+        given |= {tag: 1 for tag in self.project.tags if tag not in given}
+        out.durable = [change for change in out.durable if change.version != given.get(change.tag)]
+
     def step(self, given: inputs.AnyInput | None) -> str | None:
         """One step of the robot; why the input was refused, or None."""
         events, effects = self._robot.step(given, self.moment)
@@ -102,8 +149,12 @@ class Core:
             self._traced(events)
         refused = None
         out = self._out
+        if self.remembers:
+            out.past.append((self.moment, given))
         for effect in effects:
             if isinstance(effect, Changed):
+                if self._durable is not None and self._durable[effect.tag]:
+                    out.durable.append(effect)
                 if self.watching.changed(effect.tag):
                     out.notices.append(_change(effect))
             elif isinstance(effect, Refuse):
@@ -120,9 +171,26 @@ class Core:
             return ()
         return tuple(sorted(r for r, holder in self.holders.items() if holder == module))
 
+    def remember(self, event: AnySessionEvent) -> None:
+        """A session changed."""
+        if self.remembers:
+            self._out.past.append((self.moment, event))
+
+    def unkeepable(self, tags: Iterable[str]) -> str | None:
+        """Why these tags can not be set because they are durable; None where they can."""
+        return self._durability.refusal(tags) if self._durability is not None else None
+
     def reply(self, peer: Hashable, reply: protocol.Reply) -> None:
-        """A reply leaves after the notices of what it answers."""
-        self._out.replies.append((peer, protocol.encode(reply)))
+        """A reply leaves after the notices of what it answers; one that acknowledges durable
+        tags when they are kept."""
+        body = protocol.encode(reply)
+        if self._out.durable and isinstance(reply, protocol.Written) and self._is_held(reply):
+            self._out.held.append(Held(peer, body, reply.id))
+        else:
+            self._out.replies.append((peer, body))
+
+    def _is_held(self, reply: protocol.Written) -> bool:
+        return self._durable is not None and any(self._durable[tag] for tag in reply.versions)
 
     def end(self) -> None:
         """Tells all that the runtime stops."""
@@ -137,8 +205,8 @@ class Core:
     def _traced(self, events: list[trace.TraceEvent]) -> None:
         at = self.epoch + self.now / SECOND
         self.backlog.add(events, at)
-        if self._heard is not None:
-            self._heard(events, at)
+        if self.heard is not None:
+            self.heard(events, at)
         for event in events:
             if type(event) is trace.Authority:
                 self.holders[event.resource] = event.to

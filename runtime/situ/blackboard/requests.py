@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable
 from typing import Any
 
 from msgspec import UNSET, Raw, Struct
 
 from situ.blackboard import presence, protocol
 from situ.blackboard.core import Core
+from situ.blackboard.history import Told, Traced, Unwatched, Watched
+from situ.blackboard.watching import Watching
 from situ.decide import inputs
 from situ.decide.board import Board
 from situ.document import names
@@ -30,6 +32,17 @@ class Session(Struct):
     heard: int
     patterns: set[str] = set()
     tracing: bool = False
+
+    def watch(self, patterns: Iterable[str], watching: Watching) -> None:
+        """patterns: none that it watches already."""
+        for pattern in patterns:
+            self.patterns.add(pattern)
+            watching.add(pattern)
+
+    def unwatch(self, patterns: Iterable[str], watching: Watching) -> None:
+        for pattern in patterns:
+            self.patterns.remove(pattern)
+            watching.remove(pattern)
 
 
 class No(Exception):
@@ -69,6 +82,9 @@ def _set(core: Core, session: Session, request: protocol.Set) -> protocol.Reply:
                 "conflict",
                 f"{tag} is at version {found}, not {wanted}: get it and try again",
             )
+    full = core.unkeepable(request.tags)
+    if full is not None:
+        raise No("refused", full)
     before = {tag: _version(board, tag) for tag in request.tags}
     _do(core, inputs.Set(request.tags, session.writer))
     after = {tag: _version(board, tag) for tag in request.tags}
@@ -98,12 +114,13 @@ def _get(core: Core, session: Session, request: protocol.Get) -> protocol.Reply:
 def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Reply:
     for pattern in request.patterns:
         _check(names.is_pattern, pattern)
+    begun = tuple(dict.fromkeys(p for p in request.patterns if p not in session.patterns))
+    if begun:
+        session.watch(begun, core.watching)
+        core.remember(Watched(session.id, begun))
     found: dict[str, protocol.Entry] = {}
     state = core.board.state
     for pattern in request.patterns:
-        if pattern not in session.patterns:
-            session.patterns.add(pattern)
-            core.watching.add(pattern)
         if "*" not in pattern:
             if (entry := state.get(pattern)) is not None:
                 found[pattern] = _entry(entry)
@@ -117,9 +134,9 @@ def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Re
 
 
 def _unwatch(core: Core, session: Session, request: protocol.Unwatch) -> protocol.Reply:
-    for pattern in session.patterns.intersection(request.patterns):
-        session.patterns.remove(pattern)
-        core.watching.remove(pattern)
+    ended = tuple(session.patterns.intersection(request.patterns))
+    session.unwatch(ended, core.watching)
+    core.remember(Unwatched(session.id, ended))
     return protocol.Done(id=request.id)
 
 
@@ -189,8 +206,10 @@ def _finish(core: Core, session: Session, request: protocol.Finish) -> protocol.
 
 
 def _trace(core: Core, session: Session, request: protocol.Trace) -> protocol.Reply:
-    core.tracing += not session.tracing
-    session.tracing = True
+    if not session.tracing:
+        core.tracing += 1
+        session.tracing = True
+        core.remember(Traced(session.id))
     last = core.backlog.last
     since = last + 1 if request.since is None else max(request.since, core.backlog.first)
     lines = tuple(Raw(line) for line in core.backlog.since(since, PAGE))
@@ -217,12 +236,9 @@ def _disclose(core: Core, session: Session, request: protocol.Disclose) -> proto
     if session.module is None:
         raise No("role", "only a module discloses")
     resources, description, _, _ = core.modules[session.module]
-    core.modules[session.module] = (
-        resources,
-        request.description or description,
-        request.requires,
-        request.provides,
-    )
+    said = (resources, request.description or description, request.requires, request.provides)
+    core.modules[session.module] = said
+    core.remember(Told(session.id, said))
     return protocol.Done(id=request.id)
 
 

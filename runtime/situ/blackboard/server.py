@@ -18,6 +18,8 @@ from situ.errors import UsageError
 
 TURN = 500
 """Messages taken in one ``drain``, so that a flood leaves time for what falls due."""
+TOGETHER = 50
+"""Messages that are answered together: what they bring about is written down at once."""
 HELD = 10_000
 """Notices kept for a subscriber that does not read; then it loses some, and finds the gap."""
 
@@ -51,18 +53,29 @@ class Server:
         """To wait on for reading. They tell of a change once, so ``drain`` to the end."""
         return self._router.fileno(), self._publisher.fileno()
 
-    def drain(self, received: Callable[[bytes, bytes], None]) -> bool:
-        """Takes what has come and gives it to ``received``, which may ``send`` what follows;
-        echoes new subscribers.
+    def drain(self, received: Callable[[bytes, bytes], None], answer: Callable[[], None]) -> bool:
+        """Takes what has come and gives it to ``received``; ``answer`` is to ``send`` what follows,
+        once for all that came together (at most ``TOGETHER``). Echoes new subscribers.
 
         True where more may be waiting: then call again soon, the descriptors may not tell.
         """
+        taken = 0
         for _ in range(TURN):
             if not has_come(self._router):
-                return self._subscriptions()
+                if not taken:
+                    return self._subscriptions()
+                taken = 0
+                answer()
+                continue
             peer, *frames = self._router.recv_multipart(NOW)
             # A request is one frame; of anything else the sessions say what is wrong.
             received(peer, frames[0] if len(frames) == 1 else b"")
+            taken += 1
+            if taken == TOGETHER:
+                taken = 0
+                answer()
+        if taken:
+            answer()
         return True
 
     def _subscriptions(self) -> bool:

@@ -7,10 +7,23 @@ connection; nothing here knows ZeroMQ.
 from __future__ import annotations
 
 import secrets
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable, Iterable, Mapping
+from typing import Any
 
 from situ.blackboard import protocol
 from situ.blackboard.core import SECOND, Core, Outgoing
+from situ.blackboard.history import (
+    Ended,
+    Opened,
+    Past,
+    SessionEvent,
+    SessionsState,
+    Standing,
+    Told,
+    Traced,
+    Unwatched,
+    Watched,
+)
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Malformed
 from situ.blackboard.requests import LONGEST, No, Session, answer
 from situ.decide import inputs
@@ -29,6 +42,8 @@ class Sessions:
 
     With ``scripted`` the robot's time is the scenario's: it moves only with the ``at`` of
     the scenario's requests and with ``Core.move``; leases still run by the time given.
+
+    ``state`` and ``restore`` take all of it over into another process.
     """
 
     def __init__(self, core: Core, addresses: Addresses, *, scripted: bool = False) -> None:
@@ -48,10 +63,22 @@ class Sessions:
         """How many clients are connected, who plays the scenario not counted."""
         return sum(session.role != "scenario" for session in self._sessions.values())
 
-    def start(self, seed: int = 0, auto_finish: float | None = None) -> None:
-        """The first step of the run, at 0."""
+    def start(
+        self,
+        seed: int = 0,
+        auto_finish: float | None = None,
+        restored: Mapping[str, tuple[Any, int, str]] | None = None,
+    ) -> None:
+        """The first step of the run, at 0. restored: what durable tags held before."""
         # A scenario plays every module; alive, only those that are connected are there.
-        self._core.step(inputs.Start(seed=seed, auto_finish=auto_finish, everyone=self._scripted))
+        self._core.begin(
+            inputs.Start(
+                seed=seed,
+                auto_finish=auto_finish,
+                everyone=self._scripted,
+                restored=dict(restored or {}),
+            )
+        )
 
     def receive(self, peer: Hashable, body: bytes, now: int) -> None:
         """A message of a peer; it is always answered."""
@@ -99,6 +126,90 @@ class Sessions:
     def take(self) -> Outgoing:
         """What is to be sent and carried out since the last call."""
         return self._core.take()
+
+    # -- after a restart -----------------------------------------------------
+
+    def state(self) -> SessionsState:
+        """All that is known here, but for the connections."""
+        core = self._core
+        return SessionsState(
+            runtime=self.runtime,
+            sessions=[
+                Standing(s.id, s.role, s.module, s.writer, tuple(sorted(s.patterns)), s.tracing)
+                for s in self._sessions.values()
+            ],
+            modules=core.modules,
+            holders=core.holders,
+            changes=core.watching.state(),
+            moment=core.moment,
+        )
+
+    def restore(self, state: SessionsState, past: Iterable[Past], now: int) -> None:
+        """Goes on from ``state`` with what happened after it, in a core whose robot was restored
+        to the same moment; what would leave again because of it is left out.
+
+        Sessions are then without a connection; each is believed for a lease from ``now`` on.
+        """
+        core = self._core
+        self.runtime = state.runtime
+        core.moment = state.moment
+        core.modules.update(state.modules)
+        core.holders.update(state.holders)
+        for one in state.sessions:
+            self._stand(one)
+        core.watching.restore(state.changes)
+        for moment, event in past:
+            core.now = moment
+            core.move(moment)
+            if isinstance(event, SessionEvent):
+                _AGAIN[type(event)](self, event)
+            elif event is not None:
+                core.step(event)
+        core.take()
+        core.now = now
+        for session in self._sessions.values():
+            session.heard = now
+        self._look = now + _LEASE if self._sessions else None
+
+    def _stand(self, one: Standing) -> None:
+        session = Session(
+            id=one.id,
+            peer=("gone", one.id),
+            role=one.role,
+            module=one.module,
+            writer=one.writer,
+            heard=0,
+            tracing=one.tracing,
+        )
+        session.watch(one.patterns, self._core.watching)
+        self._core.tracing += one.tracing
+        self._sessions[session.peer] = session
+
+    def _find(self, id: str) -> Session:
+        return next(session for session in self._sessions.values() if session.id == id)
+
+    def _opened(self, event: Opened) -> None:
+        self._stand(Standing(event.session, event.role, event.module, event.writer, (), False))
+        if event.module is not None and event.disclosed is not None:
+            self._core.modules[event.module] = event.disclosed
+
+    def _ended(self, event: Ended) -> None:
+        self._forget(self._find(event.session))
+
+    def _watched(self, event: Watched) -> None:
+        self._find(event.session).watch(event.patterns, self._core.watching)
+
+    def _unwatched(self, event: Unwatched) -> None:
+        self._find(event.session).unwatch(event.patterns, self._core.watching)
+
+    def _traced(self, event: Traced) -> None:
+        self._find(event.session).tracing = True
+        self._core.tracing += 1
+
+    def _told(self, event: Told) -> None:
+        module = self._find(event.session).module
+        assert module is not None
+        self._core.modules[module] = event.disclosed
 
     def _move(self, now: int) -> None:
         self._core.now = now
@@ -161,13 +272,18 @@ class Sessions:
             self._sessions[peer] = session
             if self._look is None:
                 self._look = session.heard + _LEASE
-            if session.module is not None:
-                self._core.modules[session.module] = (
-                    hello.resources,
-                    hello.description,
-                    hello.requires,
-                    hello.provides,
+            said = (hello.resources, hello.description, hello.requires, hello.provides)
+            self._core.remember(
+                Opened(
+                    session.id,
+                    session.role,
+                    session.module,
+                    session.writer,
+                    said if session.module is not None else None,
                 )
+            )
+            if session.module is not None:
+                self._core.modules[session.module] = said
                 self._core.step(inputs.Connected(session.module, hello.resources))
         return protocol.Welcome(
             id=hello.id,
@@ -219,13 +335,17 @@ class Sessions:
             )
 
     def _end(self, session: Session) -> None:
+        self._forget(session)
+        self._core.remember(Ended(session.id))
+        if session.module is not None:
+            self._core.step(inputs.Lost(session.module))
+
+    def _forget(self, session: Session) -> None:
         del self._sessions[session.peer]
-        for pattern in session.patterns:
-            self._core.watching.remove(pattern)
+        session.unwatch(tuple(session.patterns), self._core.watching)
         self._core.tracing -= session.tracing
         if session.module is not None:
             del self._core.modules[session.module]
-            self._core.step(inputs.Lost(session.module))
 
 
 def _writer(hello: protocol.Hello) -> str:
@@ -233,3 +353,13 @@ def _writer(hello: protocol.Hello) -> str:
     if hello.role == "operator":
         return f"operator:{hello.user or 'unknown'}"
     return hello.module or hello.role
+
+
+_AGAIN: dict[type[SessionEvent], Callable[[Sessions, Any], None]] = {
+    Opened: Sessions._opened,
+    Ended: Sessions._ended,
+    Watched: Sessions._watched,
+    Unwatched: Sessions._unwatched,
+    Traced: Sessions._traced,
+    Told: Sessions._told,
+}

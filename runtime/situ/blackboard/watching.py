@@ -40,6 +40,15 @@ class Watching:
             del self._patterns[pattern]
             self._by_tag.clear()
 
+    def state(self) -> dict[str, int]:
+        """Every pattern that is watched, to how many changes fitted it."""
+        return {pattern: watched.changes for pattern, watched in self._patterns.items()}
+
+    def restore(self, changes: dict[str, int]) -> None:
+        """Counts on from there; every one of the patterns must be watched."""
+        for pattern, count in changes.items():
+            self._patterns[pattern].changes = count
+
     def changed(self, tag: str) -> bool:
         """Counts a change; whether anybody watches the tag."""
         fitting = self._by_tag.get(tag)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from datetime import datetime
 from typing import Protocol
 
 
@@ -39,3 +40,16 @@ async def pause(clock: Clock, seconds: float) -> None:
         await over
     finally:
         handle.cancel()
+
+
+def time_of_day(moment: float) -> dict[str, str]:
+    """The tags ``clock.*`` at a UNIX time, in the robot's time zone."""
+    now = datetime.fromtimestamp(moment)
+    return {
+        "clock.time": f"{now:%H:%M}",
+        "clock.date": f"{now:%Y-%m-%d}",
+        "clock.weekday": _WEEKDAYS[now.weekday()],
+    }
+
+
+_WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday")

@@ -10,23 +10,26 @@ import asyncio
 import logging
 import time
 from collections.abc import Callable, Coroutine
-from datetime import datetime
 from typing import Any, Protocol
 
 import zmq
 from msgspec.structs import replace
 
-from situ.blackboard.core import Core
+from situ.blackboard.backlog import Backlog
+from situ.blackboard.core import Core, Held
+from situ.blackboard.journal import DurableTags
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.server import Server
 from situ.blackboard.session import Sessions
 from situ.decide import inputs
-from situ.decide.effects import AnyEffect
+from situ.decide.effects import AnyEffect, Begin, Changed
 from situ.decide.priorities import RUNTIME
 from situ.decide.robot import Robot
 from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent
 from situ.document.project import Project
+from situ.engine.clock import time_of_day
+from situ.engine.recovery import Recovery, may_repeat
 
 CLOSING = 2.0
 """Seconds that the performer has to end what it does."""
@@ -62,6 +65,10 @@ class Live:
 
     scripted: a scenario client gives the time (``Sessions``); what actions and adapters
     answer is then left out, for the scenario says what ends and what is measured.
+
+    durable: keeps durable tags; ``stop`` closes it. recovery: keeps what is needed to go on
+    after the process was killed; where it has found such a run, this one goes on from there
+    (docs/architecture.md, *How the core comes back*). Both only where nothing is scripted.
     """
 
     def __init__(
@@ -77,6 +84,8 @@ class Live:
         auto_finish: float | None = None,
         heard: Heard | None = None,
         wall: Callable[[], float] = time.time,
+        durable: DurableTags | None = None,
+        recovery: Recovery | None = None,
     ) -> None:
         self._project = project
         self._bind = endpoint, notify
@@ -87,10 +96,13 @@ class Live:
         self._auto_finish = auto_finish
         self._heard = heard
         self._wall = wall
+        self._durable = durable
+        self._recovery = recovery
         self._performer: Performing | None = None
         self._timers: dict[str, asyncio.TimerHandle] = {}
         self._started = 0.0
         self._came = asyncio.Event()
+        self._stopping = False
 
     async def start(self) -> Addresses:
         """Binds, opens the screen, takes the first step; the addresses that clients need.
@@ -107,11 +119,11 @@ class Live:
         project = self._project
         if not self._scripted:
             # The first situation may depend on the time of day.
-            project = replace(project, tags={**_clock_tags(self._wall()), **project.tags})
+            project = replace(project, tags={**time_of_day(self._wall()), **project.tags})
         self._robot = Robot(project)
         try:
             if self._make is not None:
-                self._performer = self._make(self._submit, self._robot.board.look)
+                self._performer = self._make(self._submit, self._look)
                 await self._performer.start()
         except BaseException:
             self._server.close()
@@ -124,12 +136,8 @@ class Live:
         )
         if self._performer is not None:
             self._performer.open_door(addresses)
-        self._started = self._loop.time()
-        self._core = Core(
-            self._robot, project, epoch=self._wall(), files=self._files, heard=self._heard
-        )
-        self._sessions = Sessions(self._core, addresses, scripted=self._scripted)
-        self._sessions.start(self._seed, self._auto_finish)
+        if not self._goes_on(project, addresses):
+            self._begins(project, addresses)
         self._flush()
         for descriptor in self._server.descriptors():
             self._loop.add_reader(descriptor, self._drain)
@@ -138,17 +146,113 @@ class Live:
             self._keep_clock()
         return addresses
 
+    def _begins(self, project: Project, addresses: Addresses) -> None:
+        """The first step of a run."""
+        self._started = self._loop.time()
+        self._make_core(project, addresses, 0)
+        self._core.heard = self._heard
+        self._sessions.start(
+            self._seed,
+            self._auto_finish,
+            self._durable.restored if self._durable is not None else None,
+        )
+        self._take_snapshot()
+
+    def _goes_on(self, project: Project, addresses: Addresses) -> bool:
+        """Goes on where the process before was killed; False where there is no such run."""
+        if self._recovery is None or self._recovery.found is None:
+            return False
+        kept, past = self._recovery.found
+        try:
+            self._started = kept.began
+            self._make_core(project, addresses, kept.seq)
+            self._robot.restore(kept.robot)
+            self._sessions.restore(kept.sessions, past, self._now())
+            behind = self._durable.behind(self._robot.board.state) if self._durable else []
+        except Exception as error:
+            self._recovery.set_aside(error)
+            self._robot = Robot(project)
+            return False
+        _log.warning("the robot goes on from %g s, where it was killed", self._core.moment / SECOND)
+        self._core.heard = self._heard
+        self._take_snapshot()
+        if behind:
+            self._keep(behind, [])
+        self._begin_again()
+        # Time went on while nobody was there.
+        self._sessions.advance(self._now())
+        return True
+
+    def _make_core(self, project: Project, addresses: Addresses, seq: int) -> None:
+        self._core = Core(
+            self._robot,
+            project,
+            epoch=self._wall() - self._now() / SECOND,
+            files=self._files,
+            backlog=Backlog(begin=seq),
+            durability=self._durable,
+        )
+        self._sessions = Sessions(self._core, addresses, scripted=self._scripted)
+
+    def _look(self, name: str) -> Any:
+        return self._robot.board.look(name)
+
+    def _begin_again(self) -> None:
+        """What was being carried out: again, where twice is as good as once."""
+        lost = []
+        for effect in self._robot.outstanding():
+            if isinstance(effect, Begin) and not may_repeat(effect):
+                lost.append(effect)
+            elif self._performer is not None:
+                self._performer.perform(effect)
+        for effect in lost:
+            error = (
+                f"the robot's core was killed while {effect.name or effect.action} was under way"
+            )
+            self._core.step(
+                inputs.Finish(
+                    id=effect.id, ok=False, error=f"{error}; whether it was done is not known"
+                )
+            )
+
+    # -- what outlives the process -------------------------------------------
+
+    def _take_snapshot(self) -> None:
+        if self._recovery is not None:
+            self._recovery.snapshot(self._started, self._robot, self._sessions.state())
+            self._core.remembers = True
+
+    def _keep(self, changes: list[Changed], held: list[Held]) -> None:
+        assert self._durable is not None
+        loop = self._loop
+
+        def done(why: str | None) -> None:
+            loop.call_soon_threadsafe(self._was_kept, held, why)
+
+        self._durable.keep(changes, done)
+
+    def _was_kept(self, held: list[Held], why: str | None) -> None:
+        replies = [(one.peer, one.reply if why is None else one.no(why)) for one in held]
+        self._server.send(replies, ())
+        if not self._stopping:
+            self._drain()
+
     async def stop(self) -> None:
         """Tells all clients, holds the robot, closes; within about ``CLOSING`` seconds."""
         for descriptor in self._server.descriptors():
             self._loop.remove_reader(descriptor)
         for timer in self._timers.values():
             timer.cancel()
+        self._stopping = True
         self._core.end()
-        out = self._sessions.take()
-        self._server.send(out.replies, out.notices)
+        self._flush()
+        if self._recovery is not None:
+            # It ends well: the next start begins anew.
+            self._recovery.forget()
         if self._performer is not None:
             await _in_time(self._performer.close())
+        if self._durable is not None:
+            await asyncio.to_thread(self._durable.close)
         self._server.close()
         self._context.term()
 
@@ -183,7 +287,7 @@ class Live:
 
     def _drain(self) -> None:
         """Requests have come; takes them, with what follows."""
-        if self._server.drain(self._received):
+        if self._server.drain(self._received, self._flush):
             # The descriptors tell of a change once only, and others must have their turn.
             self._at("drain", self._loop.time(), self._drain)
         self._wait()
@@ -194,11 +298,10 @@ class Live:
         except Exception:
             # The others are served on; the descriptors would not tell of them again.
             _log.exception("a request could not be carried out")
-        self._flush()
         self._came.set()
 
     def _submit(self, given: inputs.AnyInput) -> None:
-        if self._scripted and isinstance(given, (inputs.Finish, inputs.Set)):
+        if self._stopping or (self._scripted and isinstance(given, (inputs.Finish, inputs.Set))):
             return
         refused = self._sessions.submit(given, self._now())
         if refused is not None:
@@ -208,7 +311,7 @@ class Live:
 
     def _ring(self) -> None:
         """Something has fallen due. Who has sent something by now is not taken for dead."""
-        if self._server.drain(self._received):
+        if self._server.drain(self._received, self._flush):
             self._at("drain", self._loop.time(), self._ring)
             return
         self._sessions.advance(self._now())
@@ -218,10 +321,17 @@ class Live:
     def _flush(self) -> None:
         """Sends and carries out what follows from the last steps; to be drained after it."""
         out = self._sessions.take()
+        recovery = self._recovery
+        if out.past and recovery is not None:
+            recovery.append(out.past)
+        if out.durable:
+            self._keep(out.durable, out.held)
         self._server.send(out.replies, out.notices)
         if self._performer is not None:
             for effect in out.effects:
                 self._performer.perform(effect)
+        if recovery is not None and recovery.wanted:
+            self._take_snapshot()
 
     def _wait(self) -> None:
         due = self._sessions.due()
@@ -250,7 +360,7 @@ class Live:
         """``clock.time``, ``clock.date`` and ``clock.weekday``, anew with each minute."""
         changed = {
             tag: value
-            for tag, value in _clock_tags(self._wall()).items()
+            for tag, value in time_of_day(self._wall()).items()
             if (entry := self._robot.board.get(tag)) is None or entry.value != value
         }
         # The clock on the wall may have been set; the trace follows it.
@@ -259,18 +369,6 @@ class Live:
             self._submit(inputs.Set(changed, RUNTIME))
         left = 60 - self._wall() % 60
         self._at("clock", self._loop.time() + left + 0.01, self._keep_clock)
-
-
-def _clock_tags(moment: float) -> dict[str, str]:
-    now = datetime.fromtimestamp(moment)
-    return {
-        "clock.time": f"{now:%H:%M}",
-        "clock.date": f"{now:%Y-%m-%d}",
-        "clock.weekday": _WEEKDAYS[now.weekday()],
-    }
-
-
-_WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday")
 
 
 async def _in_time(closing: Coroutine[Any, Any, None]) -> None:

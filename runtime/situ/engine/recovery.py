@@ -1,0 +1,256 @@
+"""A core that was killed goes on: its last snapshot, and a journal of what happened since.
+
+``core/snapshot`` and ``core/journal`` in the state folder (docs/architecture.md, *How the core
+comes back*). What has happened is handed to the system before anything of it leaves the core,
+without waiting for the disk: it survives the death of the process, not that of the machine, so
+it counts only in the boot in which it was written. Durable tags survive both.
+
+The journal is frames: length and CRC-32 of the body, the body. The first names the snapshot
+that it follows, each other one is what one turn of the loop brought about, whole or not at all.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import logging
+import os
+import secrets
+import struct
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+from msgspec import Struct
+
+import situ
+from situ.blackboard.history import AnySessionEvent, Past, SessionsState
+from situ.decide.effects import Begin
+from situ.decide.inputs import AnyInput
+from situ.decide.robot import Robot
+from situ.document.project import Project
+
+FOLDER = "core"
+INPUTS = 4_000
+"""What happened since the last snapshot, at the most: a new one is made then. So many are done
+again in about a quarter of a second."""
+BYTES = 4_000_000
+"""The same for what the journal takes; more only where the snapshot itself is as large."""
+
+_log = logging.getLogger("situ.run")
+
+
+class Kept(Struct):
+    """A snapshot. began: when the robot's moment was 0, by the system's monotonic clock.
+
+    identity: of the project and of situ itself. boot: of the machine.
+    """
+
+    identity: str
+    boot: str
+    mark: str
+    began: float
+    seq: int
+    robot: bytes
+    sessions: SessionsState
+
+
+class Recovery:
+    """Snapshot and journal in ``folder``, which must be this process's alone.
+
+    found: what a core of this project and this boot left behind, with what happened since;
+    None where there is none, or where it ended well. A journal that breaks off ends there.
+    What can not be written is told in the log, and then nothing is left behind: a core that
+    comes back never knows less than what it has acknowledged.
+    """
+
+    def __init__(self, folder: Path, project: Project, *, boot: str | None = None) -> None:
+        self._folder = folder / FOLDER
+        self._identity = identity(project)
+        self._boot = _boot() if boot is None else boot
+        self._journal: int | None = None
+        self._count = self._size = 0
+        self._limit = BYTES
+        self._failing = False
+        self.found: tuple[Kept, list[Past]] | None = None
+        if self._boot:
+            self.found = self._load()
+
+    @property
+    def wanted(self) -> bool:
+        """Whether it is time for a new snapshot."""
+        return self._count >= INPUTS or self._size >= self._limit
+
+    def append(self, past: list[Past]) -> None:
+        """Writes down what happened; returns when the system has it."""
+        self._count += len(past)
+        if self._journal is None:
+            return
+        try:
+            frame = _frame(_encode(past))
+            _write(self._journal, frame)
+        except _CAN_NOT as error:
+            self._fail(error)
+            return
+        self._size += len(frame)
+
+    def snapshot(self, began: float, robot: Robot, sessions: SessionsState) -> None:
+        """Begins anew from here; the old one stands until the new one is whole.
+
+        To be called when all that has happened is written down.
+        """
+        self._count = self._size = 0
+        if not self._boot:
+            return
+        mark = secrets.token_hex(8)
+        try:
+            self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+            state = robot.snapshot()
+            body = _encode(
+                Kept(self._identity, self._boot, mark, began, robot.seq, state, sessions)
+            )
+            journal = _create(self._folder / "journal.new", _frame(mark.encode()))
+            if self._journal is not None:
+                os.close(self._journal)
+            self._journal = journal
+            os.close(_create(self._folder / "snapshot.new", _frame(body)))
+            # Between the two the old journal stands beside the new snapshot, and is passed over.
+            os.replace(self._folder / "snapshot.new", self._folder / "snapshot")
+            os.replace(self._folder / "journal.new", self._folder / "journal")
+        except _CAN_NOT as error:
+            self._fail(error)
+            return
+        self._limit = max(BYTES, 2 * len(body))
+        if self._failing:
+            _log.warning("%s: what happens is written down again", self._folder)
+        self._failing = False
+
+    def forget(self) -> None:
+        """Leaves nothing behind: the next start begins anew."""
+        self.found = None
+        if self._journal is not None:
+            os.close(self._journal)
+            self._journal = None
+        for name in ("snapshot", "journal", "snapshot.new", "journal.new"):
+            with contextlib.suppress(OSError):
+                (self._folder / name).unlink(missing_ok=True)
+
+    def set_aside(self, why: Exception) -> None:
+        """What was found can not be gone on from; it is kept for whoever wants to look."""
+        self.found = None
+        for name in ("snapshot", "journal"):
+            file = self._folder / name
+            with contextlib.suppress(OSError):
+                file.replace(file.with_name(f"{name}.broken"))
+        _log.error(
+            "%s can not be gone on from (%s: %s); it is set aside, the robot starts anew",
+            self._folder / "snapshot",
+            type(why).__name__,
+            why,
+        )
+
+    def _fail(self, error: Exception) -> None:
+        if not self._failing:
+            what = getattr(error, "strerror", None) or error
+            _log.error("%s: %s; if the core dies now, the robot starts anew", self._folder, what)
+        self._failing = True
+        self.forget()
+
+    def _load(self) -> tuple[Kept, list[Past]] | None:
+        try:
+            snapshot = (self._folder / "snapshot").read_bytes()
+            journal = (self._folder / "journal").read_bytes()
+        except FileNotFoundError:
+            return None
+        except OSError as error:
+            self.set_aside(error)
+            return None
+        try:
+            frames = list(_frames(snapshot))
+            if not frames:
+                raise ValueError("it is damaged")
+            kept = msgspec.msgpack.decode(frames[0][0], type=Kept)
+        except (ValueError, msgspec.MsgspecError) as error:
+            self.set_aside(error)
+            return None
+        if (kept.identity, kept.boot) != (self._identity, self._boot):
+            return None
+        return kept, self._past(journal, kept.mark)
+
+    def _past(self, journal: bytes, mark: str) -> list[Past]:
+        frames = _frames(journal)
+        first = next(frames, None)
+        if first is None or first[0] != mark.encode():
+            return []
+        past: list[Past] = []
+        end = first[1]
+        for body, behind in frames:
+            try:
+                past += _decode(body)
+            except msgspec.MsgspecError:
+                break
+            end = behind
+        if end < len(journal):
+            _log.warning("%s breaks off; what follows is left out", self._folder / "journal")
+        return past
+
+
+def identity(project: Project) -> str:
+    """The same for the same project, wherever it lies, and the same situ."""
+    value = msgspec.msgpack.encode(msgspec.structs.replace(project, root=""))
+    return hashlib.sha256(situ.__version__.encode() + b"\n" + value).hexdigest()
+
+
+def may_repeat(begun: Begin) -> bool:
+    """Whether it does no harm if it was done already, or in part."""
+    return begun.action != "service" or str(begun.fields.get("method") or "GET").upper() in _SAFE
+
+
+def _boot() -> str:
+    """Another one after each start of the machine; empty where the system has none."""
+    try:
+        return Path("/proc/sys/kernel/random/boot_id").read_text("ascii").strip()
+    except OSError:
+        return ""
+
+
+_SAFE = ("GET", "HEAD")
+_CAN_NOT = (OSError, TypeError, ValueError, OverflowError, msgspec.MsgspecError)
+"""A disk that does not take it, a value that has no bytes (an integer of more than 64 bits)."""
+_HEAD = struct.Struct("<II")
+_encode = msgspec.msgpack.Encoder().encode
+_decode = msgspec.msgpack.Decoder(list[tuple[int, AnyInput | AnySessionEvent | None]]).decode
+
+
+def _frame(body: bytes) -> bytes:
+    return _HEAD.pack(len(body), zlib.crc32(body)) + body
+
+
+def _frames(data: bytes) -> Iterator[tuple[bytes, int]]:
+    """Bodies, each with where it ends, up to the first that is not whole."""
+    at = 0
+    while at + _HEAD.size <= len(data):
+        length, check = _HEAD.unpack_from(data, at)
+        begin, at = at + _HEAD.size, at + _HEAD.size + length
+        body = data[begin:at]
+        if len(body) < length or zlib.crc32(body) != check:
+            return
+        yield body, at
+
+
+def _create(file: Path, data: bytes) -> int:
+    """An open file that holds ``data``."""
+    made = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o600)
+    try:
+        _write(made, data)
+    except BaseException:
+        os.close(made)
+        raise
+    return made
+
+
+def _write(file: int, data: bytes) -> None:
+    written = os.write(file, data)
+    while written < len(data):
+        written += os.write(file, data[written:])
