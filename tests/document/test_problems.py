@@ -96,7 +96,11 @@ CHECKING = [
     ("no-state", '@<application name="a"/>', "add a <state>"),
     ("dangling-start", '@<application name="a" start="2"><state no="1"/></application>', '"2"'),
     ("double-state", '<application name="a"><state no="1"/>@<state no="1"/></application>', "two"),
-    ("dangling-next", EVENTS.format('@<event name="a" next="7"/>'), '"7"; the states are 1'),
+    (
+        "dangling-next",
+        EVENTS.format('@<event name="a" next="7"/>'),
+        'state "7", which does not exist; the states are 1',
+    ),
     ("dangling-next", STATE.format('@<timeout next="7">5</timeout>'), '"7"'),
     (
         "dangling-next",

@@ -4,7 +4,6 @@ of values, and what they have found so far.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -12,7 +11,7 @@ from situ.document.analysis_data import Data, events
 from situ.document.aside import NOTHING, Aside
 from situ.document.condition import Condition
 from situ.document.finding import Finding, Place
-from situ.document.mend import of, written
+from situ.document.mend import change, of
 from situ.document.place import Path, follow
 from situ.document.problem import Change, Mend
 from situ.document.project import Project
@@ -23,6 +22,9 @@ ALLOWANCE = 400_000
 
 LONGEST = 400
 """Characters of a message: it may quote what a designer wrote."""
+
+NOWHERE: Path = ("",)
+"""A path that leads to nothing."""
 
 
 class Cancelled(Exception):
@@ -87,20 +89,24 @@ class Search:
     # -- mends -------------------------------------------------------------------
 
     def path(self, file: str, place: Place) -> Path:
-        """The path to something that a search has found."""
+        """The path to something that a search has found; NOWHERE where two have one name, and
+        the place means the other.
+        """
         way = follow(of(self.project, file), place)
-        assert way is not None
-        return way[0]
+        return way[0] if way is not None else NOWHERE
 
-    def mend(self, file: str, words: str, *changes: Change, safe: bool = False) -> Mend:
+    def mend(self, file: str, words: str, *changes: Change, safe: bool = False) -> Mend | None:
+        """None where a change is NOWHERE."""
+        if any(one.path[:1] == NOWHERE for one in changes):
+            return None
         return Mend(file, words, changes, safe)
 
     def put(self, file: str, place: Place, field: str, value: Any) -> Change:
         """A change of one field of what stands at a place."""
         way = follow(of(self.project, file), place)
-        assert way is not None
-        was = getattr(way[1][-1], field)
-        return Change((*way[0], field), "set", json.dumps(value, ensure_ascii=False), written(was))
+        if way is None:
+            return Change(NOWHERE)
+        return change(way[0], way[1][-1], field, value)
 
 
 def _conditions(project: Project) -> Iterator[Condition]:

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from difflib import get_close_matches
+from itertools import count
 
 from situ.document import names
 from situ.document.aside import Aside
 from situ.document.check_values import check_values
 from situ.document.datatypes import shown
 from situ.document.finding import Files, Findings, Place
+from situ.document.mend import change, put_in, take_out
+from situ.document.place import Path
+from situ.document.problem import Change, Mend
 from situ.document.project import Project
 from situ.document.rbd import (
     AGAIN,
@@ -100,46 +105,80 @@ class _Check:
             said = "The application has no state: add a <state>"
             error("no-state", said, application.aside)
         elif application.start is not None and application.start not in self.numbers:
-            said = f"start names no state: {shown(application.start)}{self.nearest()}"
-            error("dangling-start", said, application.aside)
+            said = (
+                f"The application starts in state {shown(application.start)}, which does not "
+                f"exist{self.states()}"
+            )
+            first = self.nearest(application.start) or application.states[0].no
+            made = self.mend(
+                f"Start in state {shown(first)}", change((), application, "start", first)
+            )
+            error("dangling-start", said, application.aside, mend=made)
         always = application.always
         if always is not None:
-            self.timeout(always.timeout, ("always", "timeout"))
-            self.screen(always.screen, ("always", "screen"), set())
+            self.timeout(always.timeout, ("always", "timeout"), ("always", "timeout"))
+            self.screen(always.screen, ("always", "screen"), ("always", "screen"), set())
             for index, event in enumerate(always.events):
-                self.event(event, ("always", "event", str(index)))
+                at = ("always", "events", index)
+                self.event(event, ("always", "event", str(index)), at)
         shown_always: set[str] = set()
         if always is not None and always.screen is not None:
             shown_always = {one.id for one in always.screen.components}
         seen: set[str] = set()
         parts = {state.no for state in application.states if state.flow is not None}
-        for state in application.states:
+        for index, state in enumerate(application.states):
+            path: Path = ("states", index)
             if state.no in seen:
                 said = f"There are two states {shown(state.no)}: give this one another no"
-                error("double-state", said, state.aside, ("state", state.no))
+                error(
+                    "double-state", said, state.aside, ("state", state.no), self.number(state, path)
+                )
             seen.add(state.no)
             if state.no.rpartition("/")[0] in parts:
-                said = f"{shown(state.no)} is how a state of the part is called: give another no"
-                error("double-state", said, state.aside, ("state", state.no))
-            self.state(state, shown_always if state.always else set())
+                said = (
+                    f"{shown(state.no)} is the number of a state inside the part: give this one "
+                    "another no"
+                )
+                error(
+                    "double-state", said, state.aside, ("state", state.no), self.number(state, path)
+                )
+            self.state(state, path, shown_always if state.always else set())
 
-    def nearest(self) -> str:
-        some = [state.no for state in self.application.states[:6]]
+    def mend(self, words: str, *changes: Change) -> Mend:
+        return Mend(self.found.file, words, changes)
+
+    def states(self) -> str:
+        some = [state.no[:40] for state in self.application.states[:6]]
         more = ", …" if len(self.application.states) > len(some) else ""
-        return f"; the states are {', '.join(some)}{more}" if some else ""
+        return f"; the states are {', '.join(some)}{more}"
 
-    def state(self, state: State, always: set[str]) -> None:
+    def nearest(self, meant: str) -> str | None:
+        """The state that ``meant`` is the name of, or else nearly the number of."""
+        for state in self.application.states:
+            if state.name == meant:
+                return state.no
+        return next(iter(get_close_matches(meant[:40], sorted(self.numbers), n=1)), None)
+
+    def number(self, state: State, path: Path) -> Mend:
+        """A number that no state has yet."""
+        free = next(str(n) for n in count(1) if str(n) not in self.numbers)
+        return self.mend(f"Give it the number {free}", change(path, state, "no", free))
+
+    def state(self, state: State, path: Path, always: set[str]) -> None:
         place = ("state", state.no)
-        self.timeout(state.timeout, (*place, "timeout"))
-        self.screen(state.screen, (*place, "screen"), always)
+        self.timeout(state.timeout, (*place, "timeout"), (*path, "timeout"))
+        self.screen(state.screen, (*place, "screen"), (*path, "screen"), always)
         for index, action in enumerate(state.actions):
-            self.action(action, (*place, "action", str(index)))
+            self.action(action, (*place, "action", str(index)), (*path, "actions", index))
             if isinstance(action, Repeat):
-                said = "<repeat> belongs in an event without next: put it there"
+                said = (
+                    "<repeat> cannot stand among a state's actions: put it into an event without "
+                    "next, or take it out"
+                )
                 at = (*place, "action", str(index))
-                self.found.error("misplaced-repeat", said, action.aside, at)
+                self.misplaced(said, action, at, (*path, "actions", index))
         for index, event in enumerate(state.events):
-            self.event(event, (*place, "event", str(index)))
+            self.event(event, (*place, "event", str(index)), (*path, "events", index))
         if state.flow is not None:
             self.flow(state, state.flow, place)
 
@@ -171,37 +210,51 @@ class _Check:
             )
             error("wrong-document", said, aside, place)
 
-    def next(self, target: str | None, aside: Aside, place: Place) -> None:
+    def next(self, held: Event | Timeout, place: Place, path: Path) -> None:
+        target = held.next
         if target is None or target in (AGAIN, BACK) or target in self.numbers:
             return
-        said = f"next names no state: {shown(target)}{self.nearest()}"
-        self.found.error("dangling-next", said, aside, place)
+        who = "timeout"
+        if isinstance(held, Event):
+            who = f"event {shown(held.name)}" if held.name is not None else "unnamed event"
+        said = f"The {who} leads to state {shown(target)}, which does not exist{self.states()}"
+        near = self.nearest(target)
+        made = near and self.mend(f"Lead to state {shown(near)}", change(path, held, "next", near))
+        self.found.error("dangling-next", said, held.aside, place, made or None)
 
-    def timeout(self, timeout: Timeout | None, place: Place) -> None:
+    def misplaced(self, said: str, repeat: Repeat, place: Place, path: Path) -> None:
+        made = self.mend("Take <repeat> out", take_out(path, repeat))
+        self.found.error("misplaced-repeat", said, repeat.aside, place, made)
+
+    def timeout(self, timeout: Timeout | None, place: Place, path: Path) -> None:
         if timeout is not None:
-            self.next(timeout.next, timeout.aside, place)
+            self.next(timeout, place, path)
 
-    def screen(self, screen: Screen | None, place: Place, always: set[str]) -> None:
+    def screen(self, screen: Screen | None, place: Place, path: Path, always: set[str]) -> None:
         if screen is None:
             return
         if screen.background is not None and re.search(r"[./]", screen.background):
             self.media(screen.background, screen.aside, place)
         seen: set[str] = set()
-        for component in screen.components:
+        known = {one.id for one in screen.components} | always
+        for index, component in enumerate(screen.components):
             at = (*place, component.id)
             if component.id in seen or component.id in always:
                 where = "on this screen" if component.id in seen else "here and in <always>"
                 said = f"There are two components {shown(component.id)} {where}: rename one"
-                self.found.error("double-component", said, component.aside, at)
+                free = another(component.id, known)
+                rename = change((*path, "components", index), component, "id", free)
+                made = self.mend(f"Call it {shown(free)}", rename)
+                self.found.error("double-component", said, component.aside, at, made)
             seen.add(component.id)
             if isinstance(component, (Image, Movie)):
                 self.media(component.src, component.aside, at)
             if isinstance(component, (Button, Input, List)) and component.tag is not None:
                 self.writes(component.tag, component.aside, at)
 
-    def event(self, event: Event, place: Place) -> None:
+    def event(self, event: Event, place: Place, path: Path) -> None:
         error = self.found.error
-        self.next(event.next, event.aside, place)
+        self.next(event, place, path)
         if event.name is None:
             if event.next is None:
                 said = (
@@ -209,22 +262,32 @@ class _Check:
                 )
                 error("event-without-next", said, event.aside, place)
             if event.says:
-                said = "What is said means an event: give this event a name"
+                said = "What people say raises an event by its name: give this event a name"
                 error("say-without-name", said, event.says[0].aside, (*place, "say", "0"))
         for index, action in enumerate(event.actions):
             at = (*place, "action", str(index))
-            self.action(action, at)
+            self.action(action, at, (*path, "actions", index))
             if isinstance(action, VISIBLE_ACTIONS):
                 said = (
                     f"<{action.element}> cannot stand in an event: what the robot visibly does "
                     "belongs to a state; move it to the state that next names"
                 )
-                error("visible-action", said, action.aside, at)
+                made = self.move(event, action, (*path, "actions", index))
+                error("visible-action", said, action.aside, at, made)
             elif isinstance(action, Repeat) and event.next is not None:
                 said = "<repeat> belongs in an event without next: take next out, or <repeat>"
-                error("misplaced-repeat", said, action.aside, at)
+                self.misplaced(said, action, at, (*path, "actions", index))
 
-    def action(self, action: Action, place: Place) -> None:
+    def move(self, event: Event, action: Action, path: Path) -> Mend | None:
+        """To put an action of an event before those of the state to which that leads."""
+        states = self.application.states
+        at = next((i for i, one in enumerate(states) if one.no == event.next), None)
+        if at is None or states[at].flow is not None:
+            return None
+        inside = put_in(("states", at, "actions", 0), action)
+        return self.mend(f"Move it to state {shown(states[at].no)}", take_out(path, action), inside)
+
+    def action(self, action: Action, place: Place, path: Path) -> None:
         if isinstance(action, Sound):
             self.media(action.src, action.aside, place)
         elif isinstance(action, Service):
@@ -236,11 +299,16 @@ class _Check:
             self.writes(action.source, action.aside, place)
         elif isinstance(action, Clear):
             if names.is_reserved(action.tag):
-                said = f"<clear> never touches what the runtime keeps: {shown(action.tag)}"
-                self.found.warning("reserved-tag", said, action.aside, place)
+                said = (
+                    f"<clear> never touches what the robot itself keeps, so {shown(action.tag)} "
+                    "has no effect: take it out, or name a tag of your own"
+                )
+                made = self.mend("Take it out", take_out(path, action))
+                self.found.warning("reserved-tag", said, action.aside, place, made)
         elif isinstance(action, Message) and action.params and action.text:
             said = "<message> sends its params, so its text is never sent: take one of them out"
-            self.found.warning("text-and-params", said, action.aside, place)
+            made = self.mend("Take the text out", change(path, action, "text", ""))
+            self.found.warning("text-and-params", said, action.aside, place, made)
 
     def service(self, service: Service, place: Place) -> None:
         for index, result in enumerate(service.results):
@@ -259,7 +327,7 @@ class _Check:
 
     def writes(self, tag: str, aside: Aside, place: Place) -> None:
         if names.is_reserved(tag) and not tag.startswith(self.own):
-            said = f"{shown(tag)} is written by the runtime only: choose another tag"
+            said = f"{shown(tag)} is written by the robot itself only: choose another tag"
             self.found.error("reserved-tag", said, aside, place)
 
     def media(self, src: str, aside: Aside, place: Place) -> None:
@@ -291,6 +359,11 @@ def media_of(application: Application) -> Iterator[str]:
             yield action.src
         elif isinstance(action, Service) and action.url.lower().startswith("media:"):
             yield action.url[6:]
+
+
+def another(name: str, known: Collection[str]) -> str:
+    """A name like ``name`` that is not among ``known``: with the next free number behind it."""
+    return next(f"{name}-{n}" for n in count(2) if f"{name}-{n}" not in known)
 
 
 def _is_file(src: str) -> bool:

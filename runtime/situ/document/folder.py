@@ -82,17 +82,21 @@ def called(root: str, file: str) -> str:
 def write(path: str | Path, data: bytes) -> None:
     """Puts ``data`` into a file: the old content or the new one whole, whatever happens.
 
-    The file keeps its mode, a link stays a link. UsageError where it cannot be written.
+    The file keeps its mode, a link stays a link. UsageError where it cannot be written, and
+    where it is read-only, though its folder would let another be put in its place.
     """
     try:
         target = Path(path).resolve()
+        mode = _mode(target)
+        if not mode & 0o222:
+            raise UsageError(f"{path}: is read-only: allow it to be written, or write a copy")
         handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
         try:
             with os.fdopen(handle, "wb") as file:
                 file.write(data)
                 file.flush()
                 os.fsync(file.fileno())
-            os.chmod(temporary, _mode(target))
+            os.chmod(temporary, mode)
             os.replace(temporary, target)
         except BaseException:
             Path(temporary).unlink(missing_ok=True)

@@ -14,6 +14,7 @@ from msgspec import Struct, structs
 
 from situ.document import condition, rbd, spds
 from situ.document.codec import Document
+from situ.document.place import Path
 from situ.document.problem import Change, Mend, Problem
 from situ.document.project import Project
 
@@ -53,12 +54,27 @@ def written(value: Any) -> str:
     return json.dumps(_plain(value), ensure_ascii=False)
 
 
+def put_in(path: Path, value: Any) -> Change:
+    """The change that puts a value in at the position in which ``path`` ends."""
+    return Change(path, "insert", written(value))
+
+
+def take_out(path: Path, value: Any) -> Change:
+    """The change that takes out the value at ``path``."""
+    return Change(path, "remove", was=written(value))
+
+
+def change(path: Path, value: Any, field: str, to: Any) -> Change:
+    """The change that gives a field of the value at ``path`` another value."""
+    return Change((*path, field), "set", written(to), written(getattr(value, field)))
+
+
 def apply(document: Document, mend: Mend) -> Document:
     """The document with the mend applied. Stale where what it changes is not there any more."""
     found: Any = document
-    for change in mend.changes:
+    for one in mend.changes:
         try:
-            found = _changed(found, change.path, change)
+            found = _changed(found, one.path, one)
         except (AttributeError, IndexError, TypeError) as error:
             raise Stale(str(error)) from error
     return cast("Document", found)

@@ -1,0 +1,87 @@
+"""``situ check --fix``: all that a machine may mend unasked is mended, and written.
+
+Only files that change are written, canonically and whole. A file with errors of reading stays
+as it is: its document lacks what could not be read.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from msgspec import Struct
+
+from situ.document import codec, folder, mend
+from situ.document.check import check, merge
+from situ.document.codec import Document
+from situ.document.problem import Mend, Problem
+from situ.document.project import Project
+from situ.errors import UsageError
+
+ROUNDS = 20
+"""How often mends are looked for anew after some were applied: one can make room for the next."""
+
+
+class Fixed(Struct, frozen=True):
+    """What was mended, in the lines of before; what is left, in those of now; and a line for
+    each file that could not be written, in which nothing was mended.
+    """
+
+    mended: list[Problem]
+    left: list[Problem]
+    refused: list[str]
+
+
+def fix(path: str | Path) -> Fixed:
+    """Mends the project or document at ``path`` on disk. UsageError where it cannot be read."""
+    project, read = folder.load(path)
+    if project is None:
+        return Fixed([], read, [])
+    before = project
+    unread = {problem.file for problem in read}
+    done: list[tuple[Problem, Mend]] = []
+    for _ in range(ROUNDS):
+        wanted = [
+            problem
+            for problem in merge(read, check(project))
+            if problem.mend is not None
+            and folder.called(project.root, problem.mend.file) not in unread
+        ]
+        project, mended = mend.safe(project, wanted)
+        if not mended:
+            break
+        done += [(problem, problem.mend) for problem in mended if problem.mend is not None]
+    if not done:
+        return Fixed([], merge(read, check(project)), [])
+    refused: list[str] = []
+    kept: set[str] = set()
+    for file in dict.fromkeys(made.file for _, made in done):
+        try:
+            _write(before, project, file)
+        except UsageError as error:
+            refused.append(str(error))
+            kept.add(file)
+    now, read = folder.load(path)
+    left = merge(read, check(now)) if now is not None else read
+    return Fixed([problem for problem, made in done if made.file not in kept], left, refused)
+
+
+def _write(before: Project, after: Project, file: str) -> None:
+    was, is_now = mend.of(before, file), mend.of(after, file)
+    assert was is not None
+    assert is_now is not None
+    name = folder.called(before.root, file)
+    if not _is_still(name, was):
+        raise UsageError(
+            f"{name}: changed while it was being mended, so it was left as it is; "
+            "run the check again"
+        )
+    folder.write(name, codec.write(is_now))
+
+
+def _is_still(name: str, document: Document) -> bool:
+    """Whether the file on disk holds this document, comments and positions included."""
+    try:
+        found, problems = codec.read(Path(name).read_bytes(), name)
+    except OSError:
+        return False
+    return found is not None and not problems and codec.write(found) == codec.write(document)
