@@ -66,8 +66,8 @@ def test_a_star_is_one_word_and_two_are_any_number(pattern: str, fits: str, fits
 def test_entries_are_found_by_pattern_in_order_of_tag() -> None:
     board = Board()
     for tag in ("b.y", "a", "b.x", "b"):
-        board.write(tag, 1, "m", 0)
-    board.write("b.y", None, "m", 0)
+        board.write(tag, 1, "m", 0, None)
+    board.write("b.y", None, "m", 0, None)
     assert [tag for tag, _ in board.entries("b.**")] == ["b", "b.x"]
 
 

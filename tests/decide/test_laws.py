@@ -596,14 +596,14 @@ def test_a_write_judges_no_condition_that_does_not_look_at_it(build: Build, othe
     first = '<situation name="a"><condition><data tag="x" is="1"/></condition></situation>'
     robot = Robot(build((), f'{first}{more}<situation name="rest"/>'))
     robot.step(inputs.Start(), 0)
-    assert robot._situations is not None
+    assert robot._settling.situations is not None
     judged: list[int] = []
-    judge = robot._situations._judge
+    judge = robot._settling.situations._judge
 
     def counting(number: int, cause: int | None) -> None:
         judged.append(number)
         judge(number, cause)
 
-    robot._situations._judge = counting  # type: ignore[method-assign]
+    robot._settling.situations._judge = counting  # type: ignore[method-assign]
     robot.step(inputs.Set({"x": 1}, "m"), 1)
     assert judged == [0]

@@ -277,7 +277,7 @@ class Run:
         for event in events:
             if isinstance(event, trace.Situation):
                 self.current.add(event.to)
-        situations = self.robot._situations
+        situations = self.robot._settling.situations
         assert situations is not None
         state = situations.state
         key = (

@@ -15,7 +15,7 @@ from situ.decide import trace
 from situ.decide.board import reach
 from situ.decide.effects import Begin, Cancel
 from situ.decide.program import Ended, Program, is_optional, name_of, resource_of
-from situ.decide.quick import QUICK, perform
+from situ.decide.quick import QUICK, Perform, ready
 from situ.decide.step import FINISH
 from situ.decide.texts import translator
 from situ.decide.values import Template, template
@@ -40,7 +40,10 @@ class Run(Struct):
 
 
 class Running(Struct):
-    """An action that has begun and not ended. run 0: it outlives its list. seq: of its event."""
+    """An action that has begun and not ended. run 0: it outlives its list. seq: of its event.
+
+    fields: as it began, of those that use no resource.
+    """
 
     id: int
     key: int
@@ -54,6 +57,7 @@ class Running(Struct):
     keep: bool = False
     optional: bool = False
     seq: int = 0
+    fields: dict[str, Any] = {}
 
 
 class ActionsState(Struct):
@@ -88,6 +92,7 @@ class Actions:
         self._program = program
         self._owner = owner
         self._raise = raise_event
+        self._performers: dict[int, Perform] = {}
 
     # -- what others may know ------------------------------------------------
 
@@ -118,6 +123,14 @@ class Actions:
                 return running
         return None
 
+    def outstanding(self) -> list[Begin]:
+        """The services and launches that have begun and not ended, as they began."""
+        return [
+            self._begun(running)
+            for running in self.state.running.values()
+            if running.action in ("service", "launch")
+        ]
+
     def _is_speaking(self) -> Running | None:
         return next((r for r in self.state.running.values() if r.action == "speech"), None)
 
@@ -128,7 +141,11 @@ class Actions:
 
     def begin(self, keys: list[int], state: str, cause: int | None, entry: bool = False) -> None:
         """Begins a list of actions in order; ``state`` is the one they belong to."""
-        if not keys:
+        actions = self._program.actions
+        if all(isinstance(actions[key], QUICK) for key in keys):
+            # Nothing of them is in progress afterwards, so nothing need be kept.
+            for key in keys:
+                self.performer(key)(state, cause)
             return
         self.state.made += 1
         self.state.runs[self.state.made] = Run(state, entry, list(keys), [NEW] * len(keys))
@@ -166,7 +183,7 @@ class Actions:
             self._ended(number, place, seq)
             return
         if isinstance(action, QUICK):
-            self._at_once(number, place, action, cause)
+            self._ended(number, place, self.performer(run.keys[place])(run.state, cause))
             return
         if isinstance(action, Robot):
             self._supersede(action.resource, cause)
@@ -187,9 +204,8 @@ class Actions:
         )
         running.seq = seq
         if running.resource is None:
-            self._world.step.effects.append(
-                Begin(running.id, self._program.name, running.action, running.name, fields)
-            )
+            running.fields = fields
+            self._world.step.effects.append(self._begun(running))
             return
         if isinstance(action, Robot):
             value = {"command": fields["command"], "params": fields["params"]}
@@ -198,6 +214,9 @@ class Actions:
         self._world.priorities.command(
             self._program.name, running.resource, value, None, seq, (running.id,)
         )
+
+    def _begun(self, running: Running) -> Begin:
+        return Begin(running.id, self._program.name, running.action, running.name, running.fields)
 
     def _run(self, running: Running) -> None:
         self.state.running[running.id] = running
@@ -218,13 +237,24 @@ class Actions:
                 seq = self._trace_cancelled(running.action, running.name, cause)
                 self._ended(running.run, running.place, seq)
 
-    def _at_once(self, number: int, place: int, action: Action, cause: int | None) -> None:
-        run = self.state.runs[number]
-        where = self._where(run.state)
-        seq = perform(self._world, self._program.name, run.state, where, action, cause)
-        if action.done is not None:
-            self._raise(action.done, seq, None)
-        self._ended(number, place, seq)
+    def performer(self, key: int) -> Perform:
+        """What carries out an action that ends at once, and raises its ``done``."""
+        found = self._performers.get(key)
+        if found is None:
+            action = self._program.actions[key]
+            found = ready(self._world, self._program.name, action)
+            if action.done is not None:
+                found = self._raising(found, action.done)
+            self._performers[key] = found
+        return found
+
+    def _raising(self, perform: Perform, done: str) -> Perform:
+        def performing(state: str, cause: int | None) -> int:
+            seq = perform(state, cause)
+            self._raise(done, seq, None)
+            return seq
+
+        return performing
 
     # -- ending --------------------------------------------------------------
 

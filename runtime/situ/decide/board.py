@@ -5,7 +5,7 @@ Seed 000, 5.3; formats.md, *Blackboard*. No clock: every write carries its time.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from msgspec import Struct
@@ -14,7 +14,7 @@ from situ.document import names
 from situ.document.values import reach as reach
 
 
-class Entry(Struct):
+class Entry(Struct, gc=False):
     """value None: deleted; version then still counts on. time: µs of the last write.
 
     cause: seq of the trace event that tells of the write, or of what led to it.
@@ -72,14 +72,16 @@ class Board:
             cut = name.rfind(".", 0, cut)
         return self.state.get(name)
 
-    def write(self, tag: str, value: Any, writer: str, time: int) -> Entry | None:
-        """Writes without telling anybody; None where nothing changes (a missing tag deleted)."""
+    def write(self, tag: str, value: Any, writer: str, time: int, cause: int | None) -> int:
+        """Writes without telling anybody; gives the version, 0 where nothing changes (a
+        missing tag deleted).
+        """
         old = self.state.get(tag)
         if value is None and (old is None or old.value is None):
-            return None
-        entry = Entry(value, 1 if old is None else old.version + 1, writer, time, None)
-        self.state[tag] = entry
-        return entry
+            return 0
+        version = 1 if old is None else old.version + 1
+        self.state[tag] = Entry(value, version, writer, time, cause)
+        return version
 
     def listen(self, tags: Iterable[str], listener: Listener) -> None:
         """``listener(tag, cause)`` is called for each write of one of ``tags``, once a write."""
@@ -88,11 +90,10 @@ class Board:
             if listener not in told:
                 told.append(listener)
 
-    def tell(self, written: Mapping[str, int | None]) -> None:
-        """Calls the listeners of what one write has written: tag to cause."""
-        for tag, cause in written.items():
-            for listener in self._listeners.get(tag, ()):
-                listener(tag, cause)
+    def tell(self, tag: str, cause: int | None) -> None:
+        """Calls the listeners of a tag, once all that one write writes is written."""
+        for listener in self._listeners.get(tag, ()):
+            listener(tag, cause)
 
 
 def prefixes(name: str) -> list[str]:

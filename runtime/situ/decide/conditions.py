@@ -7,12 +7,13 @@ A condition is judged when one of its tags was written or the end of one of its
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from msgspec import Struct
 
 from situ.decide.board import Board, prefixes
 from situ.decide.step import TEST, Step, duration
-from situ.decide.values import compile_test
+from situ.decide.values import Look, compile_test
 from situ.document.condition import Condition, Group, Test
 
 Watcher = Callable[[int | None], None]
@@ -133,7 +134,7 @@ class Conditions:
     def _judge(self, leaf: Leaf) -> Compiled:
         board, step, test, name = self._board, self._step, leaf.test, leaf.name
         if leaf.within is None and leaf.hold is None:
-            return lambda: test(board.look(name), board.look)
+            return self._judge_now(name, test)
 
         def holds() -> bool:
             if leaf.within is not None:
@@ -144,6 +145,19 @@ class Conditions:
                 held = self.state.held.get(leaf.number)
                 return held is not None and step.now >= held.since + leaf.hold
             return test(board.look(name), board.look)
+
+        return holds
+
+    def _judge_now(self, name: str, test: Callable[[Any, Look], bool]) -> Compiled:
+        board = self._board
+        look = board.look
+        if "." in name:
+            return lambda: test(look(name), look)
+
+        def holds() -> bool:
+            # A single word is a tag or nothing.
+            entry = board.state.get(name)
+            return test(None if entry is None else entry.value, look)
 
         return holds
 

@@ -11,7 +11,7 @@ from typing import Any
 from msgspec import Struct
 
 
-class Effect(Struct, frozen=True, tag_field="effect", tag=str.lower):
+class Effect(Struct, frozen=True, gc=False, tag_field="effect", tag=str.lower):
     """The base of all effects."""
 
 

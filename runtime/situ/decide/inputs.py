@@ -11,7 +11,9 @@ from typing import Any
 from msgspec import UNSET, Struct, UnsetType, field
 
 
-class Input(Struct, frozen=True, tag_field="verb", tag=str.lower, forbid_unknown_fields=True):
+class Input(
+    Struct, frozen=True, gc=False, tag_field="verb", tag=str.lower, forbid_unknown_fields=True
+):
     """The base of all inputs; read strictly, so that a misspelt field shows."""
 
 

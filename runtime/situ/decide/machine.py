@@ -14,10 +14,12 @@ from msgspec import UNSET, Struct, UnsetType, field
 from situ.decide import trace
 from situ.decide.actions import Actions, ActionsState
 from situ.decide.display import Display, DisplayState
+from situ.decide.priorities import RUNTIME
 from situ.decide.program import Candidate, Program, StateProgram
 from situ.decide.texts import translator
 from situ.decide.timeouts import Timeouts, TimeoutState
 from situ.decide.values import template
+from situ.decide.way import Way, find, published
 from situ.decide.world import World
 from situ.document.rbd import AGAIN, BACK, Application, Component
 from situ.document.texts import heard_as
@@ -68,27 +70,26 @@ class Machine:
     def __init__(self, world: World, source: Application, number: int, asked: Asked) -> None:
         self.name = source.name
         self._world = world
+        self._step = world.step
         self._asked = asked
+        self._tag = f"application/{source.name}"
         self.program = Program(source, world.conditions, self._watch, world.project.flow)
         self.actions = Actions(world, self.program, f"action:{number}", self._raise_own)
         self.timeouts = Timeouts(world.step, f"application:{number}")
         self.display = Display(world, self.program, self.actions)
-        self.state = MachineState()
-        self.restore(self.state)
+        self.restore(MachineState())
 
     def restore(self, state: MachineState) -> None:
         """Goes on from a state that was taken of the same application."""
         self.state = state
+        states = self.program.states
+        self.here = states.get(state.no, states[self.program.start])
         self.timeouts.state = state.timeout
         self.display.state = state.display
         self.actions.state = state.actions
         self.actions.suspended = state.suspended
 
     # -- what the robot asks -------------------------------------------------
-
-    @property
-    def here(self) -> StateProgram:
-        return self.program.states[self.state.no]
 
     def missing(self) -> list[str]:
         """The resources that it asks for and does not hold, sorted."""
@@ -151,15 +152,22 @@ class Machine:
         if raised is None:
             return
         self.state.queue.remove(raised)
-        seq = self._world.step.trace(trace.Event, raised.cause, self.name, raised.name)
+        self.judge(raised.name, raised.cause, raised.holder)
+
+    def judge(self, name: str, cause: int | None, holder: str | None = None) -> None:
+        """The turn of an event has come; what else may follow is the robot's to see."""
+        step = self._step
+        step.seq = seq = step.seq + 1
+        step.events.append(trace.Event(seq, step.seconds, cause, self.name, name))
         if self.state.suspended:
-            self._world.step.trace(trace.Ignored, seq, self.name, raised.name, "suspended")
+            step.trace(trace.Ignored, seq, self.name, name, "suspended")
             return
-        if raised.holder is not None:
-            self._judge_done(raised.name, raised.holder, seq)
+        if holder is not None:
+            self._judge_done(name, holder, seq)
         else:
-            self._offer(raised.name, self.here.named.get(raised.name, ()), seq)
-        self._settle_idle()
+            self._offer(name, self.here.named.get(name, ()), seq)
+        if self.here.idle:
+            self._settle_idle()
 
     def _offer(self, name: str, candidates: Sequence[Candidate], seq: int) -> None:
         taken = self._first(candidates)
@@ -167,7 +175,7 @@ class Machine:
             self._take(taken, seq)
         else:
             reason = "guard" if candidates else "unexpected"
-            self._world.step.trace(trace.Ignored, seq, self.name, name, reason)
+            self._step.trace(trace.Ignored, seq, self.name, name, reason)
 
     def _judge_done(self, name: str, holder: str, seq: int) -> None:
         """A part has ended: ``done.x``, or else ``done``, for the state that holds it alone."""
@@ -177,7 +185,7 @@ class Machine:
         if taken is not None:
             self._take(taken, seq)
             return
-        second = self._world.step.trace(trace.Event, seq, self.name, DONE)
+        second = self._step.trace(trace.Event, seq, self.name, DONE)
         self._offer(DONE, [one for one in named.get(DONE, ()) if one.level == level], second)
 
     def unnamed(self) -> Candidate | None:
@@ -197,18 +205,29 @@ class Machine:
         self._settle_idle()
 
     def _first(self, candidates: Sequence[Candidate]) -> Candidate | None:
-        return next((one for one in candidates if self._passes(one)), None)
+        for one in candidates:
+            if self._passes(one):
+                return one
+        return None
 
     def _passes(self, one: Candidate) -> bool:
-        return (one.guard is None or one.guard()) and (
-            one.next != BACK or bool(self.state.stacks[one.level])
-        )
+        guard = one.guard
+        return (guard is None or guard()) and (not one.back or bool(self.state.stacks[one.level]))
 
     def _take(self, taken: Candidate, cause: int | None) -> None:
-        if taken.next is not None:
-            self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
-        else:
+        if taken.next is None:
             self.actions.begin(taken.actions, self.state.no, cause)
+            return
+        here, state, actions = self.here, self.state, self.state.actions
+        try:
+            way = here.ways[taken.key]
+        except KeyError:
+            way = here.ways[taken.key] = find(self.program, self.actions, here, taken)
+        # Nothing is to be cancelled, and what the state has to show is shown.
+        if way is not None and state.begun and not actions.runs and not actions.running:
+            self._go(way, cause)
+        else:
+            self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
 
     def _watch(self, key: int, cause: int | None) -> None:
         """An unnamed event may have come to hold; those of other states do not matter."""
@@ -235,7 +254,7 @@ class Machine:
         timeout: bool | UnsetType,
     ) -> None:
         """Leaves the state of ``level`` with all inside it for another of the same file."""
-        step, levels = self._world.step, self.here.levels
+        step, levels = self._step, self.here.levels
         self.timeouts.leave()
         # What runs belongs to the innermost state, which is left in any case.
         self.actions.leave(step.trace(trace.Exit, cause, self.name, self.state.no))
@@ -247,7 +266,7 @@ class Machine:
             to = source.no
         elif to == BACK:
             to = stack.pop()
-        else:
+        elif self.program.goes_back:
             stack.append(source.no)
         target = source.prefix + to
         seq = step.trace(trace.Transition, cause, self.name, source.path, target, event, timeout)
@@ -255,13 +274,43 @@ class Machine:
             self.actions.begin(keys, self.program.innermost[target], seq)
         self._enter(target, level, seq)
 
+    def _go(self, way: Way, cause: int | None) -> None:
+        """``_move`` on a short way."""
+        step, state, target, name = self._step, self.state, way.target, self.name
+        if state.timeout.clock is not None:
+            self.timeouts.leave()
+        seq, seconds, no = step.seq, step.seconds, target.no
+        step.seq = moved = seq + 2
+        step.events += (
+            trace.Exit(seq + 1, seconds, cause, name, way.source),
+            trace.Transition(moved, seconds, cause, name, way.source, no, way.event),
+        )
+        for perform in way.leaving:
+            perform(no, moved)
+        if way.starts:
+            state.stacks[0].clear()
+        elif way.back:
+            state.stacks[0].append(way.source)
+        state.no, state.entered = no, 0
+        self.here = target
+        step.seq = seq = step.seq + 1
+        step.events.append(trace.Enter(seq, seconds, moved, name, no))
+        if target.waits or state.stale:
+            self._watch_all(seq)
+        if not way.stays:
+            self._world.keep(self._tag, way.published, RUNTIME, seq)
+        for perform in way.entering:
+            perform(no, seq)
+        if target.timeout is not None:
+            self.timeouts.begin(target.timeout, seq)
+
     def _enter(self, path: str, level: int, cause: int | None) -> None:
         """Enters a state of ``level``, and the start of the part that it runs, if any."""
         state = self.state
         state.no = self.program.innermost[path]
         state.entered = level
         state.begun = False
-        here = self.here
+        self.here = here = self.program.states[state.no]
         del state.stacks[level + 1 :]
         for one in here.levels[level:]:
             if len(state.stacks) == level:
@@ -269,7 +318,7 @@ class Machine:
             elif one.path == one.start:
                 state.stacks[level].clear()
             level += 1
-            cause = self._world.step.trace(trace.Enter, cause, self.name, one.path)
+            cause = self._step.trace(trace.Enter, cause, self.name, one.path)
         seq = cause
         self._watch_all(seq)
         uses = set(here.uses)
@@ -305,12 +354,7 @@ class Machine:
         return [*here.actions, *(key for key in entered if key is not None)]
 
     def _publish(self, cause: int | None) -> None:
-        value = {
-            "state": self.state.no,
-            "name": self.here.source.name,
-            "suspended": self.state.suspended,
-        }
-        self._world.keep_if_new(f"application/{self.name}", value, cause)
+        self._world.keep_if_new(self._tag, published(self.here, self.state.suspended), cause)
 
     # -- authority -----------------------------------------------------------
 
@@ -337,7 +381,7 @@ class Machine:
     def _suspend(self, missing: list[str], cause: int | None) -> None:
         state = self.state
         state.suspended = True
-        seq = self._world.step.trace(trace.Suspend, cause, self.name, tuple(missing))
+        seq = self._step.trace(trace.Suspend, cause, self.name, tuple(missing))
         self.timeouts.stop()
         self.display.lose()
         self.actions.suspend(seq)
@@ -345,7 +389,7 @@ class Machine:
 
     def resume(self) -> None:
         """It holds all that it asks for again: ``resumed`` first, then what was cut off."""
-        state, step = self.state, self._world.step
+        state, step = self.state, self._step
         seq = step.trace(trace.Resume, state.granted, self.name, ())
         state.suspended = False
         self.actions.suspended = False
@@ -381,7 +425,7 @@ class Machine:
             self._settle_idle()
             return
         else:
-            self._world.step.trace(trace.Ignored, clock.cause, self.name, TIMED_OUT, "guard")
+            self._step.trace(trace.Ignored, clock.cause, self.name, TIMED_OUT, "guard")
         self.timeouts.restart()
 
     def attend(self) -> None:

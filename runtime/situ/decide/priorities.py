@@ -57,18 +57,12 @@ Write = Callable[[str, Any, str, int | None], None]
 
 
 class Priorities:
-    """The priority management service of one robot.
+    """The priority management service of one robot."""
 
-    ``priorities()`` gives module to priority in the current situation.
-    """
-
-    def __init__(
-        self, step: Step, write: Write, priorities: Callable[[], Mapping[str, int]]
-    ) -> None:
+    def __init__(self, step: Step, write: Write) -> None:
         self.state = PrioritiesState()
         self._step = step
         self._write = write
-        self._priorities = priorities
 
     def holds(self, module: str, resource: str) -> bool:
         return self.state.holders.get(resource) == module
@@ -142,14 +136,15 @@ class Priorities:
 
     # -- authority -----------------------------------------------------------
 
-    def assign(self, cause: int | None) -> dict[str, int]:
-        """Grants anew: from the highest priority down, all of a request's resources or none.
+    def assign(self, priorities: Mapping[str, int], cause: int | None) -> dict[str, int]:
+        """Grants anew by ``priorities``, those of modules now: from the highest down, all of a
+        request's resources or none.
 
         Traces every change of holder, each followed by the mapping that it changed.
         Gives resource to the seq of its ``authority`` event.
         """
         before = self.state.holders
-        after = self._grants(before)
+        after = self._grants(before, priorities)
         changed: dict[str, int] = {}
         if after == before:
             return changed
@@ -167,8 +162,7 @@ class Priorities:
             self._map(resource, seq)
         return changed
 
-    def _grants(self, before: Mapping[str, str]) -> dict[str, str]:
-        priorities = self._priorities()
+    def _grants(self, before: Mapping[str, str], priorities: Mapping[str, int]) -> dict[str, str]:
         asking = []
         for module, request in self.state.requests.items():
             priority = priorities.get(module)

@@ -9,7 +9,7 @@ the level at which they are defined, and their ``next`` names a state of that le
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from msgspec import Struct
 
@@ -17,6 +17,7 @@ from situ.decide.conditions import Compiled, Conditions
 from situ.decide.screens import ScreenProgram
 from situ.decide.step import duration
 from situ.document.rbd import (
+    BACK,
     Action,
     Always,
     Application,
@@ -28,6 +29,9 @@ from situ.document.rbd import (
     State,
     Timeout,
 )
+
+if TYPE_CHECKING:
+    from situ.decide.way import Way
 
 Watcher = Callable[[int, int | None], None]
 """Told that an unnamed candidate (its key) may have come to hold, and what caused that."""
@@ -63,10 +67,11 @@ class Level(Struct, frozen=True):
 class Candidate:
     """One expected event of a state or of ``always``, ready to be judged.
 
-    key: tells it from all others of its application. level: at which it is defined.
+    key: tells it from all others of its application. level: at which it is defined. back: whether
+    it goes back, which needs a state to go back to.
     """
 
-    __slots__ = ("actions", "guard", "key", "level", "name", "next", "says")
+    __slots__ = ("actions", "back", "guard", "key", "level", "name", "next", "says")
 
     def __init__(
         self, key: int, level: int, source: Event, actions: list[int], guard: Compiled | None
@@ -75,6 +80,7 @@ class Candidate:
         self.level = level
         self.name = source.name
         self.next = source.next
+        self.back = source.next == BACK
         self.says = [say.text for say in source.says]
         self.actions = actions
         self.guard = guard
@@ -90,12 +96,14 @@ class StateProgram:
     always: the screens of ``always`` above its own, the innermost file's first; ``shared``
     is the same for the same screens, 0 for none.
     timeout (µs), next and idle: of the timeout that serves, defined at level ``timeout_level``.
-    uses, may_use: resources but for the screen.
+    uses, may_use: resources but for the screen. goes_back: whether anything goes back from here.
+    ways: of the candidates taken here before, by key: the short way, None where there is none.
     """
 
     __slots__ = (
-        "actions", "always", "ended", "heard", "idle", "levels", "may_use", "named", "next",
-        "no", "screen", "shared", "source", "timeout", "timeout_level", "unnamed", "uses", "waits",
+        "actions", "always", "ended", "goes_back", "heard", "idle", "levels", "may_use", "named",
+        "next", "no", "screen", "shared", "source", "timeout", "timeout_level", "unnamed", "uses",
+        "waits", "ways",
     )  # fmt: skip
 
     def __init__(self, source: State, around: list[_Around], shared: int) -> None:
@@ -115,6 +123,7 @@ class StateProgram:
                     break
         self.timeout = None if timeout is None else duration(timeout.seconds)
         self.next = None if timeout is None else timeout.next
+        self.goes_back = self.next == BACK
         self.idle = timeout is not None and timeout.idle
         self.actions: list[int] = []
         self.ended = [one.ended for one in around]
@@ -124,6 +133,7 @@ class StateProgram:
         self.waits: set[int] = set()
         self.uses: set[str] = set()
         self.may_use: set[str] = set()
+        self.ways: dict[int, Way | None] = {}
         for action in source.actions:
             resource = resource_of(action)
             if resource is not None:
@@ -133,6 +143,7 @@ class StateProgram:
                 self._add(candidate)
 
     def _add(self, candidate: Candidate) -> None:
+        self.goes_back = self.goes_back or candidate.back
         if candidate.name is None:
             self.unnamed.append(candidate)
             self.waits.add(candidate.key)
@@ -157,6 +168,7 @@ class Program:
     actions: every action of the application by key (its place in this list). states: the
     innermost states by their paths. innermost: the path of any state to that of the
     innermost state entered with it. shared: the distinct sequences of screens of ``always``.
+    has_screens, has_phrases: whether any state has; goes_back: whether any ``next`` does.
     """
 
     def __init__(
@@ -175,6 +187,10 @@ class Program:
         self._lookup = lookup
         self._screens: dict[int, ScreenProgram] = {}
         self.start = self.innermost[self._file(source, "", [])]
+        states = self.states.values()
+        self.has_screens = any(one.screen is not None or one.shared for one in states)
+        self.has_phrases = any(one.heard for one in states)
+        self.goes_back = any(one.goes_back for one in states)
 
     def _file(self, source: Application, prefix: str, around: list[_Around]) -> str:
         """Compiles one run of a file; gives the path of its start state."""

@@ -1,6 +1,7 @@
 """Actions that end at once: ``set``, ``add``, ``append``, ``take``, ``clear``, ``message``.
 
-formats.md, *Actions*: each is traced, writes its data, and ends.
+formats.md, *Actions*: each is traced, writes its data, and ends. Each is made ready once,
+so that carrying it out looks nothing up that is known before.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import Any
 from situ.decide import trace
 from situ.decide.effects import Begin
 from situ.decide.values import is_number, template
-from situ.decide.world import World, untraced
+from situ.decide.world import World, refusal, untraced
 from situ.document import names
 from situ.document.rbd import Action, Add, Append, Clear, Message, Set, Take
 
@@ -21,82 +22,116 @@ LARGEST = 2**63
 
 QUICK = (Set, Add, Append, Take, Clear, Message)
 
+Perform = Callable[[str, int | None], int]
+"""(state it belongs to, cause) -> the seq of its ``finished`` event."""
+
+
+def ready(world: World, application: str, action: Action) -> Perform:
+    """One of ``QUICK``, made ready to be carried out in ``application``."""
+    if isinstance(action, Set):
+        return _set(world, application, action)
+    carry = _CARRIERS[type(action)]
+    quick, step, element = _Quick(world, application), world.step, action.element
+
+    def perform(state: str, cause: int | None) -> int:
+        seq = carry(quick, action, state, cause)
+        return step.trace(trace.Finished, seq, application, element, None, True, None)
+
+    return perform
+
+
+def _set(world: World, application: str, action: Set) -> Perform:
+    tag, step = action.tag, world.step
+    value = _Quick(world, application).reader(action.text)
+    put = world.put if refusal(tag, application) is None and not untraced(tag) else world.write_one
+
+    def perform(state: str, cause: int | None) -> int:
+        held = value(state, cause)
+        step.seq = seq = step.seq + 1
+        step.events.append(
+            trace.Action(
+                seq, step.seconds, cause, application, state, "set", None, tag=tag, value=held
+            )
+        )
+        put(tag, held, application, seq)
+        step.seq = last = step.seq + 1
+        step.events.append(
+            trace.Finished(last, step.seconds, seq, application, "set", None, True, None)
+        )
+        return last
+
+    return perform
+
 
 class _Quick:
-    """One such action while it is carried out."""
+    """What the others need of their application; ``state`` and ``cause`` as in ``Perform``."""
 
-    def __init__(self, world: World, application: str, state: str, where: str, cause: int | None):
+    def __init__(self, world: World, application: str) -> None:
         self.world = world
         self.application = application
-        self.state = state
-        self.where = where
-        self.cause = cause
 
-    def value(self, text: str) -> Any:
-        look = self.world.board.look
-        filled = template(text)
-        for name in filled.missing(look) if filled.names else ():
-            self.world.step.warn(self.cause, f"{name} has no value", self.where)
-        return filled.value(look)
+    def reader(self, text: str) -> Callable[[str, int | None], Any]:
+        """Gives the value of a template, with a warning for each name that has none."""
+        filled, board, step = template(text), self.world.board, self.world.step
+        if not filled.names:
+            constant = filled.value(board.look)
+            if not isinstance(constant, (list, dict)):
+                return lambda state, cause: constant
+            return lambda state, cause: filled.value(board.look)
 
-    def begin(self, action: str, **fields: Any) -> int:
+        def value(state: str, cause: int | None) -> Any:
+            for name in filled.missing(board.look):
+                step.warn(cause, f"{name} has no value", self.where(state))
+            return filled.value(board.look)
+
+        return value
+
+    def value(self, text: str, state: str, cause: int | None) -> Any:
+        return self.reader(text)(state, cause)
+
+    def begin(self, state: str, cause: int | None, action: str, **fields: Any) -> int:
         return self.world.step.trace(
-            trace.Action, self.cause, self.application, self.state, action, None, **fields
+            trace.Action, cause, self.application, state, action, None, **fields
         )
 
     def write(self, tags: dict[str, Any], cause: int) -> None:
         self.world.write(tags, self.application, cause)
 
-    def warn(self, cause: int, message: str) -> None:
-        self.world.step.warn(cause, message, self.where)
+    def warn(self, state: str, cause: int, message: str) -> None:
+        self.world.step.warn(cause, message, self.where(state))
+
+    def where(self, state: str) -> str:
+        return f"{self.application}, state {state}"
 
 
-def perform(
-    world: World, application: str, state: str, where: str, action: Action, cause: int | None
-) -> int:
-    """Carries it out and traces it; gives the seq of its ``finished`` event."""
-    one = _Quick(world, application, state, where, cause)
-    seq = _PERFORMERS[type(action)](one, action)
-    return world.step.trace(
-        trace.Finished, seq, application, action.element, None, True, result=None
-    )
-
-
-def _set(one: _Quick, action: Set) -> int:
-    value = one.value(action.text)
-    seq = one.begin("set", tag=action.tag, value=value)
-    one.write({action.tag: value}, seq)
-    return seq
-
-
-def _add(one: _Quick, action: Add) -> int:
-    value = one.value(action.text)
-    seq = one.begin("add", tag=action.tag, value=value)
+def _add(one: _Quick, action: Add, state: str, cause: int | None) -> int:
+    value = one.value(action.text, state, cause)
+    seq = one.begin(state, cause, "add", tag=action.tag, value=value)
     before = one.world.board.look(action.tag)
     if is_number(value) and (before is None or is_number(before)):
         total = (before or 0) + value
         if abs(total) < LARGEST if isinstance(total, int) else math.isfinite(total):
             one.write({action.tag: total}, seq)
         else:
-            one.warn(seq, f"add makes {action.tag} too large a number; it stays {before!r}")
+            one.warn(state, seq, f"add makes {action.tag} too large a number; it stays {before!r}")
     else:
-        one.warn(seq, f"add needs numbers: {action.tag} is {before!r}, to add is {value!r}")
+        one.warn(state, seq, f"add needs numbers: {action.tag} is {before!r}, to add is {value!r}")
     return seq
 
 
-def _append(one: _Quick, action: Append) -> int:
-    value = one.value(action.text)
-    seq = one.begin("append", tag=action.tag, value=value)
+def _append(one: _Quick, action: Append, state: str, cause: int | None) -> int:
+    value = one.value(action.text, state, cause)
+    seq = one.begin(state, cause, "append", tag=action.tag, value=value)
     before = one.world.board.look(action.tag)
     if before is None or isinstance(before, list):
         one.write({action.tag: [*(before or ()), value]}, seq)
     else:
-        one.warn(seq, f"append needs a list: {action.tag} is {before!r}")
+        one.warn(state, seq, f"append needs a list: {action.tag} is {before!r}")
     return seq
 
 
-def _take(one: _Quick, action: Take) -> int:
-    seq = one.begin("take", source=action.source, tag=action.tag)
+def _take(one: _Quick, action: Take, state: str, cause: int | None) -> int:
+    seq = one.begin(state, cause, "take", source=action.source, tag=action.tag)
     entries = one.world.board.look(action.source)
     if not isinstance(entries, list) or not entries:
         one.write({action.tag: None}, seq)
@@ -107,8 +142,8 @@ def _take(one: _Quick, action: Take) -> int:
     return seq
 
 
-def _clear(one: _Quick, action: Clear) -> int:
-    seq = one.begin("clear", tag=action.tag)
+def _clear(one: _Quick, action: Clear, state: str, cause: int | None) -> int:
+    seq = one.begin(state, cause, "clear", tag=action.tag)
     gone = [
         tag
         for tag, _ in one.world.board.entries(action.tag)
@@ -118,14 +153,14 @@ def _clear(one: _Quick, action: Clear) -> int:
     return seq
 
 
-def _message(one: _Quick, action: Message) -> int:
+def _message(one: _Quick, action: Message, state: str, cause: int | None) -> int:
     value: Any
     if action.params:
-        value = {param.name: one.value(param.text) for param in action.params}
+        value = {param.name: one.value(param.text, state, cause) for param in action.params}
     else:
-        value = one.value(action.text) if action.text.strip() else None
+        value = one.value(action.text, state, cause) if action.text.strip() else None
     topic = template(action.topic).text(one.world.board.look)
-    seq = one.begin("message", topic=topic, value=value)
+    seq = one.begin(state, cause, "message", topic=topic, value=value)
     one.world.step.effects.append(
         Begin(
             one.world.next_id(), one.application, "message", None, {"topic": topic, "value": value}
@@ -134,8 +169,7 @@ def _message(one: _Quick, action: Message) -> int:
     return seq
 
 
-_PERFORMERS: dict[type[Action], Callable[[_Quick, Any], int]] = {
-    Set: _set,
+_CARRIERS: dict[type[Action], Callable[[_Quick, Any, str, int | None], int]] = {
     Add: _add,
     Append: _append,
     Take: _take,

@@ -28,7 +28,7 @@ def duration(seconds: float) -> int:
     return max(1, round(seconds * SECOND))
 
 
-class Timer(Struct, frozen=True, array_like=True, order=True):
+class Timer(Struct, frozen=True, array_like=True, order=True, gc=False):
     """Something that falls due: at ``due``, in ``rank``'s order, the earlier started first.
 
     ``owner`` and ``token`` tell whose it is; one whose token its owner no longer
@@ -51,23 +51,40 @@ class StepState(Struct):
 
 
 class Step:
-    """The time, the timers, and what this step has traced and asked for so far."""
+    """The time, the timers, and what this step has traced and asked for so far.
+
+    now: µs; seconds: the same as traces have it. seq: of the last event. A new event takes
+    ``seq + 1``; where every microsecond counts it is made and appended on the spot.
+    """
+
+    __slots__ = ("effects", "events", "made", "now", "seconds", "seq", "timers")
 
     def __init__(self) -> None:
-        self.state = StepState()
-        self.now = 0
+        self.now = self.seq = self.made = 0
+        self.seconds = 0.0
+        self.timers: list[Timer] = []
         self.events: list[TraceEvent] = []
         self.effects: list[AnyEffect] = []
 
+    @property
+    def state(self) -> StepState:
+        return StepState(self.now, self.seq, self.timers, self.made)
+
+    @state.setter
+    def state(self, state: StepState) -> None:
+        self.now, self.seconds = state.now, state.now / SECOND
+        self.seq, self.timers, self.made = state.seq, state.timers, state.made
+
     def begin(self, now: int) -> None:
-        self.now = self.state.now = now
+        self.now = now
+        self.seconds = now / SECOND
         self.events = []
         self.effects = []
 
     def trace(self, kind: type[TraceEvent], cause: int | None, *fields: Any, **more: Any) -> int:
         """Appends an event; gives its seq. ``fields`` are those after ``cause``, in order."""
-        self.state.seq = seq = self.state.seq + 1
-        self.events.append(kind(seq, self.now / SECOND, cause, *fields, **more))
+        self.seq = seq = self.seq + 1
+        self.events.append(kind(seq, self.seconds, cause, *fields, **more))
         return seq
 
     def warn(self, cause: int | None, message: str, where: str) -> int:
@@ -78,6 +95,6 @@ class Step:
 
     def at(self, due: int, rank: int, owner: str, token: int, started: int | None = None) -> None:
         """Sets a timer; timers are never taken back, their owner's token goes stale."""
-        self.state.made += 1
+        self.made += 1
         since = self.now if started is None else started
-        heapq.heappush(self.state.timers, Timer(due, rank, since, self.state.made, owner, token))
+        heapq.heappush(self.timers, Timer(due, rank, since, self.made, owner, token))

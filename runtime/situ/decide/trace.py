@@ -14,8 +14,8 @@ import msgspec
 from msgspec import UNSET, Struct, UnsetType, field
 
 
-class TraceEvent(Struct, frozen=True, tag_field="kind", tag=str.lower):
-    """What all events have."""
+class TraceEvent(Struct, frozen=True, gc=False, tag_field="kind", tag=str.lower):
+    """What all events have. Values are trees, so the collector need not look at them."""
 
     seq: int
     t: float

@@ -119,9 +119,10 @@ def compile_test(test: str, text: str) -> tuple[Callable[[Any, Look], bool], tup
         expected = wanted is not False
         return lambda value, look: (value is not None) is expected, ()
     if test == "is":
-        return lambda value, look: _is(value, wanted, text), ()
+        return compile_is(wanted, text), ()
     if test == "isnot":
-        return lambda value, look: not _is(value, wanted, text), ()
+        holds = compile_is(wanted, text)
+        return lambda value, look: not holds(value, look), ()
     if test == "in":
         members = wanted if isinstance(wanted, list) else []
         return lambda value, look: _in(value, members), ()
@@ -131,10 +132,13 @@ def compile_test(test: str, text: str) -> tuple[Callable[[Any, Look], bool], tup
     return lambda value, look: isinstance(value, str) and order(value, text), ()
 
 
-def _is(value: Any, wanted: Any, text: str) -> bool:
-    if value is None:
-        return False
-    return equal(value, wanted) or (isinstance(value, str) and value == text)
+def compile_is(wanted: Any, text: str) -> Callable[[Any, Look], bool]:
+    """Whether a value equals what a test's text reads as, or, a string, the text as written."""
+    if wanted is None or isinstance(wanted, bool):
+        return lambda value, look: (value is wanted and value is not None) or value == text
+    if isinstance(wanted, str):
+        return lambda value, look: value in (wanted, text)
+    return lambda value, look: value is not None and (equal(value, wanted) or value == text)
 
 
 def _in(value: Any, members: Any) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from msgspec import Struct
@@ -18,11 +18,12 @@ from situ.document.project import Project
 
 KEPT = ("robot/", "module/", "application/")
 KEPT_TAGS = ("situation", "listen")
+_UNTRACED = (*KEPT, "clock.")
 
 
 def untraced(tag: str) -> bool:
     """Whether a write of this tag stands in no trace: the runtime itself keeps it."""
-    return tag in KEPT_TAGS or tag.startswith((*KEPT, "clock."))
+    return tag in KEPT_TAGS or tag.startswith(_UNTRACED)
 
 
 def refusal(tag: str, writer: str) -> str | None:
@@ -51,62 +52,75 @@ class WorldState(Struct):
 class World:
     """The blackboard with its rules of writing, and the services that applications use."""
 
-    def __init__(self, project: Project, priorities: Callable[[], Mapping[str, int]]) -> None:
+    def __init__(self, project: Project) -> None:
         self.project = project
         self.step = Step()
         self.board = Board()
         self.conditions = Conditions(self.board, self.step)
-        self.priorities = Priorities(self.step, self.keep, priorities)
+        self.priorities = Priorities(self.step, self.keep)
         self.state = WorldState()
         self.random = random.Random(0)
         self.auto_finish: int | None = None
 
     def keep(self, tag: str, value: Any, writer: str, cause: int | None) -> None:
         """Writes what the runtime itself keeps; it stands in no trace."""
-        entry = self.board.write(tag, value, writer, self.step.now)
-        if entry is not None:
-            entry.cause = cause
-            self.step.effects.append(Changed(tag, value, entry.version, writer, self.step.now))
-            self.board.tell({tag: cause})
+        now = self.step.now
+        version = self.board.write(tag, value, writer, now, cause)
+        if version:
+            self.step.effects.append(Changed(tag, value, version, writer, now))
+            self.board.tell(tag, cause)
 
-    def write(self, tags: Mapping[str, Any], writer: str, cause: int | None) -> int | None:
-        """One write of several tags, each traced; gives the seq of the last (None: no change).
+    def put(self, tag: str, value: Any, writer: str, cause: int | None) -> None:
+        """``write`` of one tag that ``writer`` may set and that stands in the trace."""
+        step = self.step
+        seq, now = step.seq + 1, step.now
+        version = self.board.write(tag, value, writer, now, seq)
+        if version:
+            step.seq = seq
+            step.events.append(trace.Data(seq, step.seconds, cause, tag, value, writer, version))
+            step.effects.append(Changed(tag, value, version, writer, now))
+            self.board.tell(tag, seq)
+
+    def write(self, tags: Mapping[str, Any], writer: str, cause: int | None) -> None:
+        """One write of several tags, each traced; all are written before anybody is told.
 
         What the writer may not set is refused with an ``error`` and left as it is.
         """
-        told: dict[str, int | None] = {}
-        last: int | None = None
+        step, told = self.step, []
         for tag, value in tags.items():
             refused = refusal(tag, writer)
             if refused is not None:
-                self.step.error(cause, refused, writer)
+                step.error(cause, refused, writer)
                 continue
-            entry = self.board.write(tag, value, writer, self.step.now)
-            if entry is None:
-                continue
-            seq = cause
-            if not untraced(tag):
-                seq = last = self.step.trace(trace.Data, cause, tag, value, writer, entry.version)
-            entry.cause = told[tag] = seq
-            self.step.effects.append(Changed(tag, value, entry.version, writer, self.step.now))
-        self.board.tell(told)
-        return last
+            seq = cause if untraced(tag) else step.seq + 1
+            version = self.board.write(tag, value, writer, step.now, seq)
+            if version:
+                if seq is not cause:
+                    step.trace(trace.Data, cause, tag, value, writer, version)
+                told.append((tag, seq))
+                step.effects.append(Changed(tag, value, version, writer, step.now))
+        for tag, seq in told:
+            self.board.tell(tag, seq)
+
+    def write_one(self, tag: str, value: Any, writer: str, cause: int | None) -> None:
+        """``write`` of one tag."""
+        self.write({tag: value}, writer, cause)
 
     def restore(self, entries: Mapping[str, tuple[Any, int, str]]) -> None:
         """What durable tags held in the run before, as one write: versions count on, writers stay.
 
         A deleted one (value None) stands in no trace: nothing changes by it.
         """
-        told: dict[str, int | None] = {}
+        step, told = self.step, []
         for tag in sorted(entries):
             value, version, writer = entries[tag]
-            entry = Entry(value, version, writer, self.step.now, None)
-            self.board.state[tag] = entry
+            entry = self.board.state[tag] = Entry(value, version, writer, step.now, None)
             if value is not None:
-                seq = self.step.trace(trace.Data, None, tag, value, writer, version)
-                entry.cause = told[tag] = seq
-                self.step.effects.append(Changed(tag, value, version, writer, self.step.now))
-        self.board.tell(told)
+                entry.cause = step.trace(trace.Data, None, tag, value, writer, version)
+                told.append((tag, entry.cause))
+                step.effects.append(Changed(tag, value, version, writer, step.now))
+        for tag, seq in told:
+            self.board.tell(tag, seq)
 
     def keep_if_new(self, tag: str, value: Any, cause: int | None) -> None:
         """``keep`` where the value differs from what stands there."""

@@ -103,8 +103,8 @@ class Past:
         """Goes on by one write of what the runtime keeps."""
         self.settle()
         self._at(hidden.t)
-        if self.board.write(hidden.tag, hidden.value, hidden.writer, self._clock.now) is not None:
-            self.board.tell({hidden.tag: None})
+        if self.board.write(hidden.tag, hidden.value, hidden.writer, self._clock.now, None):
+            self.board.tell(hidden.tag, None)
 
     def until(self, recording: Recording, t: float) -> None:
         """Takes all steps of a recording up to and at ``t``, which is then the time."""
@@ -128,7 +128,8 @@ class Past:
         """All tags of one write are there: what follows them is told."""
         if self._written:
             written, self._written = self._written, {}
-            self.board.tell({tag: event["seq"] for tag, event in written.items()})
+            for tag, event in written.items():
+                self.board.tell(tag, event["seq"])
 
     def _at(self, t: float) -> None:
         self.t = t
@@ -238,7 +239,7 @@ class Past:
     # -- what events tell ----------------------------------------------------
 
     def _write(self, tag: str, value: Any, writer: str, event: Fields) -> None:
-        if self.board.write(tag, value, writer, self._clock.now) is not None:
+        if self.board.write(tag, value, writer, self._clock.now, event["seq"]):
             self._written[tag] = event
 
     def _data(self, event: Fields) -> None:

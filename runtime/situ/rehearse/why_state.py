@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator
 
+from situ.decide.intake import NOT_UNDERSTOOD
 from situ.decide.machine import RESUMED, TIMED_OUT
 from situ.decide.program import name_of
-from situ.decide.robot import NOT_UNDERSTOOD
 from situ.document import words
 from situ.document.project import Project
 from situ.document.rbd import AGAIN, BACK, Movie

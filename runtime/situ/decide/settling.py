@@ -1,0 +1,144 @@
+"""What follows from an input or from what fell due, until nothing is left.
+
+formats.md, *Time and steps*: situations and authority, then resumptions and unnamed
+events, then the earliest raised event of all applications.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from situ.decide.machine import Machine
+from situ.decide.presence import Presence
+from situ.decide.priorities import RUNTIME
+from situ.decide.situations import Situations
+from situ.decide.world import World
+
+LIVELOCK = 100
+"""More events, resumptions and situation changes than this in one moment are a livelock."""
+
+
+class Settling:
+    """One robot coming to rest. ``machines`` stand in the project's order.
+
+    moment, count: how many events, resumptions and situation changes there were in it.
+    at_rest: the last step ended with nothing left to do.
+    """
+
+    def __init__(self, world: World, presence: Presence) -> None:
+        self.moment = self.count = 0
+        self.at_rest = False
+        self.machines: list[Machine] = []
+        self._world = world
+        self._presence = presence
+        project = world.project
+        self._alone = dict.fromkeys((a.name for a in project.applications.values()), 1)
+        self._livelocked = False
+        self.situations: Situations | None = None
+        if project.spds is not None:
+            self.situations = Situations(project.spds, world.conditions, world.step)
+        self._shown: list[Machine] = []
+        self._heard: list[Machine] = []
+
+    def run(self, machines: list[Machine]) -> None:
+        """These are the robot's applications."""
+        self.machines = machines
+        self._shown = [one for one in machines if one.program.has_screens]
+        self._heard = [one for one in machines if one.program.has_phrases]
+
+    def begin(self, now: int, anew: bool) -> None:
+        """A step begins; ``anew``: what was counted in this moment before does not count."""
+        self._livelocked = False
+        if anew or now != self.moment:
+            self.moment, self.count = now, 0
+
+    def settle(self) -> None:
+        """Goes round until nothing is left; live screens at the end."""
+        self.observe()
+        while (follows := self._follows()) is not None and self._may_go_on():
+            follows()
+            self.observe()
+        self.at_rest = not self._livelocked
+        if self._heard:
+            self.listen()
+        for machine in self._shown:
+            machine.refresh()
+
+    def _follows(self) -> Callable[[], object] | None:
+        if self._livelocked:
+            return None
+        for machine in self.machines:
+            if machine.state.suspended and machine.may_resume():
+                return machine.resume
+        for machine in self.machines:
+            if machine.state.stale:
+                taken = machine.unnamed()
+                if taken is not None:
+                    return lambda m=machine, t=taken: m.take_unnamed(t)  # type: ignore[misc]
+        first, order = None, 0
+        for machine in self.machines:
+            if machine.state.queue:
+                found = machine.earliest()
+                if found is not None and (first is None or found < order):
+                    first, order = machine.judge_event, found
+        return first
+
+    def _may_go_on(self) -> bool:
+        """Counts one more of what must not go on for ever."""
+        self.count += 1
+        if self.count <= LIVELOCK:
+            return True
+        # Later steps of this moment begin anew: what falls due in them is finite.
+        self._livelocked, self.count = True, 0
+        step = self._world.step
+        last = step.events[-1].seq if step.events else None
+        names = ", ".join(m.name for m in self.machines if m.state.queue or m.state.stale)
+        step.error(
+            last,
+            f"livelock: more than {LIVELOCK} events without an end; waiting events are dropped, "
+            "look for states that lead to each other without waiting",
+            names or "situations",
+        )
+        for machine in self.machines:
+            machine.stay()
+        return False
+
+    # -- situations and authority --------------------------------------------
+
+    def observe(self) -> None:
+        """Judges the situations that changed; the current one grants authority."""
+        situations = self.situations
+        while situations is not None and not self._livelocked:
+            seq = situations.observe()
+            if seq is None:
+                return
+            current = situations.current
+            value = {
+                "name": current.name if current is not None else None,
+                "priorities": dict(situations.granted()),
+            }
+            self._world.keep("situation", value, RUNTIME, seq)
+            self.reassign(seq)
+            self._may_go_on()
+
+    def reassign(self, cause: int | None) -> None:
+        """Grants authority anew and tells the applications."""
+        situations = self.situations
+        granted = self._alone if situations is None else situations.granted()
+        changed = self._world.priorities.assign(granted, cause)
+        if changed:
+            for machine in self.machines:
+                machine.on_authority(changed, cause)
+
+    def asked(self, module: str, seq: int) -> None:
+        """A module, an application too, asks for authority: who it needs should be there."""
+        for absent in self._presence.lacks(module):
+            self._world.step.warn(seq, f"{module} needs {absent}, which is absent", module)
+        self.reassign(seq)
+
+    # -- phrases -------------------------------------------------------------
+
+    def listen(self) -> None:
+        """The phrases expected now stand at ``listen``."""
+        phrases = [phrase for machine in self._heard for phrase in machine.phrases()]
+        self._world.keep_if_new("listen", list(dict.fromkeys(phrases)), None)
