@@ -1,7 +1,8 @@
 """What can be said of single values: the rules of the table, and conditions.
 
-One walk over a document, driven by ``situ.document.elements``; it also makes
-the place of each value, as the editor's selection names it.
+One walk over a document, driven by ``situ.document.elements``. The places of values, as
+the editor's selection names them, are made only in those members of a document (states,
+situations, modules) in which a first look finds anything to tell.
 """
 
 from __future__ import annotations
@@ -9,10 +10,11 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any, NoReturn
+from typing import Any, NoReturn, get_args
 
 from situ.document import names
-from situ.document.condition import Condition, Group, Test
+from situ.document.accept import ACCEPT
+from situ.document.condition import Condition, Group, GroupName, Test, TestName
 from situ.document.datatypes import shown
 from situ.document.elements import ROOTS, Element, Slot
 from situ.document.finding import Findings, Place
@@ -35,17 +37,40 @@ _WORDS = {
 }
 """By field: the word before a member in a place, and what names it (else its position)."""
 
-_Rule = tuple[str, str, Callable[[Any], str | None], str]
+_MOST_JUDGED = 4096
+
+
+class _Judged(dict[Any, "str | None"]):
+    """What a rule says of values; each is judged once."""
+
+    def __init__(self, rule: Callable[[Any], str | None]) -> None:
+        super().__init__()
+        self._rule = rule
+
+    def __missing__(self, value: Any) -> str | None:
+        wrong = self._rule(value)
+        if len(self) < _MOST_JUDGED:
+            self[value] = wrong
+        return wrong
+
+
+_Rule = tuple[str, str, _Judged, str]
 
 
 class _Look:
-    """An element, compiled: its rules and the fields in which its children are."""
+    """An element, compiled: its rules, and the fields in which its children are.
 
-    __slots__ = ("children", "rules")
+    inner: those fields again, whether they hold several, and by class of a child its look.
+    """
 
-    def __init__(self) -> None:
+    __slots__ = ("children", "inner", "is_condition", "is_test", "rules")
+
+    def __init__(self, element: Element) -> None:
         self.rules: list[_Rule] = []
         self.children: list[tuple[str, Slot, str, str]] = []
+        self.inner: list[tuple[str, bool, dict[Any, _Look]]] = []
+        self.is_test = element.key is Test
+        self.is_condition = element.key is Condition or element.key in get_args(GroupName)
 
 
 def _compile() -> dict[int, _Look]:
@@ -57,19 +82,17 @@ def _compile() -> dict[int, _Look]:
             rule = one.type.rule
             if rule is not None:
                 said = f"The {one.name} of <{element.name}>"
-                found.append((one.field, said, lru_cache(4096)(rule), one.type.code))
+                found.append((one.field, said, _Judged(rule), one.type.code))
         if element.text is not None and element.text[1].rule is not None:
             kind = element.text[1]
             assert kind.rule is not None
-            found.append(
-                (element.text[0], f"<{element.name}>", lru_cache(4096)(kind.rule), kind.code)
-            )
+            found.append((element.text[0], f"<{element.name}>", _Judged(kind.rule), kind.code))
         return found
 
-    def look(element: Element) -> None:
+    def look(element: Element) -> _Look:
         if id(element) in looks:
-            return
-        made = looks[id(element)] = _Look()
+            return looks[id(element)]
+        made = looks[id(element)] = _Look(element)
         made.rules = rules(element)
         for slot in element.slots:
             if slot.field:
@@ -81,9 +104,14 @@ def _compile() -> dict[int, _Look]:
                 for inner in part.slots:
                     word, key = _WORDS[inner.field]
                     made.children.append((inner.field, inner, word, key))
-        for _, slot, _, _ in made.children:
-            for child in (*slot.elements, *slot.misplaced):
-                look(child)
+        for field, slot, _, _ in made.children:
+            # All groups look the same.
+            by_class = {
+                child.key if isinstance(child.key, type) else Group: look(child)
+                for child in (*slot.elements, *slot.misplaced)
+            }
+            made.inner.append((field, slot.many, by_class))
+        return made
 
     for root in ROOTS:
         look(root)
@@ -96,17 +124,25 @@ _LOOKS = _compile()
 def check_values(found: Findings, document: Any) -> None:
     """Tells what is wrong with any one value of a document, wherever it stands."""
     root = next(element for element in ROOTS if element.key is type(document))
-    _visit(found, root, document, (), root.name == "spds")
+    _visit(found, root, document, (), root.name == "spds", is_root=True)
 
 
-def _visit(found: Findings, element: Element, value: Any, place: Place, script: bool) -> None:
+def _visit(
+    found: Findings,
+    element: Element,
+    value: Any,
+    place: Place,
+    script: bool,
+    *,
+    is_root: bool = False,
+) -> None:
     look = _LOOKS[id(element)]
     if value.aside.attributes:
         found.accepts.note(place, value.aside)
-    for field, said, rule, code in look.rules:
+    for field, said, judged, code in look.rules:
         held = getattr(value, field)
         if held is not None:
-            wrong = rule(held)
+            wrong = judged[held]
             if wrong is not None:
                 found.error(code, f"{said} {wrong}", value.aside, place)
     for field, slot, word, key in look.children:
@@ -116,31 +152,57 @@ def _visit(found: Findings, element: Element, value: Any, place: Place, script: 
                 _visit(found, slot.element(held), held, (*place, word), script)
             continue
         for index, child in enumerate(held):
+            inside = slot.element(child)
+            if is_root and _is_sound(_LOOKS[id(inside)], child, script):
+                continue
             name = str(getattr(child, key)) if key else str(index)
             inner = (*place, word, name) if word else (*place, name)
-            _visit(found, slot.element(child), child, inner, script)
-    kind = type(value)
-    if kind is Test:
-        _test(found, value, place, script)
-    elif (kind is Condition or kind is Group) and not value.children:
+            _visit(found, inside, child, inner, script)
+    if look.is_test:
+        problem = _judge_test(value.test, value.value, script)
+        if problem is not None:
+            found.error(*problem, value.aside, place)
+    elif look.is_condition and not value.children:
         said = f"<{element.name}> is empty: put a <data> into it, or take it out"
         found.error("empty-condition", said, value.aside, place)
 
 
-def _test(found: Findings, test: Test, place: Place, script: bool) -> None:
-    if names.only_reference(test.value) is not None:
+def _is_sound(look: _Look, value: Any, script: bool) -> bool:
+    """Whether there is nothing to tell, or to take note of, about a value and what is in it."""
+    aside = value.aside
+    if aside.attributes and aside.attribute(ACCEPT) is not None:
+        return False
+    for field, _, judged, _ in look.rules:
+        held = getattr(value, field)
+        if held is not None and judged[held] is not None:
+            return False
+    for field, many, looks in look.inner:
+        held = getattr(value, field)
+        if not held:
+            continue
+        for child in held if many else (held,):
+            if not _is_sound(looks[type(child)], child, script):
+                return False
+    if look.is_test:
+        return _judge_test(value.test, value.value, script) is None
+    return not look.is_condition or bool(value.children)
+
+
+@lru_cache(4096)
+def _judge_test(test: TestName, value: str, script: bool) -> tuple[str, str] | None:
+    """The code and the words of what is wrong with what a test compares with."""
+    if names.only_reference(value) is not None:
         if script:
-            said = (
-                f"A script compares with what is written, not with a reference: {shown(test.value)}"
+            return "reference-in-script", (
+                f"A script compares with what is written, not with a reference: {shown(value)}"
             )
-            found.error("reference-in-script", said, test.aside, place)
-        return
-    if test.test == "exists" and test.value not in ("true", "false"):
-        said = f'The exists of <data> must be "true" or "false", not {shown(test.value)}'
-        found.error("bad-value", said, test.aside, place)
-    elif test.test == "in" and not _is_array(test.value):
-        said = f'The in of <data> must be a JSON array such as ["a", "b"], not {shown(test.value)}'
-        found.error("bad-value", said, test.aside, place)
+    elif test == "exists" and value not in ("true", "false"):
+        return "bad-value", (f'The exists of <data> must be "true" or "false", not {shown(value)}')
+    elif test == "in" and not _is_array(value):
+        return "bad-value", (
+            f'The in of <data> must be a JSON array such as ["a", "b"], not {shown(value)}'
+        )
+    return None
 
 
 def _is_array(text: str) -> bool:
