@@ -1,10 +1,11 @@
 # make demo   the whole loop: runtime, simulated robot, editor, an example running
 # make test   all tests
 # make check  ruff, mypy, import-linter, then the tests
+# make bench  measures ours beside what else there is; ARGS="-k fsm" only some
 # make format rewrites the code's layout;  make clean removes what was made here
 
 .DELETE_ON_ERROR:
-.PHONY: demo test check lint format clean
+.PHONY: demo test check lint bench format clean
 
 VENV := .venv
 READY := $(VENV)/.ready
@@ -34,6 +35,9 @@ lint: $(READY)
 	@$(BIN)/mypy
 	@$(BIN)/lint-imports --no-logo
 
+bench: $(VENV)/.bench
+	@$(BIN)/python -m tests.benchmarks $(ARGS)
+
 format: $(READY)
 	@$(BIN)/ruff check -q --fix-only .
 	@$(BIN)/ruff format -q .
@@ -51,4 +55,10 @@ $(READY): pyproject.toml constraints.txt
 	@[ -x $(BIN)/pip ] || $(PYTHON) -m venv --clear $(VENV)
 	@$(BIN)/python -m pip install -qq --disable-pip-version-check \
 		-e '.[studio,dev]' -c constraints.txt
+	@touch $@
+
+# What is measured beside ours.
+$(VENV)/.bench: $(READY)
+	@$(BIN)/python -m pip install -qq --disable-pip-version-check \
+		-e '.[bench]' -c constraints.txt
 	@touch $@
