@@ -1,0 +1,341 @@
+"""A robot that goes on after its core was killed: what lies in its state folder, and what begins
+again (docs/architecture.md, *How the core comes back*)."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+
+from situ.blackboard.client import connect_async
+from situ.blackboard.history import Ended, Past, SessionsState
+from situ.blackboard.journal import DurableTags
+from situ.decide import inputs
+from situ.decide.effects import AnyEffect, Begin, Changed, Map
+from situ.decide.robot import Robot
+from situ.document import codec
+from situ.document.project import Project
+from situ.document.rbd import Application
+from situ.document.ready import load_ready
+from situ.engine.folder import StateFolder
+from situ.engine.live import Live
+from situ.engine.recovery import INPUTS, Recovery, identity
+from situ.errors import UsageError
+
+DEADLINE = 20.0
+LAB = Path(__file__).parent.parent / "blackboard" / "lab"
+BOOT = "this boot"
+SESSIONS = SessionsState("rrrr", [], {}, {}, {}, 0)
+PAST: list[Past] = [
+    (10, inputs.Set({"x": 1.0, "y": [True, None]}, "nod")),
+    (20, None),
+    (30, Ended("s")),
+    (40, inputs.Command("nod", "head", {"yaw": 3}, 0.5)),
+]
+
+
+@pytest.fixture
+def project() -> Project:
+    return load_ready(LAB)
+
+
+def killed(folder: Path, project: Project, *turns: list[Past]) -> Robot:
+    """Leaves behind what a core does that was killed after these turns; its robot at the start."""
+    robot = Robot(project)
+    robot.step(inputs.Start(everyone=False), 0)
+    recovery = Recovery(folder, project, boot=BOOT)
+    recovery.snapshot(0.0, robot, SESSIONS)
+    for turn in turns:
+        recovery.append(turn)
+    return robot
+
+
+def found(folder: Path, project: Project, boot: str = BOOT) -> list[Past] | None:
+    """What happened after the snapshot, as the next core finds it."""
+    left = Recovery(folder, project, boot=boot).found
+    return None if left is None else left[1]
+
+
+def test_what_was_written_down_is_found(tmp_path: Path, project: Project) -> None:
+    robot = killed(tmp_path, project, PAST[:3], PAST[3:])
+    left = Recovery(tmp_path, project, boot=BOOT).found
+    assert left is not None
+    kept, past = left
+    assert past == PAST
+    assert (kept.robot, kept.seq, kept.sessions) == (robot.snapshot(), robot.seq, SESSIONS)
+
+
+@pytest.mark.parametrize("cut", [1, 7, 12])
+def test_a_turn_that_is_not_whole_did_not_happen(
+    tmp_path: Path, project: Project, cut: int, caplog: pytest.LogCaptureFixture
+) -> None:
+    killed(tmp_path, project, PAST[:3], PAST[3:])
+    journal = tmp_path / "core" / "journal"
+    journal.write_bytes(journal.read_bytes()[:-cut])
+    assert found(tmp_path, project) == PAST[:3]
+    assert f"{journal} breaks off" in caplog.text
+
+
+def test_nothing_is_read_behind_a_garbled_byte(
+    tmp_path: Path, project: Project, caplog: pytest.LogCaptureFixture
+) -> None:
+    killed(tmp_path, project, PAST[:1], PAST[1:3], PAST[3:])
+    journal = tmp_path / "core" / "journal"
+    data = bytearray(journal.read_bytes())
+    second = data.index(b"session ended")
+    data[second] ^= 0x20
+    journal.write_bytes(data)
+    assert found(tmp_path, project) == PAST[:1]
+    assert "breaks off" in caplog.text
+
+
+def test_an_older_journal_beside_a_newer_snapshot_is_passed_over(
+    tmp_path: Path, project: Project
+) -> None:
+    killed(tmp_path, project, PAST)
+    journal = tmp_path / "core" / "journal"
+    old = journal.read_bytes()
+    killed(tmp_path, project)
+    journal.write_bytes(old)
+    assert found(tmp_path, project) == []
+
+
+def test_another_project_or_another_boot_starts_anew(tmp_path: Path, project: Project) -> None:
+    killed(tmp_path, project, PAST)
+    other = msgspec.structs.replace(project, tags={**project.tags, "x": 1})
+    assert found(tmp_path, other) is None
+    assert found(tmp_path, project, "the next boot") is None
+    assert found(tmp_path, project) == PAST
+
+
+def test_the_same_project_is_the_same_wherever_it_lies(project: Project) -> None:
+    assert identity(msgspec.structs.replace(project, root="elsewhere")) == identity(project)
+
+
+def test_after_a_good_end_nothing_is_left(tmp_path: Path, project: Project) -> None:
+    robot = Robot(project)
+    recovery = Recovery(tmp_path, project, boot=BOOT)
+    recovery.snapshot(0.0, robot, SESSIONS)
+    recovery.append(PAST)
+    recovery.forget()
+    assert found(tmp_path, project) is None
+    assert list((tmp_path / "core").iterdir()) == []
+
+
+def test_a_snapshot_that_can_not_be_read_is_set_aside(
+    tmp_path: Path, project: Project, caplog: pytest.LogCaptureFixture
+) -> None:
+    killed(tmp_path, project, PAST)
+    snapshot = tmp_path / "core" / "snapshot"
+    snapshot.write_bytes(snapshot.read_bytes()[:-1])
+    assert found(tmp_path, project) is None
+    assert "it is set aside, the robot starts anew" in caplog.text
+    assert snapshot.with_name("snapshot.broken").exists()
+    assert found(tmp_path, project) is None
+
+
+def test_what_can_not_be_written_down_leaves_nothing_old_behind(
+    tmp_path: Path, project: Project, caplog: pytest.LogCaptureFixture
+) -> None:
+    robot = Robot(project)
+    recovery = Recovery(tmp_path, project, boot=BOOT)
+    recovery.snapshot(0.0, robot, SESSIONS)
+    recovery.append([(1, inputs.Set({"x": 2**70}, "nod"))])
+    recovery.append(PAST)
+    # Else the next core would go on without having heard of x.
+    assert found(tmp_path, project) is None
+    assert len(caplog.messages) == 1
+    recovery.snapshot(0.0, robot, SESSIONS)
+    recovery.append(PAST)
+    assert found(tmp_path, project) == PAST
+
+
+def test_a_new_snapshot_is_wanted_when_much_has_happened(tmp_path: Path, project: Project) -> None:
+    robot = Robot(project)
+    recovery = Recovery(tmp_path, project, boot=BOOT)
+    recovery.snapshot(0.0, robot, SESSIONS)
+    recovery.append(PAST[:1] * (INPUTS - 1))
+    assert not recovery.wanted
+    recovery.append(PAST[:1])
+    assert recovery.wanted
+    recovery.snapshot(0.0, robot, SESSIONS)
+    assert not recovery.wanted
+    recovery.append([(1, inputs.Set({"x": "x" * 5_000_000}, "nod"))])
+    assert recovery.wanted
+
+
+def test_one_state_folder_is_one_core_s(tmp_path: Path) -> None:
+    first = StateFolder(tmp_path / "state")
+    with pytest.raises(UsageError, match="another situ run keeps its state there"):
+        StateFolder(tmp_path / "state")
+    first.close()
+    StateFolder(tmp_path / "state").close()
+    (tmp_path / "file").touch()
+    with pytest.raises(UsageError, match="can not be kept there"):
+        StateFolder(tmp_path / "file")
+
+
+# -- a robot that goes on ------------------------------------------------------------
+
+ERRAND = """
+<application name="errand">
+  <state no="1">
+    <backgroundactions>
+      <speech>Where is Ann?</speech>
+      <robot resource="head" command="look"><param name="yaw">3</param></robot>
+      <service name="look" url="http://127.0.0.1:9/look"/>
+      <service name="book" method="POST" url="http://127.0.0.1:9/book" failed="unsure"/>
+      <launch program="game"/>
+    </backgroundactions>
+    <expectedevents><event name="unsure" next="2"/></expectedevents>
+  </state>
+  <state no="2"><backgroundactions><set tag="pill.asked">1</set></backgroundactions>
+    <timeout next="3">0.05</timeout></state>
+  <state no="3"/>
+</application>
+"""
+
+
+class Carrying:
+    """Notes what is to be carried out."""
+
+    screen_url = None
+
+    def __init__(self) -> None:
+        self.performed: list[AnyEffect] = []
+
+    async def start(self) -> None:
+        pass
+
+    def open_door(self, addresses: object) -> None:
+        pass
+
+    def perform(self, effect: AnyEffect) -> None:
+        self.performed.append(effect)
+
+    async def close(self) -> None:
+        pass
+
+
+@pytest.fixture
+def errand() -> Project:
+    document, problems = codec.read(ERRAND.encode(), "errand.rbd.xml")
+    assert isinstance(document, Application)
+    assert not problems
+    applications = {"errand.rbd.xml": document}
+    return Project(root=".", name="errand", applications=applications, durable=("pill.*",))
+
+
+def go(test: Callable[[], Awaitable[None]]) -> None:
+    async def within() -> None:
+        async with asyncio.timeout(DEADLINE):
+            await test()
+
+    asyncio.run(within())
+
+
+def robot_of(project: Project, folder: Path, carrying: Carrying, **more: Any) -> Live:
+    return Live(
+        project,
+        "tcp://127.0.0.1:0",
+        "tcp://127.0.0.1:0",
+        lambda submit, tag: carrying,
+        recovery=Recovery(folder, project, boot=BOOT),
+        durable=DurableTags(folder, project.durable),
+        **more,
+    )
+
+
+def test_what_was_cut_off_begins_again_and_what_must_not_fails(
+    tmp_path: Path, errand: Project
+) -> None:
+    killed(tmp_path, errand, [(5, inputs.Set({"x": 1}, "nod"))])
+    carrying = Carrying()
+
+    async def test() -> None:
+        robot = robot_of(errand, tmp_path, carrying)
+        addresses = await robot.start()
+        async with connect_async(addresses.requests) as board, board.trace(since=1) as events:
+            told = []
+            while not told or (told[-1]["kind"], told[-1].get("state")) != ("enter", "3"):
+                event = await events.next(DEADLINE)
+                assert event is not None
+                told.append(event)
+            assert await board.get("x") == 1
+        await robot.stop()
+        # Only what happened after the snapshot is still there, but nothing is counted twice.
+        seqs = [event["seq"] for event in told]
+        assert seqs == list(range(seqs[0], seqs[0] + len(seqs)))
+        assert told[0]["tag"] == "x"
+        (failed,) = [e for e in told if e["kind"] == "finished" and e["name"] == "book"]
+        assert not failed["ok"]
+        assert (
+            "killed while book was under way; whether it was done is not known" in failed["error"]
+        )
+
+    go(test)
+    mapped = {e.resource: e.value for e in carrying.performed[:2] if isinstance(e, Map)}
+    assert mapped["head"]["params"] == {"yaw": 3}
+    assert mapped["speech"]["text"] == "Where is Ann?"
+    begun = [effect.name for effect in carrying.performed if isinstance(effect, Begin)]
+    assert begun == ["look", "game"]
+    with_durable = DurableTags(tmp_path, errand.durable)
+    assert with_durable.restored == {"pill.asked": (1, 1, "errand")}
+    with_durable.close()
+
+
+def test_a_history_that_can_not_be_done_again_costs_the_history_only(
+    tmp_path: Path, errand: Project, caplog: pytest.LogCaptureFixture
+) -> None:
+    killed(tmp_path, errand, [(5, inputs.Set({"x": 1}, "nod")), (6, Ended("nobody's"))])
+
+    async def test() -> None:
+        robot = robot_of(errand, tmp_path, Carrying())
+        addresses = await robot.start()
+        async with connect_async(addresses.requests) as board:
+            assert await board.get("x") is None
+            assert (await board.get("application/errand"))["state"] == "1"
+        await robot.stop()
+
+    go(test)
+    assert "is set aside, the robot starts anew" in caplog.text
+
+
+def test_durable_tags_that_are_newer_go_before_a_history(
+    tmp_path: Path, errand: Project, caplog: pytest.LogCaptureFixture
+) -> None:
+    killed(tmp_path, errand, [(5, inputs.Set({"pill.a": "08:00"}, "nod"))])
+    store = DurableTags(tmp_path, errand.durable)
+    store.keep([Changed("pill.a", "09:00", 2, "ann", 0)], lambda why: None)
+    store.close()
+
+    async def test() -> None:
+        robot = robot_of(errand, tmp_path, Carrying())
+        addresses = await robot.start()
+        async with connect_async(addresses.requests) as board:
+            entry = (await board.entries("pill.a"))["pill.a"]
+            assert (entry.value, entry.version, entry.writer) == ("09:00", 2, "ann")
+        await robot.stop()
+
+    go(test)
+    assert "durable tags were set since" in caplog.text
+
+
+def test_what_was_set_and_not_yet_kept_is_kept_by_the_core_that_goes_on(
+    tmp_path: Path, errand: Project
+) -> None:
+    killed(tmp_path, errand, [(5, inputs.Set({"pill.a": "08:00", "lamp": 1}, "nod"))])
+
+    async def test() -> None:
+        robot = robot_of(errand, tmp_path, Carrying())
+        await robot.start()
+        await robot.stop()
+
+    go(test)
+    store = DurableTags(tmp_path, errand.durable)
+    assert store.restored["pill.a"] == ("08:00", 1, "nod")
+    store.close()
