@@ -13,16 +13,19 @@ from collections.abc import Callable, Iterable
 from situ.document import names, projectfile
 from situ.document.accept import ACCEPT
 from situ.document.analysis import analyse
+from situ.document.care import search_care
 from situ.document.check_application import check_application, texts, used_resources
 from situ.document.check_script import check_modules, check_script
 from situ.document.datatypes import shown
 from situ.document.finding import Disk, Files, Findings
 from situ.document.folder import called
-from situ.document.mend import EDITOR_FIELD, of
-from situ.document.place import follow
+from situ.document.mend import EDITOR_FIELD, change, of, put_in
+from situ.document.modules import Module
+from situ.document.place import Path, follow
 from situ.document.problem import Change, Mend, Problem, Severity
 from situ.document.project import Project
 from situ.document.rbd import Application
+from situ.document.spds import Declaration, Entry, Spds
 
 UNUSED = "accept-unused"
 
@@ -32,9 +35,9 @@ _SPOKEN = re.compile(r"[^\W\d_]")
 def check(
     project: Project, files: Files | None = None, cancel: Callable[[], bool] | None = None
 ) -> list[Problem]:
-    """The problems of a project, file by file: ``structure`` and what the searches of
-    ``situ.document.analysis`` find. Never raises, but for Cancelled where ``cancel``, asked now
-    and then, becomes true.
+    """The problems of a project, file by file: ``structure``, and what the searches of
+    ``situ.document.analysis`` and ``situ.document.care`` find. Never raises, but for Cancelled
+    where ``cancel``, asked now and then, becomes true.
 
     files: the project's folder; where it lies on disk unless given. Line and column
     are those of the file on disk, 0 for a value that is in no file yet.
@@ -42,6 +45,7 @@ def check(
     files = files if files is not None else Disk(project.root)
     found = _structure(project, files)
     search = analyse(project, cancel)
+    search_care(search)
     for file, findings in search.found.items():
         found[file].add(findings)
     _unused_accepts(project, found)
@@ -87,8 +91,8 @@ def _unused_accepts(project: Project, found: dict[str, Findings]) -> None:
             if way is not None:
                 was = json.dumps(aside.attribute(ACCEPT), ensure_ascii=False)
                 left = json.dumps(" ".join(used) or None, ensure_ascii=False)
-                change = Change((*way[0], EDITOR_FIELD + ACCEPT), "set", left, was)
-                mend = Mend(file, "Take out what is accepted in vain", (change,), safe=True)
+                out = Change((*way[0], EDITOR_FIELD + ACCEPT), "set", left, was)
+                mend = Mend(file, "Take out what is accepted in vain", (out,), safe=True)
             several = ", ".join(shown(code) for code in unused) or "nothing"
             said = (
                 f"ed:accept names {several} here, but there is no such warning about this or "
@@ -145,7 +149,8 @@ def _authority(found: Findings, application: Application, project: Project) -> N
             f"{project.spds_file} gives {shown(application.name)} no priority in any situation: "
             f'add <module name="{application.name}" priority="…"/> to one'
         )
-        found.error("application-without-priority", said, application.aside)
+        mend = _give_priority(project, script, application)
+        found.error("application-without-priority", said, application.aside, mend=mend)
     declared = project.resources(application.name)
     if declared is None:
         # Without a priority there is an error already, and with one ``undeclared-module``.
@@ -157,7 +162,43 @@ def _authority(found: Findings, application: Application, project: Project) -> N
                 f"add it to the resources of its <module>"
             )
             at = application.aside if aside.index < 0 else aside
-            found.error("undeclared-resource", said, at)
+            mend = _give_resource(project, application, resource)
+            found.error("undeclared-resource", said, at, mend=mend)
+
+
+def _give_priority(project: Project, script: Spds, application: Application) -> Mend | None:
+    """To declare an application, and give it the lowest priority of the last situation."""
+    file = project.spds_file
+    if file is None or not script.situations:
+        return None
+    at = len(script.situations) - 1
+    last = script.situations[at]
+    changes = []
+    if project.resources(application.name) is None:
+        used = tuple(sorted(one for one in used_resources(project, application) if one))
+        declared = Declaration(application.name, used)
+        changes.append(put_in(("modules", len(script.modules)), declared))
+    lowest = min([1, *(value - 1 for value in script.priorities(last).values())])
+    entries: Path = ("situations", at, "entries", len(last.entries))
+    changes.append(put_in(entries, Entry(application.name, lowest)))
+    words = f"Give it the priority {lowest} in {shown(last.name)}"
+    return Mend(file, words, tuple(changes))
+
+
+def _give_resource(project: Project, application: Application, resource: str) -> Mend | None:
+    """To declare one resource more, where the application is declared."""
+    known: list[tuple[str | None, tuple[Declaration | Module, ...]]] = []
+    if project.spds is not None:
+        known.append((project.spds_file, project.spds.modules))
+    if project.modules is not None:
+        known.append((project.modules_file, project.modules.modules))
+    for file, declarations in known:
+        for at, declared in enumerate(declarations):
+            if file is not None and declared.name == application.name:
+                more = (*declared.resources, resource)
+                made = change(("modules", at), declared, "resources", more)
+                return Mend(file, f"Give it {shown(resource)}", (made,))
+    return None
 
 
 def _circles(found: Findings, application: Application, project: Project) -> None:

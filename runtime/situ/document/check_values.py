@@ -18,6 +18,10 @@ from situ.document.condition import Condition, Group, GroupName, Test, TestName
 from situ.document.datatypes import shown
 from situ.document.elements import ROOTS, Element, Slot
 from situ.document.finding import Findings, Place
+from situ.document.mend import change, take_out
+from situ.document.place import follow
+from situ.document.problem import Mend
+from situ.document.spds import Spds
 
 _WORDS = {
     "states": ("state", "no"),
@@ -124,7 +128,7 @@ _LOOKS = _compile()
 def check_values(found: Findings, document: Any) -> None:
     """Tells what is wrong with any one value of a document, wherever it stands."""
     root = next(element for element in ROOTS if element.key is type(document))
-    _visit(found, root, document, (), root.name == "spds", is_root=True)
+    _visit(found, root, document, (), document)
 
 
 def _visit(
@@ -132,11 +136,10 @@ def _visit(
     element: Element,
     value: Any,
     place: Place,
-    script: bool,
-    *,
-    is_root: bool = False,
+    document: Any,
 ) -> None:
     look = _LOOKS[id(element)]
+    is_root, script = value is document, type(document) is Spds
     if value.aside.attributes:
         found.accepts.note(place, value.aside)
     for field, said, judged, code in look.rules:
@@ -144,12 +147,13 @@ def _visit(
         if held is not None:
             wrong = judged[held]
             if wrong is not None:
-                found.error(code, f"{said} {wrong}", value.aside, place)
+                mend = _once(found, document, value, place, field)
+                found.error(code, f"{said} {wrong}", value.aside, place, mend)
     for field, slot, word, key in look.children:
         held = getattr(value, field)
         if not slot.many:
             if held is not None:
-                _visit(found, slot.element(held), held, (*place, word), script)
+                _visit(found, slot.element(held), held, (*place, word), document)
             continue
         for index, child in enumerate(held):
             inside = slot.element(child)
@@ -157,14 +161,40 @@ def _visit(
                 continue
             name = str(getattr(child, key)) if key else str(index)
             inner = (*place, word, name) if word else (*place, name)
-            _visit(found, inside, child, inner, script)
+            _visit(found, inside, child, inner, document)
     if look.is_test:
         problem = _judge_test(value.test, value.value, script)
         if problem is not None:
             found.error(*problem, value.aside, place)
     elif look.is_condition and not value.children:
         said = f"<{element.name}> is empty: put a <data> into it, or take it out"
-        found.error("empty-condition", said, value.aside, place)
+        mend = _without(found, document, value, place, element.name)
+        found.error("empty-condition", said, value.aside, place, mend)
+
+
+def _once(found: Findings, document: Any, value: Any, place: Place, field: str) -> Mend | None:
+    """To name each of several only once, where that is all that is wrong."""
+    held = getattr(value, field)
+    way = follow(document, place)
+    if not isinstance(held, tuple) or way is None or way[1][-1] is not value:
+        return None
+    once = tuple(dict.fromkeys(held))
+    made = change(way[0], value, field, once)
+    return Mend(found.file, "Name each once", (made,), safe=True) if once != held else None
+
+
+def _without(found: Findings, document: Any, value: Any, place: Place, name: str) -> Mend | None:
+    """To take out an empty condition."""
+    way = follow(document, place)
+    if way is None or way[1][-1] is not value:
+        return None
+    path, values = way
+    last = path[-1]
+    if isinstance(last, int):
+        made = take_out(path, value)
+    else:
+        made = change(path[:-1], values[-2], last, None)
+    return Mend(found.file, f"Take the empty <{name}> out", (made,))
 
 
 def _is_sound(look: _Look, value: Any, script: bool) -> bool:
