@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import argparse
 import contextlib
-import json
 import re
-import select
 import shutil
 import socket
 import subprocess
-import sys
-import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import zmq
 from tests.benchmarks import peers
@@ -33,75 +28,14 @@ from tests.benchmarks.harness import (
 )
 from tests.benchmarks.messages import VALUE
 from tests.benchmarks.peers import BACK, PATIENCE, THERE, topic
+from tests.benchmarks.processes import CORE, core, line_of, peer, readable, started
 
 import situ
-from situ import cli_run
 from situ.blackboard import protocol
 from situ.blackboard.server import Server
 
 NOTICES = 5_000
 """Fewer than a subscriber may leave waiting before it loses some."""
-
-PROJECT = '[project]\nname = "bench"\napplications = ["idle.rbd.xml"]\n'
-IDLE = '<application name="idle"><state no="1"/></application>'
-
-
-def _options() -> tuple[str, ...]:
-    """The core alone, where ``situ run`` can be told so."""
-    commands = argparse.ArgumentParser().add_subparsers()
-    cli_run.add(commands)
-    return ("--services", "core") if "--services" in commands.choices["run"].format_help() else ()
-
-
-CORE = " ".join(("situ run", *_options()))
-"""What is measured; the table says it."""
-
-
-@contextlib.contextmanager
-def _process(*command: str) -> Iterator[subprocess.Popen[str]]:
-    """Ended with the block, gently, then not."""
-    process = subprocess.Popen(
-        [sys.executable, *command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-    )
-    try:
-        yield process
-    finally:
-        process.terminate()
-        try:
-            process.communicate(timeout=PATIENCE)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.communicate()
-
-
-def _line(process: subprocess.Popen[str]) -> str:
-    assert process.stdout is not None
-    if not _readable(process.stdout, PATIENCE) or not (line := process.stdout.readline()):
-        raise RuntimeError(f"{process.args!r} says nothing")
-    return line.strip()
-
-
-def _readable(stream: IO[str], seconds: float) -> bool:
-    return bool(select.select([stream], [], [], seconds)[0])
-
-
-@contextlib.contextmanager
-def _peer(role: str, *arguments: str) -> Iterator[list[str]]:
-    """The addresses of a peer that is ready."""
-    with _process("-m", "tests.benchmarks.peers", role, *arguments) as process:
-        yield _line(process).split()[1:]
-
-
-@contextlib.contextmanager
-def _core() -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """A running core and where to ask it."""
-    with tempfile.TemporaryDirectory(prefix="situ-bench-") as folder:
-        (Path(folder) / "situ.toml").write_text(PROJECT)
-        (Path(folder) / "idle.rbd.xml").write_text(IDLE)
-        command = ["-m", "situ", "run", folder, "--endpoint", "tcp://127.0.0.1:0", "--json"]
-        with _process(*command, "--state", f"{folder}/state", *_options()) as process:
-            yield process, json.loads(_line(process))["requests"]
-
 
 # -- set, be notified, set, be notified --------------------------------------
 
@@ -134,9 +68,9 @@ def _trips_beside_redis() -> Iterator[Mapping[str, Sample]]:
 @contextlib.contextmanager
 def _ours() -> Iterator[Sample]:
     with (
-        _core() as (_, endpoint),
+        core() as (_, endpoint),
         situ.connect(endpoint, module="asks") as board,
-        _peer("module", endpoint),
+        peer("module", endpoint),
     ):
         changes = board.watch(BACK)
 
@@ -150,7 +84,7 @@ def _ours() -> Iterator[Sample]:
 
 @contextlib.contextmanager
 def _plain(answer: str) -> Iterator[Sample]:
-    with _peer("forward", answer) as addresses, _peer("forwarded", *addresses, answer):
+    with peer("forward", answer) as addresses, peer("forwarded", *addresses, answer):
         dealer, subscriber = peers.connected(addresses[0], addresses[1], BACK)
         frame = topic(THERE) + peers.BODY
 
@@ -207,7 +141,7 @@ def _redis_client(port: str) -> Iterator[Sample]:
     with (
         library("redis").Redis(port=int(port), socket_timeout=PATIENCE) as client,
         client.pubsub(ignore_subscribe_messages=True) as listening,
-        _peer("redis", port),
+        peer("redis", port),
     ):
         listening.subscribe(BACK)
         listening.get_message(timeout=PATIENCE)
@@ -223,7 +157,7 @@ def _redis_client(port: str) -> Iterator[Sample]:
 @contextlib.contextmanager
 def _redis_sockets(port: str) -> Iterator[Sample]:
     """The least that a client can do: bytes that were made before, answers counted only."""
-    with peers.RedisSockets(int(port), THERE, BACK) as redis, _peer("redis_sockets", port):
+    with peers.RedisSockets(int(port), THERE, BACK) as redis, peer("redis_sockets", port):
 
         def trip() -> None:
             redis.send()
@@ -258,9 +192,9 @@ def _patient(*sockets: zmq.Socket[bytes]) -> Iterator[None]:
 @contextlib.contextmanager
 def _gets() -> Iterator[Mapping[str, Sample]]:
     with (
-        _core() as (_, endpoint),
+        core() as (_, endpoint),
         situ.connect(endpoint, module="asks") as board,
-        _peer("echo") as addresses,
+        peer("echo") as addresses,
     ):
         board.set({THERE: VALUE, BACK: VALUE})
         board.watch(BACK)
@@ -334,18 +268,18 @@ def _notice(version: int) -> bytes:
 def _heard(
     role: str, address: str, send: Callable[[bytes], Any], send_all: Callable[[], None]
 ) -> Iterator[Sample]:
-    with _process("-m", "tests.benchmarks.peers", role, address, str(NOTICES)) as process:
+    with started("-m", "tests.benchmarks.peers", role, address, str(NOTICES)) as process:
         assert process.stdout is not None
         # Who subscribes is not heard at once.
-        while not _readable(process.stdout, 0.05):
+        while not readable(process.stdout, 0.05):
             send(b"hello")
-        _line(process)
+        line_of(process)
         send(b"go")
 
         def batches(times: int) -> None:
             for _ in range(times):
                 send_all()
-                _line(process)
+                line_of(process)
 
         yield rate(batches, WALL, NOTICES)
 
@@ -355,9 +289,9 @@ def _heard(
 
 @contextlib.contextmanager
 def _memory() -> Iterator[Mapping[str, Sample]]:
-    with _core() as (core, _), _process("-m", "tests.benchmarks.peers", "idle") as idle:
-        _line(idle)
-        yield {CORE: _resident(core), "interpreter, pyzmq and lxml": _resident(idle)}
+    with core() as (running, _), started("-m", "tests.benchmarks.peers", "idle") as idle:
+        line_of(idle)
+        yield {CORE: _resident(running), "interpreter, pyzmq and lxml": _resident(idle)}
 
 
 def _resident(process: subprocess.Popen[str]) -> Sample:
