@@ -158,14 +158,14 @@ def test_a_new_snapshot_is_wanted_when_much_has_happened(tmp_path: Path, project
     robot = Robot(project)
     recovery = Recovery(tmp_path, project, boot=BOOT)
     recovery.snapshot(0.0, robot, SESSIONS)
-    recovery.append(PAST[:1] * (INPUTS - 1))
-    assert not recovery.wanted
-    recovery.append(PAST[:1])
-    assert recovery.wanted
+    wanted = []
+    for turn in (PAST[:1] * (INPUTS - 1), PAST[:1]):
+        recovery.append(turn)
+        wanted.append(recovery.wanted)
     recovery.snapshot(0.0, robot, SESSIONS)
-    assert not recovery.wanted
+    wanted.append(recovery.wanted)
     recovery.append([(1, inputs.Set({"x": "x" * 5_000_000}, "nod"))])
-    assert recovery.wanted
+    assert [*wanted, recovery.wanted] == [False, True, False, True]
 
 
 def test_one_state_folder_is_one_core_s(tmp_path: Path) -> None:
@@ -260,7 +260,7 @@ def test_what_was_cut_off_begins_again_and_what_must_not_fails(
         robot = robot_of(errand, tmp_path, carrying)
         addresses = await robot.start()
         async with connect_async(addresses.requests) as board, board.trace(since=1) as events:
-            told = []
+            told: list[dict[str, Any]] = []
             while not told or (told[-1]["kind"], told[-1].get("state")) != ("enter", "3"):
                 event = await events.next(DEADLINE)
                 assert event is not None

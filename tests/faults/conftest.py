@@ -1,0 +1,128 @@
+"""A robot as a process of its own, killed and started again on the same addresses.
+
+What is random is seeded, so that what failed can be done again: ``SITU_SEED``. How much is
+done: a little in ``make check``, much with ``SITU_SOAK=1`` (``make soak``), with the figures
+on standard output.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import queue
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+DEADLINE = 30.0
+SOAK = bool(os.environ.get("SITU_SOAK"))
+PROJECT = Path(__file__).parent / "ward"
+
+
+class Runtime:
+    """``situ run`` of one project with one state folder; ``start`` it, ``kill`` it, ``start``…
+
+    From the first start on it keeps its addresses.
+    """
+
+    def __init__(self, project: Path, state: Path) -> None:
+        self.project = project
+        self.state = state
+        self.endpoint = "tcp://127.0.0.1:0"
+        self.log = state.with_suffix(".log")
+        self._addresses: list[str] = ["--endpoint", self.endpoint]
+        self._process: subprocess.Popen[str] | None = None
+        self._reader: threading.Thread | None = None
+
+    def start(self, *options: str) -> float:
+        """Returns when it is ready; the seconds that took."""
+        began = time.monotonic()
+        with open(self.log, "ab") as log:
+            self._process = subprocess.Popen(
+                [
+                    *(sys.executable, "-m", "situ", "run", str(self.project), "--json"),
+                    *("--state", str(self.state), *self._addresses, *options),
+                ],
+                stdout=subprocess.PIPE,
+                stderr=log,
+                text=True,
+            )
+        said: queue.Queue[str] = queue.Queue()
+        out = self._process.stdout
+        assert out is not None
+        self._reader = threading.Thread(target=lambda: said.put(out.readline()))
+        self._reader.start()
+        line = said.get(timeout=DEADLINE)
+        assert line, self.log.read_text("utf-8")
+        ready = json.loads(line)
+        self.endpoint = ready["requests"]
+        http = ready["http"].partition("//")[2].partition("/")[0]
+        self._addresses = [
+            *("--endpoint", self.endpoint, "--notify", ready["notifications"], "--http", http)
+        ]
+        return time.monotonic() - began
+
+    def start_in_vain(self) -> tuple[int, str]:
+        """A second one, on any ports; its exit status and what it says."""
+        done = subprocess.run(
+            [
+                *(sys.executable, "-m", "situ", "run", str(self.project)),
+                *("--state", str(self.state), "--endpoint", "tcp://127.0.0.1:0"),
+            ],
+            capture_output=True,
+            text=True,
+            timeout=DEADLINE,
+        )
+        return done.returncode, done.stderr
+
+    def kill(self) -> None:
+        """kill -9."""
+        self._end(signal.SIGKILL)
+
+    def stop(self) -> int:
+        """SIGTERM; the exit status."""
+        return self._end(signal.SIGTERM)
+
+    @property
+    def running(self) -> bool:
+        return self._process is not None
+
+    def _end(self, number: signal.Signals) -> int:
+        assert self._process is not None
+        assert self._reader is not None
+        self._process.send_signal(number)
+        status = self._process.wait(DEADLINE)
+        self._reader.join()
+        assert self._process.stdout is not None
+        self._process.stdout.close()
+        self._process = None
+        return status
+
+
+@pytest.fixture
+def runtime(tmp_path: Path) -> Iterator[Runtime]:
+    """Not yet started; its project is a copy of ``ward``."""
+    made = Runtime(shutil.copytree(PROJECT, tmp_path / "ward"), tmp_path / "state")
+    yield made
+    if made.running:
+        made.kill()
+
+
+@pytest.fixture
+def chance() -> random.Random:
+    """Where a test chooses, it chooses by this."""
+    return random.Random(int(os.environ.get("SITU_SEED", "1")))
+
+
+@pytest.fixture
+def often() -> Callable[[int, int], int]:
+    """How often: in ``make check``, in ``make soak``."""
+    return lambda checked, soaked: soaked if SOAK else checked
