@@ -31,11 +31,11 @@ Listener = Callable[[str, int | None], None]
 
 
 class Board:
-    """One store. Listeners hear the tags of a write after all of them are written."""
+    """One store. Listeners (by tag) hear the tags of a write after all of them are written."""
 
     def __init__(self) -> None:
         self.state: dict[str, Entry] = {}
-        self._listeners: dict[str, list[Listener]] = {}
+        self.listeners: dict[str, list[Listener]] = {}
 
     def get(self, tag: str) -> Entry | None:
         """The entry at exactly ``tag``; None where there is none or it is deleted."""
@@ -86,14 +86,16 @@ class Board:
     def listen(self, tags: Iterable[str], listener: Listener) -> None:
         """``listener(tag, cause)`` is called for each write of one of ``tags``, once a write."""
         for tag in tags:
-            told = self._listeners.setdefault(tag, [])
+            told = self.listeners.setdefault(tag, [])
             if listener not in told:
                 told.append(listener)
 
     def tell(self, tag: str, cause: int | None) -> None:
         """Calls the listeners of a tag, once all that one write writes is written."""
-        for listener in self._listeners.get(tag, ()):
-            listener(tag, cause)
+        told = self.listeners.get(tag)
+        if told is not None:
+            for listener in told:
+                listener(tag, cause)
 
 
 def prefixes(name: str) -> list[str]:

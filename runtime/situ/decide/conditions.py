@@ -7,13 +7,12 @@ A condition is judged when one of its tags was written or the end of one of its
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from msgspec import Struct
 
 from situ.decide.board import Board, prefixes
 from situ.decide.step import TEST, Step, duration
-from situ.decide.values import Look, compile_test
+from situ.decide.values import compile_test, read
 from situ.document.condition import Condition, Group, Test
 
 Watcher = Callable[[int | None], None]
@@ -37,12 +36,16 @@ class ConditionsState(Struct):
 class Leaf:
     """One test of one condition, compiled."""
 
-    __slots__ = ("hold", "name", "number", "test", "within")
+    __slots__ = ("flag", "hold", "name", "number", "test", "text", "within")
 
     def __init__(self, number: int, source: Test) -> None:
         self.number = number
         self.name = source.tag
         self.test, _ = compile_test(source.test, source.value)
+        self.text = source.value
+        # The commonest test of all: ``is="true"``.
+        wanted = read(source.value) if source.test == "is" else None
+        self.flag = wanted if isinstance(wanted, bool) else None
         self.within = None if source.within is None else duration(source.within)
         self.hold = None if source.hold is None else duration(source.hold)
 
@@ -134,7 +137,7 @@ class Conditions:
     def _judge(self, leaf: Leaf) -> Compiled:
         board, step, test, name = self._board, self._step, leaf.test, leaf.name
         if leaf.within is None and leaf.hold is None:
-            return self._judge_now(name, test)
+            return self._judge_now(leaf)
 
         def holds() -> bool:
             if leaf.within is not None:
@@ -148,14 +151,22 @@ class Conditions:
 
         return holds
 
-    def _judge_now(self, name: str, test: Callable[[Any, Look], bool]) -> Compiled:
-        board = self._board
+    def _judge_now(self, leaf: Leaf) -> Compiled:
+        board, test, name = self._board, leaf.test, leaf.name
         look = board.look
         if "." in name:
             return lambda: test(look(name), look)
+        # A single word is a tag or nothing.
+        if leaf.flag is not None:
+            flag, text = leaf.flag, leaf.text
+
+            def is_flag() -> bool:
+                entry = board.state.get(name)
+                return entry is not None and (entry.value is flag or entry.value == text)
+
+            return is_flag
 
         def holds() -> bool:
-            # A single word is a tag or nothing.
             entry = board.state.get(name)
             return test(None if entry is None else entry.value, look)
 

@@ -28,7 +28,7 @@ NOT_UNDERSTOOD = "notunderstood"
 
 
 class Intake:
-    """Where the inputs of one robot come in."""
+    """Where the inputs of one robot come in, each by its row of ``ACCEPT``."""
 
     def __init__(self, world: World, presence: Presence, settling: Settling) -> None:
         self._world = world
@@ -37,10 +37,6 @@ class Intake:
         self._machines = settling.machines
         self._by_name = {machine.name: machine for machine in settling.machines}
         world.board.listen(["heard"], self._on_heard)
-
-    def accept(self, given: inputs.AnyInput) -> None:
-        """Takes one input."""
-        _ACCEPT[type(given)](self, given)
 
     def _start(self, given: inputs.Start) -> None:
         world = self._world
@@ -67,7 +63,7 @@ class Intake:
         self._world.write(given.tags, given.writer, None)
 
     def _raise(self, given: inputs.Raise) -> None:
-        order, application = self._world.next_raise(), given.application
+        application, settling = given.application, self._settling
         if application is None:
             machines = self._machines
         elif application in self._by_name:
@@ -75,11 +71,12 @@ class Intake:
         else:
             self._refuse(f"there is no application {application}", given.event)
             return
-        if len(machines) == 1 and self._settling.at_rest:
+        if len(machines) == 1 and settling.at_rest:
             # Nothing else can come first: it need not wait for its turn.
-            self._settling.count += 1
+            settling.count += 1
             machines[0].judge(given.event, None)
             return
+        order = self._world.next_raise()
         for machine in machines:
             machine.raise_event(given.event, None, order)
 
@@ -230,7 +227,7 @@ def typed(field: Input, value: Any) -> str | int | float | None:
     return number if is_number(number) else None
 
 
-_ACCEPT: dict[type[inputs.Input], Callable[[Intake, Any], None]] = {
+ACCEPT: dict[type[inputs.Input], Callable[[Intake, Any], None]] = {
     inputs.Start: Intake._start,
     inputs.Set: Intake._set,
     inputs.Raise: Intake._raise,

@@ -13,7 +13,9 @@ from msgspec import UNSET, Struct, UnsetType, field
 
 from situ.decide import trace
 from situ.decide.actions import Actions, ActionsState
+from situ.decide.board import Entry
 from situ.decide.display import Display, DisplayState
+from situ.decide.effects import Changed
 from situ.decide.priorities import RUNTIME
 from situ.decide.program import Candidate, Program, StateProgram
 from situ.decide.texts import translator
@@ -159,23 +161,25 @@ class Machine:
         step = self._step
         step.seq = seq = step.seq + 1
         step.events.append(trace.Event(seq, step.seconds, cause, self.name, name))
+        here = self.here
         if self.state.suspended:
             step.trace(trace.Ignored, seq, self.name, name, "suspended")
             return
-        if holder is not None:
-            self._judge_done(name, holder, seq)
+        if holder is None:
+            self._offer(name, here.named.get(name, ()), seq)
         else:
-            self._offer(name, self.here.named.get(name, ()), seq)
-        if self.here.idle:
+            self._judge_done(name, holder, seq)
+        if here.idle or self.here.idle:
             self._settle_idle()
 
     def _offer(self, name: str, candidates: Sequence[Candidate], seq: int) -> None:
-        taken = self._first(candidates)
-        if taken is not None:
-            self._take(taken, seq)
-        else:
-            reason = "guard" if candidates else "unexpected"
-            self._step.trace(trace.Ignored, seq, self.name, name, reason)
+        for one in candidates:
+            guard = one.guard
+            if (guard is None or guard()) and (not one.back or self.state.stacks[one.level]):
+                self._take(one, seq)
+                return
+        reason = "guard" if candidates else "unexpected"
+        self._step.trace(trace.Ignored, seq, self.name, name, reason)
 
     def _judge_done(self, name: str, holder: str, seq: int) -> None:
         """A part has ended: ``done.x``, or else ``done``, for the state that holds it alone."""
@@ -219,15 +223,16 @@ class Machine:
             self.actions.begin(taken.actions, self.state.no, cause)
             return
         here, state, actions = self.here, self.state, self.state.actions
-        try:
-            way = here.ways[taken.key]
-        except KeyError:
-            way = here.ways[taken.key] = find(self.program, self.actions, here, taken)
-        # Nothing is to be cancelled, and what the state has to show is shown.
-        if way is not None and state.begun and not actions.runs and not actions.running:
-            self._go(way, cause)
-        else:
-            self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
+        # With nothing to be cancelled, and all that the state has to show shown.
+        if state.begun and not actions.runs and not actions.running:
+            try:
+                way = here.ways[taken.key]
+            except KeyError:
+                way = here.ways[taken.key] = find(self.program, self.actions, here, taken)
+            if way is not None:
+                self._go(way, cause)
+                return
+        self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
 
     def _watch(self, key: int, cause: int | None) -> None:
         """An unnamed event may have come to hold; those of other states do not matter."""
@@ -298,7 +303,12 @@ class Machine:
         if target.waits or state.stale:
             self._watch_all(seq)
         if not way.stays:
-            self._world.keep(self._tag, way.published, RUNTIME, seq)
+            tag, value, board, now = self._tag, way.published, self._world.board, step.now
+            version = board.state[tag].version + 1
+            board.state[tag] = Entry(value, version, RUNTIME, now, seq)
+            step.effects.append(Changed(tag, value, version, RUNTIME, now))
+            if tag in board.listeners:
+                board.tell(tag, seq)
         for perform in way.entering:
             perform(no, seq)
         if target.timeout is not None:

@@ -11,7 +11,8 @@ from collections.abc import Callable
 from typing import Any
 
 from situ.decide import trace
-from situ.decide.effects import Begin
+from situ.decide.board import Entry
+from situ.decide.effects import Begin, Changed
 from situ.decide.values import is_number, template
 from situ.decide.world import World, refusal, untraced
 from situ.document import names
@@ -28,8 +29,8 @@ Perform = Callable[[str, int | None], int]
 
 def ready(world: World, application: str, action: Action) -> Perform:
     """One of ``QUICK``, made ready to be carried out in ``application``."""
-    if isinstance(action, Set):
-        return _set(world, application, action)
+    if isinstance(action, Set) and not (refusal(action.tag, application) or untraced(action.tag)):
+        return _set_at_once(world, application, action)
     carry = _CARRIERS[type(action)]
     quick, step, element = _Quick(world, application), world.step, action.element
 
@@ -40,24 +41,36 @@ def ready(world: World, application: str, action: Action) -> Perform:
     return perform
 
 
-def _set(world: World, application: str, action: Set) -> Perform:
-    tag, step = action.tag, world.step
-    value = _Quick(world, application).reader(action.text)
-    put = world.put if refusal(tag, application) is None and not untraced(tag) else world.write_one
+def _set_at_once(world: World, application: str, action: Set) -> Perform:
+    """The commonest action, all on one spot; without a call where its value is a constant."""
+    tag, step, board = action.tag, world.step, world.board
+    filled, value = template(action.text), _Quick(world, application).reader(action.text)
+    constant = None if filled.names else filled.value(board.look)
+    varies = bool(filled.names) or isinstance(constant, (list, dict))
 
     def perform(state: str, cause: int | None) -> int:
-        held = value(state, cause)
-        step.seq = seq = step.seq + 1
-        step.events.append(
-            trace.Action(
-                seq, step.seconds, cause, application, state, "set", None, tag=tag, value=held
-            )
+        held = value(state, cause) if varies else constant
+        seq, now, seconds = step.seq + 1, step.now, step.seconds
+        events = step.events
+        events.append(
+            trace.Action(seq, seconds, cause, application, state, "set", None, tag=tag, value=held)
         )
-        put(tag, held, application, seq)
-        step.seq = last = step.seq + 1
-        step.events.append(
-            trace.Finished(last, step.seconds, seq, application, "set", None, True, None)
-        )
+        last = seq + 1
+        # As ``World.write`` of one tag.
+        old = board.state.get(tag)
+        if old is None:
+            version = 0 if held is None else 1
+        else:
+            version = 0 if held is None and old.value is None else old.version + 1
+        if version:
+            events.append(trace.Data(last, seconds, seq, tag, held, application, version))
+            board.state[tag] = Entry(held, version, application, now, last)
+            step.effects.append(Changed(tag, held, version, application, now))
+            if tag in board.listeners:
+                board.tell(tag, last)
+            last += 1
+        step.seq = last
+        events.append(trace.Finished(last, seconds, seq, application, "set", None, True, None))
         return last
 
     return perform
@@ -74,9 +87,6 @@ class _Quick:
         """Gives the value of a template, with a warning for each name that has none."""
         filled, board, step = template(text), self.world.board, self.world.step
         if not filled.names:
-            constant = filled.value(board.look)
-            if not isinstance(constant, (list, dict)):
-                return lambda state, cause: constant
             return lambda state, cause: filled.value(board.look)
 
         def value(state: str, cause: int | None) -> Any:
@@ -102,6 +112,13 @@ class _Quick:
 
     def where(self, state: str) -> str:
         return f"{self.application}, state {state}"
+
+
+def _set(one: _Quick, action: Set, state: str, cause: int | None) -> int:
+    value = one.value(action.text, state, cause)
+    seq = one.begin(state, cause, "set", tag=action.tag, value=value)
+    one.write({action.tag: value}, seq)
+    return seq
 
 
 def _add(one: _Quick, action: Add, state: str, cause: int | None) -> int:
@@ -170,6 +187,7 @@ def _message(one: _Quick, action: Message, state: str, cause: int | None) -> int
 
 
 _CARRIERS: dict[type[Action], Callable[[_Quick, Any, str, int | None], int]] = {
+    Set: _set,
     Add: _add,
     Append: _append,
     Take: _take,

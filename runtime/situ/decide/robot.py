@@ -23,13 +23,13 @@ from situ.decide import inputs
 from situ.decide.board import Board, Entry
 from situ.decide.conditions import ConditionsState
 from situ.decide.effects import AnyEffect, Map
-from situ.decide.intake import Intake
+from situ.decide.intake import ACCEPT, Intake
 from situ.decide.machine import Machine, MachineState
 from situ.decide.presence import Presence, PresenceState
 from situ.decide.priorities import PrioritiesState
 from situ.decide.settling import Settling
 from situ.decide.situations import SituationsState
-from situ.decide.step import TEST, StepState, Timer
+from situ.decide.step import SECOND, TEST, StepState, Timer
 from situ.decide.trace import TraceEvent
 from situ.decide.world import World, WorldState
 from situ.document.project import Project
@@ -49,6 +49,7 @@ class RobotState(Struct):
     auto_finish: int | None
     moment: int
     count: int
+    at_rest: bool
 
 
 class Robot:
@@ -62,6 +63,7 @@ class Robot:
         self.project = project
         self._presence = Presence(project)
         self._world = World(project)
+        self._step = self._world.step
         self._settling = Settling(self._world, self._presence)
         self._machines = [
             Machine(self._world, application, number, self._settling.asked)
@@ -94,14 +96,18 @@ class Robot:
         ``now`` is µs and never decreases; what falls due by ``now`` is done before an
         input is given. Gives the trace events and the effects, both in order.
         """
-        step = self._world.step
-        step.begin(now)
-        self._settling.begin(now, given is not None)
+        step, settling = self._step, self._settling
+        step.now, step.seconds = now, now / SECOND
+        step.events, step.effects = [], []
+        settling.livelocked = False
         if given is None:
+            if now != settling.moment:
+                settling.moment, settling.count = now, 0
             self._do_due(now)
         else:
-            self._intake.accept(given)
-        self._settling.settle()
+            settling.moment, settling.count = now, 0
+            ACCEPT[type(given)](self._intake, given)
+        settling.settle()
         return step.events, step.effects
 
     def due(self) -> int | None:
@@ -182,6 +188,7 @@ class Robot:
                 world.priorities.state, world.state, [m.state for m in self._machines],
                 settling.situations.state if settling.situations is not None else None,
                 self._presence.state, world.auto_finish, settling.moment, settling.count,
+                settling.at_rest,
             )
         )  # fmt: skip
 
@@ -202,4 +209,5 @@ class Robot:
         if settling.situations is not None and state.situations is not None:
             settling.situations.state = state.situations
         self._presence.state = state.presence
-        settling.moment, settling.count, settling.at_rest = state.moment, state.count, False
+        settling.moment, settling.count = state.moment, state.count
+        settling.at_rest = state.at_rest

@@ -21,8 +21,9 @@ LIVELOCK = 100
 class Settling:
     """One robot coming to rest. ``machines`` stand in the project's order.
 
-    moment, count: how many events, resumptions and situation changes there were in it.
-    at_rest: the last step ended with nothing left to do.
+    moment: of the present step; count: of events, resumptions and situation changes in it since
+    the last input. livelocked: the present step was broken off. at_rest: the last step ended
+    with nothing left to do.
     """
 
     def __init__(self, world: World, presence: Presence) -> None:
@@ -33,7 +34,7 @@ class Settling:
         self._presence = presence
         project = world.project
         self._alone = dict.fromkeys((a.name for a in project.applications.values()), 1)
-        self._livelocked = False
+        self.livelocked = False
         self.situations: Situations | None = None
         if project.spds is not None:
             self.situations = Situations(project.spds, world.conditions, world.step)
@@ -46,26 +47,28 @@ class Settling:
         self._shown = [one for one in machines if one.program.has_screens]
         self._heard = [one for one in machines if one.program.has_phrases]
 
-    def begin(self, now: int, anew: bool) -> None:
-        """A step begins; ``anew``: what was counted in this moment before does not count."""
-        self._livelocked = False
-        if anew or now != self.moment:
-            self.moment, self.count = now, 0
-
     def settle(self) -> None:
         """Goes round until nothing is left; live screens at the end."""
-        self.observe()
-        while (follows := self._follows()) is not None and self._may_go_on():
-            follows()
+        if self.situations is not None:
             self.observe()
-        self.at_rest = not self._livelocked
+        for machine in self.machines:
+            state = machine.state
+            if state.queue or state.stale or state.suspended:
+                self._go_round()
+                break
+        self.at_rest = not self.livelocked
         if self._heard:
             self.listen()
         for machine in self._shown:
             machine.refresh()
 
+    def _go_round(self) -> None:
+        while (follows := self._follows()) is not None and self._may_go_on():
+            follows()
+            self.observe()
+
     def _follows(self) -> Callable[[], object] | None:
-        if self._livelocked:
+        if self.livelocked:
             return None
         for machine in self.machines:
             if machine.state.suspended and machine.may_resume():
@@ -89,7 +92,7 @@ class Settling:
         if self.count <= LIVELOCK:
             return True
         # Later steps of this moment begin anew: what falls due in them is finite.
-        self._livelocked, self.count = True, 0
+        self.livelocked, self.count = True, 0
         step = self._world.step
         last = step.events[-1].seq if step.events else None
         names = ", ".join(m.name for m in self.machines if m.state.queue or m.state.stale)
@@ -108,7 +111,7 @@ class Settling:
     def observe(self) -> None:
         """Judges the situations that changed; the current one grants authority."""
         situations = self.situations
-        while situations is not None and not self._livelocked:
+        while situations is not None and not self.livelocked:
             seq = situations.observe()
             if seq is None:
                 return

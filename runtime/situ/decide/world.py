@@ -70,17 +70,6 @@ class World:
             self.step.effects.append(Changed(tag, value, version, writer, now))
             self.board.tell(tag, cause)
 
-    def put(self, tag: str, value: Any, writer: str, cause: int | None) -> None:
-        """``write`` of one tag that ``writer`` may set and that stands in the trace."""
-        step = self.step
-        seq, now = step.seq + 1, step.now
-        version = self.board.write(tag, value, writer, now, seq)
-        if version:
-            step.seq = seq
-            step.events.append(trace.Data(seq, step.seconds, cause, tag, value, writer, version))
-            step.effects.append(Changed(tag, value, version, writer, now))
-            self.board.tell(tag, seq)
-
     def write(self, tags: Mapping[str, Any], writer: str, cause: int | None) -> None:
         """One write of several tags, each traced; all are written before anybody is told.
 
@@ -101,10 +90,6 @@ class World:
                 step.effects.append(Changed(tag, value, version, writer, step.now))
         for tag, seq in told:
             self.board.tell(tag, seq)
-
-    def write_one(self, tag: str, value: Any, writer: str, cause: int | None) -> None:
-        """``write`` of one tag."""
-        self.write({tag: value}, writer, cause)
 
     def restore(self, entries: Mapping[str, tuple[Any, int, str]]) -> None:
         """What durable tags held in the run before, as one write: versions count on, writers stay.
