@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, reject, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from situ import cli
 from situ.decide.trace import to_fields
@@ -25,6 +26,7 @@ from situ.document.spds import Spds
 from situ.errors import UsageError
 from situ.rehearse import scenario
 from situ.rehearse.simulate import simulate
+from situ.resources import example
 
 AT = 'x="1" y="1" width="9" height="9"'
 SCRIPT = """<spds name="s">
@@ -104,6 +106,7 @@ def same(made: Project, lines: list[dict[str, Any]]) -> Application:
 
 NAMES = ("a", "b", "c", "done", "done.1", "done.2", "resumed", "timeout")
 TAGS = ("t", "u")
+ENDING = ("speech", "robot", "service", "movie", "launch")
 
 
 class Maker:
@@ -135,10 +138,16 @@ class Maker:
             (
                 f'<set tag="{tag}"{done}>{self.rng.randrange(3)}</set>',
                 f'<add tag="n"{done}>1</add>',
-                f'<service name="s{self.rng.randrange(3)}" url="http://x/"{done}/>',
+                f'<append tag="many"{done}>{self.rng.randrange(3)}</append>',
+                f'<take from="many" tag="{tag}"{done}/>',
+                f'<service name="s{self.rng.randrange(3)}" url="http://x/"{done}{self.failed()}/>',
+                f'<launch program="g"{done}{self.failed()}/>',
                 f'<service name="k" url="http://x/" keep="true"{done}/>',
             )
         )
+
+    def failed(self) -> str:
+        return self.maybe(0.3, f' failed="{self.rng.choice("abc")}"')
 
     def visible(self) -> str:
         done = self.maybe(0.4, f' done="{self.rng.choice("abc")}"') + self.maybe(
@@ -156,7 +165,9 @@ class Maker:
     def event(self, count: int) -> str:
         if self.rng.random() < 0.15:
             return f"<event{self.next(count)}>{self.when()}</event>"
-        inside = self.maybe(0.4, self.when()) + self.maybe(0.1, "<say>yes</say>")
+        inside = self.maybe(0.4, self.when()) + self.maybe(
+            0.2, f"<say>{self.rng.choice(('yes', 'no', 'Yes!', '{t}'))}</say>"
+        )
         inside += self.maybe(0.3, self.quick())
         if self.rng.random() < 0.75:
             to = self.next(count)
@@ -203,6 +214,7 @@ class Maker:
                 actions += self.maybe(0.2, self.visible())
                 inside = self.maybe(0.3, self.timeout(count)) + self.maybe(0.4, self.screen())
                 inside += f"<backgroundactions>{actions}</backgroundactions>" if actions else ""
+            more += self.maybe(0.1, ' final="true"')
             text += f'<state no="{no}"{more}>{inside}{self.events(count, 3)}</state>'
         return text
 
@@ -222,8 +234,8 @@ class Maker:
                     {"set": {rng.choice(TAGS): rng.randrange(3)}},
                     {"set": {"busy": rng.random() < 0.4}},
                     {"touch": True},
-                    {"finish": {"action": rng.choice(("speech", "robot", "service", "movie"))}},
-                    {"set": {"heard": {"text": "yes"}}},
+                    {"finish": {"action": rng.choice(ENDING), "ok": rng.random() < 0.8}},
+                    {"set": {"heard": {"text": rng.choice(("yes", "no", "1", "else"))}}},
                 )
             )
             found.append({"at": at, **verb})
@@ -325,6 +337,72 @@ def test_a_screen_kept_under_another_always_is_shown_by_copies() -> None:
     assert shown["5/1~2"] == ["two", "above"]
 
 
+def listed(application: Application, no: str) -> dict[str | None, list[str]]:
+    """The events of a state with what is said for them."""
+    found = application.state(no)
+    assert found is not None
+    return {event.name: [say.text for say in event.says] for event in found.events}
+
+
+def test_what_an_earlier_event_always_takes_is_left_out_but_for_its_phrases() -> None:
+    always = '<always><expectedevents><event name="home" next="1"><say>home</say></event>'
+    own = '<event name="home" next="2"/><event name="a" next="2"><say>yes</say></event>'
+    made = project(
+        f"{always}</expectedevents></always>" + state("1", own, says("1")) + state("2")
+    )  # fmt: skip
+    flat = same(made, [{"at": 1, "set": {"heard": {"text": "home"}}}, {"at": 3, "end": True}])
+    assert listed(flat, "1") == {"home": ["home"], "a": ["yes"]}
+    assert listed(flat, "2") == {"home": ["home"]}
+    assert len(flat.states[0].events) == 2
+
+
+@pytest.mark.parametrize("phrase", ["Yes!", "{name}", "hai"])
+def test_phrases_that_another_event_between_may_take_stay_where_they_are(phrase: str) -> None:
+    always = f'<always><expectedevents><event name="home" next="1"><say>{phrase}</say></event>'
+    own = '<event name="home" next="1"/><event name="a" next="2"><say>yes</say></event>'
+    made = project(
+        f"{always}</expectedevents></always>" + state("1", own, says("1")) + state("2")
+    )  # fmt: skip
+    made = replace(made, languages=("en", "ja"), texts={"ja": {"yes": "Hai"}})
+    flat = same(made, [{"at": 1, "set": {"heard": {"text": "yes"}}}, {"at": 3, "end": True}])
+    assert [event.name for event in flat.states[0].events] == ["home", "a", "home"]
+
+
+def test_the_end_of_a_part_is_expected_only_where_it_may_be_told() -> None:
+    outer = '<state no="5">' + part("p", "<expectedevents>" + GO.format("done", "6"))
+    outer += "</expectedevents></state>" + state("6")
+    ends = state("2", "", '<timeout next="1">5</timeout>') + state("3") + state("4")
+    made = project(outer, p=state("1", go(a="2", b="3", c="4"), says("1")) + ends)
+    flat = same(made, events("b"))
+    assert [no for no in numbers(flat) if any("flat-" in str(n) for n in listed(flat, no))] == [
+        *("5/3", "5/4")
+    ]
+
+
+def test_the_end_of_a_part_that_goes_on_is_expected_there_too() -> None:
+    always = "<always><expectedevents>" + go(back="_back", again="_again", b="1")
+    outer = '<state no="5">' + part("p", "<expectedevents>" + GO.format("done", "6"))
+    outer += "</expectedevents></state>" + state("6")
+    end = '<state no="2"><backgroundactions><set tag="t" done="b">1</set></backgroundactions>'
+    made = project(
+        outer, p=f"{always}</expectedevents></always>" + state("1", go(a="2")) + f"{end}</state>"
+    )
+    flat = same(made, events("a"))
+    assert "flat-export.done.5/2" in listed(flat, "5/1")
+
+
+@pytest.mark.parametrize("place", ["parts", "reception"])
+def test_a_flat_form_has_no_warning_that_the_original_has_not(place: str) -> None:
+    made, _ = load(PARTS if place == "parts" else example(place))
+    assert made is not None
+    assert {one.code for one in check(flatten(made))} <= {one.code for one in check(made)}
+
+
+def test_an_end_of_a_part_that_nobody_expects_is_meant_as_in_its_file() -> None:
+    flat = same(project(state("5", inside=part("p")), p=state("1", go(a="2")) + state("2")), [])
+    assert [one.final for one in flat.states] == [False, True]
+
+
 def test_an_event_from_outside_that_is_called_done_is_no_end() -> None:
     outer = (
         '<state no="5">'
@@ -363,6 +441,35 @@ def test_a_name_that_would_be_several_is_refused() -> None:
     inner = f"<always>{shows('above')}</always>" + state("1", f'<event name="x">{when}</event>')
     with pytest.raises(UsageError, match="several names"):
         flatten(project(outer, p=inner))
+
+
+def movie(name: str) -> str:
+    return f'<screen><components><movie id="{name}" {AT} src="m.webm"/></components></screen>'
+
+
+MOVIES = {
+    "would begin again with the start state": {
+        "app": f"<always>{movie('m')}</always>"
+        + state("1", go(a="5"))
+        + state("5", go(b="1"), part("p")).replace('no="5"', 'no="5" always="false"'),
+        "p": state("1"),
+    },
+    "is kept in state 5/1, where another": {
+        "app": state("1", go(a="5"), movie("m")) + state("5", "", part("p")),
+        "p": f"<always>{shows('above')}</always>" + state("1"),
+    },
+    "two components of state 5/1 are m": {
+        "app": f"<always>{shows('m')}</always>" + state("5", "", part("p")),
+        "p": state("1", "", movie("m")),
+    },
+}
+
+
+@pytest.mark.parametrize("why", MOVIES)
+def test_a_movie_that_would_begin_again_or_be_called_otherwise_is_refused(why: str) -> None:
+    files = MOVIES[why]
+    with pytest.raises(UsageError, match=why):
+        flatten(project(files["app"], p=files["p"]))
 
 
 def test_the_example_is_exported_whole_and_flat(

@@ -13,10 +13,12 @@ several (``5/q``, ``5/q~2``), found by following every way from the start:
 - Kept screens: where other screens of ``always`` lie above a kept one, the copies show that
   screen again, each the one that is kept there.
 - ``done.x``: the end of a part is an event with a name of its own, which the states of that
-  part take as the state around them would. The last action of the end state raises it; where it
-  has none that ends at once, one that clears ``flat-export.nothing``, which changes nothing, is
-  added. It is the only action that is not in the original.
+  part take as the state around them would, as far as it may still be told there. The last action
+  of the end state raises it; where it has none that ends at once, one that clears
+  ``flat-export.nothing``, which changes nothing, is added. It is the only action that is not in
+  the original.
 
+An event that an earlier one of its name always goes before is left out, but for its phrases.
 Copies that cannot be told apart by what they do are one again in the end.
 
 UsageError says in one line what cannot be written so: ways back of any length through parts,
@@ -29,14 +31,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
-from msgspec import Struct
-from msgspec.structs import fields, replace
+from msgspec.structs import replace
 
 from situ.document import codec
-from situ.document.aside import NOTHING, Aside
 from situ.document.condition import Condition, Test
+from situ.document.flatten_levels import Level, Levels, serving, states_meant
+from situ.document.flatten_states import bare, merged, retargeted
 from situ.document.project import Project
 from situ.document.rbd import (
     AGAIN,
@@ -79,38 +81,6 @@ def flatten(project: Project) -> Project:
     return replace(project, applications=flat, parts={})
 
 
-class _Level(NamedTuple):
-    file: Application
-    state: State
-    prefix: str
-
-    @property
-    def path(self) -> str:
-        return self.prefix + self.state.no
-
-    @property
-    def events(self) -> tuple[Event, ...]:
-        """Its own, then those of its file's ``always``."""
-        always = self.file.always if self.state.always else None
-        return self.state.events if always is None else (*self.state.events, *always.events)
-
-    @property
-    def timeouts(self) -> tuple[Timeout, ...]:
-        always = self.file.always if self.state.always else None
-        every = (self.state.timeout, always.timeout if always is not None else None)
-        return tuple(one for one in every if one is not None)
-
-    def named(self, name: str) -> list[Event]:
-        return [event for event in self.events if event.name == name]
-
-    @property
-    def goes_back(self) -> bool:
-        targets = [*(e.next for e in self.events), *(t.next for t in self.timeouts)]
-        return BACK in targets
-
-
-Bare = TypeVar("Bare")
-Levels = tuple[_Level, ...]
 Shown = tuple[str | None, tuple[int, ...]]
 """The state whose own screen it is, and which screens of ``always`` lie above it."""
 
@@ -140,6 +110,7 @@ class _Flattening:
         self.screens: dict[int, Screen] = {}
         self.numbers: dict[_Node, int] = {}
         self.nodes: list[_Node] = []
+        self.told: dict[tuple[str, str], set[str]] = {}
         self.native = self.is_native()
         self.has_always_screen = False
         self.start_shows_movie = self.start_again = False
@@ -169,7 +140,7 @@ class _Flattening:
         made: dict[int, State] = {}
         for number, state in enumerate(states):
             if blocks[number] not in made:
-                made[blocks[number]] = _retarget(
+                made[blocks[number]] = retargeted(
                     replace(state, no=names[blocks[number]]),
                     lambda to: self.said(to, blocks, names),
                 )
@@ -197,7 +168,7 @@ class _Flattening:
                     f"it would have more than {LIMIT} states, because #back can lead back along "
                     "ways of any length, or parts hold very many states"
                 )
-        return states, _same([node.path for node in self.nodes], states)
+        return states, merged([node.path for node in self.nodes], states)
 
     def number(self, node: _Node) -> int:
         number = self.numbers.setdefault(node, len(self.nodes))
@@ -211,7 +182,7 @@ class _Flattening:
         """A state of a file with the start of the part that it runs."""
         state = file.state(no)
         assert state is not None
-        levels = (*around, _Level(file, state, prefix))
+        levels = (*around, Level(file, state, prefix))
         part = self.project.flow(state.flow) if state.flow is not None else None
         if part is None:
             self.levels[levels[-1].path] = levels
@@ -274,7 +245,8 @@ class _Flattening:
         return State(
             no="",
             name=leaf.name,
-            final=leaf.final,
+            # The end of a part is meant to be one, in its file.
+            final=leaf.final or (len(levels) > 1 and leaf.is_end),
             timeout=self.timeout(node, levels),
             screen=self.screen(node, levels),
             actions=self.actions(node, leaf),
@@ -328,15 +300,41 @@ class _Flattening:
                 yield Event(name=event.name, when=NEVER, says=bare(event.says))
 
     def ends(self, node: _Node, levels: Levels) -> Iterator[Event]:
-        """What the states around it do when their parts end."""
+        """What the states around it do when their parts end, where that may still be told."""
         for level, holder in enumerate(levels[:-1]):
             for end in levels[level + 1].file.states:
-                if not end.is_end:
+                if not end.is_end or node.path not in self.told_in(levels, level, end.no):
                     continue
                 taken = (*holder.named(f"done.{end.no}"), *holder.named("done"))
                 name = self.end_name(holder.path, end.no)
                 for event in self.events(node, level, taken):
                     yield replace(event, name=name, says=())
+
+    def told_in(self, levels: Levels, level: int, end: str) -> set[str]:
+        """The innermost states in which an end of the part at ``level`` may be told: its own, and
+        those to which the part may go on before the event's turn comes.
+        """
+        inside = levels[level + 1]
+        key = (levels[level].path, end)
+        if key in self.told:
+            return self.told[key]
+        found = self.told[key] = set[str]()
+        waiting = [self.enter(levels[: level + 1], inside.file, inside.prefix, end)]
+        while waiting:
+            here = waiting.pop()
+            if here[-1].path in found:
+                continue
+            found.add(here[-1].path)
+            serves = serving(here)
+            for at, one in enumerate(here[level + 1 :], level + 1):
+                targets = {event.next for event in one.events}
+                if serves is not None and serves[0] == at:
+                    targets.add(serves[1].next)
+                waiting += [
+                    self.enter(here[:at], one.file, one.prefix, to)
+                    for to in states_meant(one, targets)
+                ]
+        return found
 
     def raised(self, levels: Levels, entered: int) -> Iterator[tuple[str, str]]:
         """The ends that entering these levels tells, the innermost first."""
@@ -360,14 +358,11 @@ class _Flattening:
         return tuple(actions)
 
     def timeout(self, node: _Node, levels: Levels) -> Timeout | None:
-        for level, one in reversed(tuple(enumerate(levels))):
-            # A state that holds a part has no timeout of its own, only its file's ``always``.
-            for timeout in one.timeouts:
-                if timeout.next is None:
-                    return bare(timeout)
-                to = self.move(node, level, timeout.next)
-                return None if to is None else bare(replace(timeout, next=to))
-        return None
+        serves = serving(levels)
+        if serves is None or serves[1].next is None:
+            return None if serves is None else bare(serves[1])
+        to = self.move(node, serves[0], serves[1].next)
+        return None if to is None else bare(replace(serves[1], next=to))
 
     # -- screens ---------------------------------------------------------------
 
@@ -460,63 +455,6 @@ class _Flattening:
                     f"application/{self.source.name} is used, and some of its states would "
                     "have several names"
                 )
-
-
-def _same(paths: list[str], states: list[State]) -> list[int]:
-    """By state: the number of the first that does the same, whatever happens."""
-    targets: list[list[int]] = []
-    first: dict[Any, int] = {}
-    blocks: list[int] = []
-    for number, (path, state) in enumerate(zip(paths, states, strict=True)):
-        found: list[int] = []
-        local = _retarget(state, lambda to, f=found: _noted(to, f))
-        targets.append(found)
-        blocks.append(first.setdefault((path, local), number))
-    while True:
-        first = {}
-        finer = [
-            first.setdefault((block, tuple(blocks[to] for to in targets[number])), number)
-            for number, block in enumerate(blocks)
-        ]
-        if len(set(finer)) == len(set(blocks)):
-            return finer
-        blocks = finer
-
-
-def _noted(to: str, found: list[int]) -> str:
-    if to in (AGAIN, BACK):
-        return to
-    found.append(int(to))
-    return ""
-
-
-def _retarget(state: State, name: Any) -> State:
-    """The state with every ``next`` replaced by what ``name`` gives for it."""
-    timeout = state.timeout
-    if timeout is not None and timeout.next is not None:
-        timeout = replace(timeout, next=name(timeout.next))
-    events = tuple(
-        event if event.next is None else replace(event, next=name(event.next))
-        for event in state.events
-    )
-    return replace(state, timeout=timeout, events=events)
-
-
-def bare(value: Bare) -> Bare:
-    """A value without comments, foreign XML and places in a file."""
-    if isinstance(value, tuple):
-        return tuple(bare(one) for one in value)  # type: ignore[return-value]
-    if isinstance(value, Struct) and not isinstance(value, Aside):
-        held = {one.name: getattr(value, one.name) for one in fields(value)}
-        return replace(
-            value,
-            **{
-                name: NOTHING if isinstance(one, Aside) else bare(one)
-                for name, one in held.items()
-                if isinstance(one, (Struct, tuple))
-            },
-        )
-    return value
 
 
 def _is_empty(screen: Screen) -> bool:
