@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from situ.decide.effects import Cancel, Map
-from situ.engine.actions.speech import estimate
+from situ.document.spoken import estimate
 
 TEXT = "Hello! Shall we see how you are today?"
 

@@ -6,6 +6,8 @@ say yes       somebody says this
 slap 40       a slap from that direction
 call -60      somebody calls from that direction
 wave          a waving hand
+stop          the red button is pressed in
+go            it is let go
 """
 
 from __future__ import annotations
@@ -27,6 +29,8 @@ def perceived(line: str, listen: Iterable[str]) -> dict[str, Any]:
         return {"heard": {"text": rest, "confidence": 0.9}, "speech.acceptable": acceptable}
     if sense == "wave" and not rest:
         return {"hand.waving": True}
+    if sense in ("stop", "go") and not rest:
+        return {"robot.stop": sense == "stop"}
     if sense == "face" and rest == "off":
         return {"face.visible": False, "face.direction": None}
     try:
@@ -49,7 +53,7 @@ def main(endpoint: str = "tcp://127.0.0.1:5570") -> None:
             if tags:
                 board.set(tags)
             elif line.strip():
-                print(f"not a sense: {line.strip()}; try face, say, slap, call or wave")
+                print(f"not a sense: {line.strip()}; try face, say, slap, call, wave, stop or go")
 
 
 if __name__ == "__main__":

@@ -32,6 +32,7 @@ STRUCTS: dict[str, type[Struct]] = {
         rbd.Say,
         rbd.Sound,
         rbd.Speech,
+        rbd.Timeout,
         spds.Declaration,
         spds.Entry,
         spds.Observed,

@@ -3,8 +3,7 @@
 ``done`` comes when the text has been heard to its end. Where there is no sound
 device it comes when it would have been: espeak-ng renders the text and the
 rendering tells how long it is. Where there is no espeak-ng, or it does not know
-the language, the length is estimated: 0.3 s, and at normal rate 0.35 s a word and
-0.2 s a character of scripts that do not part words (Chinese, Japanese, Thai …).
+the language, the length is estimated (``situ.document.spoken``).
 """
 
 from __future__ import annotations
@@ -15,6 +14,7 @@ import re
 import struct
 from typing import Any
 
+from situ.document.spoken import estimate
 from situ.engine.actions import ActionFailed
 from situ.engine.clock import Clock, pause
 from situ.engine.process import run
@@ -24,7 +24,6 @@ LONGEST = 20_000
 """Characters of one speech; more is cut off with a warning."""
 
 _LANGUAGE = re.compile(r"[A-Za-z]{2,3}(?:[-_][A-Za-z0-9]{1,8}){0,3}")
-_UNPARTED = re.compile("[\u0e00-\u0eff\u1000-\u109f\u1780-\u17ff\u3040-\u30ff\u3400-\u9fff]")
 _CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f]")
 
 
@@ -95,13 +94,6 @@ class Speaker:
             self._unknown.add(lang)
             self._log.warning("espeak-ng can not speak %s (%s): it is text", lang, ended.complaint)
         return length
-
-
-def estimate(text: str, rate: float = 100) -> float:
-    """Seconds that a text takes to say at ``rate`` percent of normal."""
-    unparted = len(_UNPARTED.findall(text))
-    words = len(_UNPARTED.sub(" ", text).split())
-    return 0.3 + (words * 0.35 + unparted * 0.2) * 100 / rate
 
 
 def _plain(text: str) -> str:
