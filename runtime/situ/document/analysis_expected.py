@@ -153,6 +153,9 @@ class _Expected:
             writes = isinstance(component, (Button, Input, List)) and component.tag
             at = (*place, "screen", component.id)
             reach = WRITES if writes else SHOWN
+            if place[0] == "always":
+                # It is shown where it is part of the state, and kept nowhere else.
+                reach = WAITED if writes else HERE
             self.open(run, Raiser(file, at, component, field, name, reach), [active])
             settled = False
         return settled
@@ -203,8 +206,9 @@ class _Expected:
         elif reach == SOON:
             actives = run.after(actives, self._robots_own(run))
         elif reach == ANYWHERE:
-            actives = list(run.actives.values())
-        return list({one.path: one for one in actives}.values())
+            return list(run.actives.values())
+        paths = {one.path for one in actives}
+        return [one for path, one in run.actives.items() if path in paths]
 
     def _robots_own(self, run: Run) -> frozenset[str | None]:
         """The events that can be judged before one that was raised: None for the unnamed."""

@@ -50,6 +50,11 @@ class Box(NamedTuple):
     file: str
     place: Place
 
+    @property
+    def screen(self) -> Place:
+        """What tells the screen that it is on from others."""
+        return (self.file, *self.place[:-1])
+
 
 def search_screens(search: Search, runs: list[Run]) -> None:
     """Tells of components that are off the screen or in each other's way."""
@@ -200,7 +205,7 @@ class _Boxes:
             why = f"{ids} {lies} over it, so it cannot be read"
         else:
             why = f"{ids} {lies} over the whole of it, so it is never seen"
-        outside = next((one for one in uppers if one.place[:-1] != box.place[:-1]), None)
+        outside = next((one for one in uppers if one.screen != box.screen), None)
         if outside is not None:
             where = "" if outside.file == box.file else f" of {outside.file}"
             why += f" (of <always>{where}, which lies above the states)"
@@ -219,7 +224,7 @@ class _Boxes:
         is in nobody's way.
         """
         upper = uppers[0]
-        if len(uppers) > 1 or upper.touch or upper.words or upper.place[:-1] != box.place[:-1]:
+        if len(uppers) > 1 or upper.touch or upper.words or upper.screen != box.screen:
             return None
         if in_the_way(upper, box):
             return None
