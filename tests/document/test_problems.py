@@ -34,9 +34,9 @@ READING = [
     ("malformed-xml", "@", "empty"),
     ("malformed-xml", "<application name='a'>@", "end tag is missing"),
     ("malformed-xml", "<application name='a'>\n <state no='1'></@application>", "<state> is still"),
-    ("malformed-xml", "<application name='a' @name='b'/>", "duplicate attribute"),
+    ("malformed-xml", "<application name='a' @name='b'/>", "stands twice"),
     ("malformed-xml", "<application name='a'>@&nbsp;</application>", "&amp;"),
-    ("malformed-xml", "<application name='a'/>\n@<b/>", "junk"),
+    ("malformed-xml", "<application name='a'/>\n@<b/>", "behind the end"),
     ("malformed-xml", "<application name='a'>\n @<state no='1' q:x='1'/></application>", '"q"'),
     ("malformed-xml", "<application name='a'>\n @<ed:note/></application>", "urn:situ:editor"),
     # what the table does not know
@@ -88,8 +88,8 @@ CHECKING = [
     ("bad-time", CONDITION.format('@<data tag="a" is="1" within="0"/>'), "within"),
     ("bad-time", CONDITION.format('@<data tag="a" is="1" for="-1"/>'), "for"),
     ("bad-value", CONDITION.format('@<data tag="a" exists="yes"/>'), '"true" or "false"'),
-    ("bad-value", CONDITION.format('@<data tag="a" in="1, 2"/>'), "JSON array"),
-    ("bad-value", CONDITION.format('@<data tag="a" in="[NaN]"/>'), "JSON array"),
+    ("bad-value", CONDITION.format('@<data tag="a" in="1, 2"/>'), "must be a list"),
+    ("bad-value", CONDITION.format('@<data tag="a" in="[NaN]"/>'), "must be a list"),
     ("bad-value", EVENTS.format('<event name="a" next="1">@<say> </say></event>'), "<say>"),
     ("bad-value", ACTIONS.format('@<sound src=""/>'), "src"),
     # states

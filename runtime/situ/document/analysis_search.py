@@ -83,7 +83,10 @@ class Search:
         """Tells, once for each place, that a search did not come to an end."""
         if (file, place) not in self._undecided:
             self._undecided.add((file, place))
-            said = f"It could not be decided {what}: make the conditions simpler, or try it out"
+            said = (
+                f"It is not known {what}: finding out would have taken too long; make the "
+                "conditions simpler, or try it out with situ simulate"
+            )
             self.warn(file, "undecided", said, aside, place)
 
     # -- mends -------------------------------------------------------------------

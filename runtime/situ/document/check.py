@@ -217,7 +217,8 @@ def _circles(found: Findings, application: Application, project: Project) -> Non
                 waiting += [one.flow for one in part.states if one.flow is not None]
         if found.file in seen:
             said = (
-                f"The part {shown(state.flow)} leads back to this file: a part cannot hold itself"
+                f"The part {shown(state.flow)} leads back to this file, and a part cannot hold "
+                "itself: let it end, and lead on from its done event"
             )
             aside = state.aside.part("flow")
             found.error("circular-parts", said, aside, ("state", state.no))
@@ -233,7 +234,10 @@ def _languages(found: Findings, application: Application, project: Project) -> N
             if text in known or text in told or not _is_spoken(text):
                 continue
             told.add(text)
-            said = f"No text in {language} for {shown(text)}: it stays as it is written"
+            said = (
+                f"No text in {language} for {shown(text)}: it stays as it is written; translate "
+                f"it in texts/{language}.po"
+            )
             found.warning("missing-text", said, aside, place)
 
 
@@ -259,7 +263,10 @@ def _project(
         told.append(("error", "spds-needed", said, "project", "applications", ""))
     for language in project.languages[1:]:
         if language not in project.texts:
-            said = f"There is no texts/{language}.po: texts stay as they are written"
+            said = (
+                f"There is no texts/{language}.po, so texts stay as they are written: add it, or "
+                "take the language out"
+            )
             told.append(("warning", "missing-texts", said, "project", "languages", language))
     durable = [pattern for pattern in project.durable if names.is_pattern(pattern)]
     for setting in project.settings:

@@ -83,7 +83,7 @@ def _again(found: Findings, path: Path, first: Struct, again: Struct) -> Mend:
 
 
 def _listed(resources: tuple[str, ...]) -> str:
-    return shown(" ".join(resources))
+    return shown(" ".join(resources)) if resources else "none"
 
 
 def _situations(found: Findings, script: Spds) -> None:

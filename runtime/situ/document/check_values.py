@@ -224,13 +224,13 @@ def _judge_test(test: TestName, value: str, script: bool) -> tuple[str, str] | N
     if names.only_reference(value) is not None:
         if script:
             return "reference-in-script", (
-                f"A script compares with what is written, not with a reference: {shown(value)}"
+                f"A script cannot compare with a reference: {shown(value)}; write the value itself"
             )
     elif test == "exists" and value not in ("true", "false"):
         return "bad-value", (f'The exists of <data> must be "true" or "false", not {shown(value)}')
     elif test == "in" and not _is_array(value):
         return "bad-value", (
-            f'The in of <data> must be a JSON array such as ["a", "b"], not {shown(value)}'
+            f'The in of <data> must be a list such as ["a", "b"], not {shown(value)}'
         )
     return None
 

@@ -14,6 +14,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from situ.document import codec, texts
+from situ.document.datatypes import shown
 from situ.document.modules import Modules
 from situ.document.problem import Problem
 from situ.document.project import Project
@@ -248,7 +249,8 @@ class _Loading:
         self.problems += problems
         kind, words = _KINDS[key]
         if document is not None and not isinstance(document, kind):
-            toml.problem("wrong-document", f"{file} is not {words}", "project", key, file)
+            said = f"{file} is not {words}: name another file here"
+            toml.problem("wrong-document", said, "project", key, file)
             return None
         return document
 
@@ -269,7 +271,7 @@ class _Loading:
             file = f"{TEXTS_FOLDER}/{language}.po"
             place = resolve(self.root, file)
             if place is None or not language.replace("-", "").replace("_", "").isalnum():
-                said = f"{language!r} is no language: write a code such as ja or pt-BR"
+                said = f"{shown(language)} is no language: write a code such as ja or pt-BR"
                 toml.problem("bad-value", said, "project", "languages", language)
                 continue
             try:

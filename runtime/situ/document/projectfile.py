@@ -20,7 +20,11 @@ from situ.document.project import Mqtt, Setting
 MAX_BYTES = 1_000_000
 
 _TEXT, _TEXTS, _ANY, _TABLE = "text", "texts", "any", "table"
-_WORDS = {_TEXT: "a text in quotes", _TEXTS: "a list of texts", _TABLE: "a table"}
+_WORDS = {
+    _TEXT: "a text in quotes",
+    _TEXTS: 'a list of texts such as ["a", "b"]',
+    _TABLE: 'a table such as { "a" = "b" }',
+}
 
 KEYS: dict[str, dict[str, str]] = {
     "project": {
@@ -203,7 +207,7 @@ class ProjectFile:
                 said = "a tag is words of a-z, 0-9, _ and - joined by dots"
                 self._drop("tags", tag, "bad-tag", f"{shown(tag)} is no tag: {said}")
             elif names.is_reserved(tag):
-                said = f"{shown(tag)} is written by the runtime only: choose another tag"
+                said = f"{shown(tag)} is written by the robot itself only: choose another tag"
                 self._drop("tags", tag, "reserved-tag", said)
             elif not _is_json(value):
                 said = "hold text, numbers, true, false, lists and tables only"

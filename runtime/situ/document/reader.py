@@ -34,6 +34,24 @@ MAX_ELEMENTS = 300_000
 MAX_TEXT = 1_000_000
 MAX_PROBLEMS = 100
 
+LONGEST = "a million characters are the most"
+_BROKEN = {
+    "not well-formed (invalid token)": (
+        "Something stands here that XML does not allow: write &lt; for < and &amp; for & in "
+        "texts, and look for a quote or a > that is missing before"
+    ),
+    "duplicate attribute": "The same attribute stands twice in this tag: take one out",
+    "junk after document element": (
+        "Something stands behind the end of the document: take it out, or move it inside"
+    ),
+    "unclosed token": "This < is never closed: finish the tag with >",
+    "unclosed CDATA section": "This <![CDATA[ is never closed: finish it with ]]>",
+    "XML or text declaration not at start of entity": (
+        "<?xml …?> may stand only at the very beginning: take out what is before it"
+    ),
+}
+"""What expat says, in plain words with what to do."""
+
 _Frame = tuple[Rule, str, bool, int, dict[str, Any]]
 """An open element: its rule, the parent's field that holds it and whether that holds
 many, its place in the file, and the fields of its value so far."""
@@ -298,7 +316,7 @@ class _Reading:
     def _is_text(self) -> bool:
         """Whether the bytes are UTF-8 without NUL; expat would take some others for UTF-16."""
         if len(self.data) > MAX_BYTES:
-            said = f"The file is larger than {MAX_BYTES // 1_000_000} MB"
+            said = f"The file is larger than {MAX_BYTES // 1_000_000} MB: split it into parts"
             self._found.append((-1, 1, 1, "too-large", said, ()))
             return False
         try:
@@ -318,7 +336,7 @@ class _Reading:
 
     def _malformed(self, error: expat.ExpatError) -> None:
         words = expat.errors.messages.get(error.code, "not well-formed")
-        said = f"This is no well-formed XML here: {words}"
+        said = _BROKEN.get(words, f"The XML is broken here: {words}")
         name = self._stack[-1][0].name
         if not self.data.strip():
             said = "The file is empty"
@@ -362,7 +380,10 @@ class _Reading:
             rest = self._rest(index)
             rest.texts = (*rest.texts, text)
         elif not text.isspace():
-            said = f"Text cannot stand directly in <{rule.name}>: {shown(text)}"
+            said = (
+                f"Text cannot stand directly in <{rule.name}>: {shown(text)}; put it into an "
+                "element that holds text, such as <speech>, or into a comment <!-- … -->"
+            )
             self._problem("unexpected-text", said, index)
 
     def _take_text(self, rule: Rule, index: int, values: dict[str, Any]) -> None:
@@ -374,7 +395,7 @@ class _Reading:
         if not text and not rule.element.text_required:
             return
         if len(text) > MAX_TEXT:
-            self._problem("too-long", f"The text of <{rule.name}> is too long", index)
+            self._problem("too-long", f"The text of <{rule.name}> is too long: {LONGEST}", index)
             text = ""
         assert rule.text is not None
         if rule.known_text is None:
@@ -420,10 +441,12 @@ class _Reading:
 
     def _limit(self, depth: int) -> None:
         if depth > MAX_DEPTH:
-            self._problem("too-deep", f"Elements stand more than {MAX_DEPTH} deep")
+            said = f"Elements stand more than {MAX_DEPTH} deep in each other: close some before"
+            self._problem("too-deep", said)
             raise _Stop
         if self._index >= MAX_ELEMENTS:
-            self._problem("too-many", f"The file holds more than {MAX_ELEMENTS} elements")
+            said = f"The file holds more than {MAX_ELEMENTS} elements: split it into parts"
+            self._problem("too-many", said)
             raise _Stop
 
     def _has_long(self) -> bool:
@@ -439,7 +462,8 @@ class _Reading:
     def _shorten(self, rule: Rule, given: dict[str, Any]) -> None:
         for key, text in given.items():
             if len(text) > MAX_TEXT:
-                self._problem("too-long", f"The {_short(key)} of <{rule.name}> is too long")
+                said = f"The {_short(key)} of <{rule.name}> is too long: {LONGEST}"
+                self._problem("too-long", said)
                 given[key] = ""
 
     def _duplicate(self, name: str) -> None:
@@ -448,7 +472,8 @@ class _Reading:
 
     def _bad_attribute(self, rule: Rule, key: str, wrong: ValueError) -> Any:
         if isinstance(wrong, _Absent):
-            self._problem("missing-attribute", f'<{rule.name}> needs the attribute "{key}"')
+            said = f'<{rule.name}> needs the attribute "{key}": add {key}="…"'
+            self._problem("missing-attribute", said)
         else:
             self._problem("bad-value", f"The {key} of <{rule.name}> {wrong}")
         if key in rule.required:

@@ -36,7 +36,10 @@ def read(data: bytes, file: str) -> tuple[dict[str, str], list[Problem]]:
         entries = polib.pofile(text)
     except (OSError, ValueError, AttributeError, IndexError, UnicodeError) as wrong:
         match = _LINE.search(str(wrong))
-        return bad("This is no .po file here", int(match[1]) if match else 1)
+        return bad(
+            'This line is none of a .po file: write msgid "…" and msgstr "…"',
+            int(match[1]) if match else 1,
+        )
     return {
         entry.msgid: entry.msgstr
         for entry in entries
