@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import json
 import random
 import threading
 import time
 from collections.abc import Callable
 from itertools import pairwise
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import situ
@@ -153,8 +155,11 @@ def test_nothing_acknowledged_is_lost_and_nobody_is_restarted(
     )
 
 
-def test_the_trace_and_the_robot_go_on_over_a_kill(runtime: Runtime, chance: random.Random) -> None:
-    runtime.start()
+def test_the_trace_and_the_robot_go_on_over_a_kill(
+    runtime: Runtime, chance: random.Random, tmp_path: Path
+) -> None:
+    file = tmp_path / "trace.jsonl"
+    runtime.start("--trace", str(file))
     events: list[dict[str, Any]] = []
     news = threading.Condition()
     with situ.connect(runtime.endpoint, timeout=DEADLINE) as board:
@@ -176,7 +181,7 @@ def test_the_trace_and_the_robot_go_on_over_a_kill(runtime: Runtime, chance: ran
             for _ in range(chance.randint(1, 10)):
                 board.publish("go")
             runtime.kill()
-            runtime.start()
+            runtime.start("--trace", str(file))
             # A new one, so that nothing is asked of the connection that was lost.
             with situ.connect(runtime.endpoint, timeout=DEADLINE) as other:
                 other.publish("go")
@@ -186,6 +191,7 @@ def test_the_trace_and_the_robot_go_on_over_a_kill(runtime: Runtime, chance: ran
         seqs = [event["seq"] for event in events]
     # One run, of which no event came twice and none is missing.
     assert seqs == list(range(1, len(seqs) + 1))
+    assert {json.loads(line)["seq"] for line in file.read_bytes().splitlines()} >= set(seqs)
     assert all(a["t"] <= b["t"] for a, b in pairwise(events))
 
 

@@ -173,6 +173,7 @@ class Live:
             self._recovery.set_aside(error)
             self._robot = Robot(project)
             return False
+        self._recovery.found = None
         _log.warning("the robot goes on from %g s, where it was killed", self._core.moment / SECOND)
         self._core.heard = self._heard
         self._take_snapshot()
