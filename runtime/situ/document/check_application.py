@@ -29,6 +29,7 @@ from situ.document.rbd import (
     Event,
     Image,
     Input,
+    Launch,
     List,
     Message,
     Movie,
@@ -45,6 +46,9 @@ from situ.document.rbd import (
 )
 
 _URL = re.compile(r"https?://\S|board:[^/\s]+/\S|media:\S", re.IGNORECASE)
+MOST_LOOKED_FOR = 30
+"""Targets that are no states and for which the nearest state is looked for, in one application."""
+
 _ELSEWHERE = re.compile(r"https?://|data:", re.IGNORECASE)
 
 
@@ -97,6 +101,10 @@ class _Check:
         self.project = project
         self.files = files
         self.numbers = {state.no for state in application.states}
+        self.targets = {None, AGAIN, BACK, *self.numbers}
+        self.free = 1
+        self.named: dict[str | None, str] = {}
+        self.near: dict[str, str | None] = {}
         self.own = f"module/{application.name}/"
 
     def run(self) -> None:
@@ -153,22 +161,34 @@ class _Check:
         return f"; the states are {', '.join(some)}{more}"
 
     def nearest(self, meant: str) -> str | None:
-        """The state that ``meant`` is the name of, or else nearly the number of."""
-        for state in self.application.states:
-            if state.name == meant:
-                return state.no
-        return next(iter(get_close_matches(meant[:40], sorted(self.numbers), n=1)), None)
+        """The state that ``meant`` is the name of, or else nearly the number of.
+
+        Looking through all numbers takes long, so that it is not done for too many.
+        """
+        if not self.named:
+            self.named = {state.name: state.no for state in reversed(self.application.states)}
+        if meant in self.named:
+            return self.named[meant]
+        if meant not in self.near and len(self.near) < MOST_LOOKED_FOR:
+            close = get_close_matches(meant[:40], sorted(self.numbers), n=1)
+            self.near[meant] = close[0] if close else None
+        return self.near.get(meant)
 
     def number(self, state: State, path: Path) -> Mend:
         """A number that no state has yet."""
-        free = next(str(n) for n in count(1) if str(n) not in self.numbers)
-        return self.mend(f"Give it the number {free}", change(path, state, "no", free))
+        free = self.free = next(n for n in count(self.free) if str(n) not in self.numbers)
+        return self.mend(f"Give it the number {free}", change(path, state, "no", str(free)))
 
     def state(self, state: State, path: Path, always: set[str]) -> None:
+        # Places are made only where there may be something to tell.
         place = ("state", state.no)
-        self.timeout(state.timeout, (*place, "timeout"), (*path, "timeout"))
-        self.screen(state.screen, (*place, "screen"), (*path, "screen"), always)
+        if state.timeout is not None and state.timeout.next not in self.targets:
+            self.timeout(state.timeout, (*place, "timeout"), (*path, "timeout"))
+        if state.screen is not None:
+            self.screen(state.screen, (*place, "screen"), (*path, "screen"), always)
         for index, action in enumerate(state.actions):
+            if isinstance(action, (Speech, Robot, Launch)):
+                continue
             self.action(action, (*place, "action", str(index)), (*path, "actions", index))
             if isinstance(action, Repeat):
                 said = (
@@ -178,7 +198,8 @@ class _Check:
                 at = (*place, "action", str(index))
                 self.misplaced(said, action, at, (*path, "actions", index))
         for index, event in enumerate(state.events):
-            self.event(event, (*place, "event", str(index)), (*path, "events", index))
+            if event.name is None or event.actions or event.next not in self.targets:
+                self.event(event, (*place, "event", str(index)), (*path, "events", index))
         if state.flow is not None:
             self.flow(state, state.flow, place)
 
@@ -212,7 +233,7 @@ class _Check:
 
     def next(self, held: Event | Timeout, place: Place, path: Path) -> None:
         target = held.next
-        if target is None or target in (AGAIN, BACK) or target in self.numbers:
+        if target is None or target in self.targets:
             return
         who = "timeout"
         if isinstance(held, Event):
@@ -236,13 +257,12 @@ class _Check:
         if screen.background is not None and re.search(r"[./]", screen.background):
             self.media(screen.background, screen.aside, place)
         seen: set[str] = set()
-        known = {one.id for one in screen.components} | always
         for index, component in enumerate(screen.components):
             at = (*place, component.id)
             if component.id in seen or component.id in always:
                 where = "on this screen" if component.id in seen else "here and in <always>"
                 said = f"There are two components {shown(component.id)} {where}: rename one"
-                free = another(component.id, known)
+                free = another(component.id, {one.id for one in screen.components} | always)
                 rename = change((*path, "components", index), component, "id", free)
                 made = self.mend(f"Call it {shown(free)}", rename)
                 self.found.error("double-component", said, component.aside, at, made)
