@@ -110,11 +110,16 @@ class Findings:
         """Adds warnings, but for those that are accepted, and those about something that holds
         an error: they may follow from it, and the error comes first.
         """
-        wrong = [one.place for one in self._found if one.severity == "error"]
+        wrong = {
+            one.place[:size]
+            for one in self._found
+            if one.severity == "error"
+            for size in range(len(one.place) + 1)
+        }
         for finding in findings:
-            size = len(finding.place)
-            follows = any(place[:size] == finding.place for place in wrong)
-            if not follows and not self.accepts.silences(finding.code, finding.place):
+            if finding.place not in wrong and not self.accepts.silences(
+                finding.code, finding.place
+            ):
                 self._found.append(finding)
 
     def problems(self, files: Files) -> list[Problem]:
