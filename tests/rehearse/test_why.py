@@ -821,3 +821,83 @@ def test_wrong_usage_is_one_line_and_status_2(
     out, err = capsys.readouterr()
     assert out == ""
     assert err.count("\n") == 1
+
+
+# -- parts ---------------------------------------------------------------------
+
+VISIT = """<application name="visit">
+<always><expectedevents><event name="home" next="1"/></expectedevents></always>
+<state no="1" name="hall"><expectedevents><event name="in" next="2"/>
+  <event name="anew" next="#again"/></expectedevents></state>
+<state no="2" name="desk"><flow src="desk.rbd.xml"/><expectedevents>
+  <event name="done.known" next="3"/><event name="done" next="1"/>
+  <event name="anew" next="#again"/></expectedevents></state>
+<state no="3" name="room"><expectedevents><event name="out" next="1"/></expectedevents></state>
+</application>"""
+DESK = """<application name="desk">
+<state no="a" name="ask"><expectedevents><event name="yes" next="b"/><event name="no" next="gone"/>
+</expectedevents></state>
+<state no="b" name="look up"><expectedevents><event name="found" next="known"/></expectedevents>
+</state>
+<state no="known" final="true"/><state no="gone" final="true"/>
+</application>"""
+
+
+@pytest.fixture
+def visit(make: Make) -> Project:
+    return make(VISIT, parts={"desk.rbd.xml": make(DESK).applications["0.rbd.xml"]})
+
+
+@pytest.fixture
+def visited(visit: Project, record: Record) -> Recording:
+    events = {1: "in", 2: "yes", 4: "home", 5: "in", 6: "no"}
+    return record(visit, *({"at": at, "event": name} for at, name in events.items()))
+
+
+def test_the_end_of_a_part_comes_from_its_end_state_and_that_has_a_way(
+    visit: Project, visited: Recording
+) -> None:
+    assert _ask(visit, visited, 3, "enter", state="3") == (
+        "- event done.known did not come while visit was in 2/b look up, since 2 s\n"
+        "  - it comes when the part enters its end state 2/known\n"
+        "    - event found did not come while visit was in 2/b look up, since 2 s\n"
+        "      - it comes from outside: from a module, a message, or the blackboard"
+    )
+
+
+def test_done_comes_from_ends_without_an_event_of_their_own(
+    visit: Project, visited: Recording
+) -> None:
+    told = _ask(visit, visited, 1.5, "event", name="done")
+    assert "enters its end state 2/gone" in told
+    assert "event no did not come" in told
+    assert "known" not in told
+
+
+def test_the_nearest_way_to_an_end_is_told_from_afar(visit: Project, visited: Recording) -> None:
+    told = _ask(visit, visited, 1.5, "transition", **{"from": "2", "to": "3"})
+    assert (
+        "visit was in 2/a ask since 1 s; the nearest way to 2/known: "
+        "yes to 2/b look up, found to 2/known"
+    ) in told
+
+
+def test_a_state_that_holds_a_part_is_one_to_be_in_and_to_go_to(
+    visit: Project, visited: Recording
+) -> None:
+    assert _ask(visit, visited, 5.5, "enter", state="2") == ("- visit was in 2 already, since 5 s")
+    told = _ask(visit, visited, 4.5, "transition", **{"from": "2", "to": "3"})
+    assert told.startswith("- visit was in 1 hall since 4 s\n  - event in did not come")
+    told = _ask(visit, visited, 4.5, "enter", state="2/b")
+    assert "the nearest way to 2/b look up: in to 2/a ask, yes to 2/b look up" in told
+
+
+def test_a_part_begun_anew_is_entered_at_its_start(visit: Project, visited: Recording) -> None:
+    told = _ask(visit, visited, 2.5, "enter", state="2/a")
+    assert "event anew did not come while visit was in 2/b look up" in told
+    assert "event anew" not in _ask(visit, visited, 2.5, "transition", **{"from": "2/b", "to": "3"})
+
+
+def test_a_state_that_there_is_not_is_told_so(visit: Project, visited: Recording) -> None:
+    with pytest.raises(UsageError, match="visit has no state 2/c"):
+        _ask(visit, visited, 2, "enter", state="2/c")

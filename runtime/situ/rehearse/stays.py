@@ -39,7 +39,7 @@ class Attempt(Struct, frozen=True):
 
 
 class Stay(Struct):
-    """A stay in a state, from ``entered`` to the transition ``left``.
+    """A stay in an innermost state, from ``entered`` to the transition ``left``.
 
     unnamed: its unnamed events as they were in the end. suspended: in the end, by that
     event. resumed: the last resume in it. back: where ``#back`` went, by way.
@@ -55,6 +55,10 @@ class Stay(Struct):
     resumed: Fields | None = None
     backs: dict[str, str | None] = field(default_factory=dict)
     events: list[Fields] = field(default_factory=list)
+
+    def is_in(self, state: str) -> bool:
+        """Whether it is one in that state, or in the part that it holds."""
+        return f"{self.state}/".startswith(f"{state}/")
 
     def at(self, t: float) -> bool:
         """Whether some of it was at the moment ``t``."""
@@ -88,6 +92,8 @@ def _look(past: Past, found: list[Stay], event: Fields) -> None:
     """An event of the application, seen just before the past takes it."""
     name, kind = event["application"], event["kind"]
     if kind == "enter":
+        if found and found[-1].left is None and event["state"].startswith(f"{found[-1].state}/"):
+            found.pop()  # it holds the part that is entered with it
         found.append(Stay(name, event["state"], event))
         return
     if not found:

@@ -162,8 +162,11 @@ def _states(project: Project, file: str, before: str, seen: tuple[str, ...]) -> 
 
 def entered(project: Project, application: str, way: Way) -> str | None:
     """The state that a way ends in, of a part its start; None where only the run can tell."""
-    to = way.to
-    if to is None or to in (AGAIN, BACK):
+    return None if way.to == AGAIN else _inmost(project, application, way.to)
+
+
+def _inmost(project: Project, application: str, to: str | None) -> str | None:
+    if to is None or to == BACK:
         return None
     while found := frames(project, application, to):
         flow = found[-1].state.flow
@@ -176,9 +179,15 @@ def entered(project: Project, application: str, way: Way) -> str | None:
 
 def leads_to(project: Project, application: str, way: Way, here: str, target: str) -> bool:
     """Whether a way out of ``here``, not back, leads to ``target``."""
-    if way.to == AGAIN:
-        return here == target
-    return target in (way.to, entered(project, application, way))
+    to = way.to
+    if to == AGAIN:
+        to = next(f.no for f in frames(project, application, here) if f.before == way.before)
+    inmost = _inmost(project, application, to)
+    return (
+        inmost is not None
+        and f"{inmost}/".startswith(f"{target}/")
+        and f"{target}/".startswith(f"{to}/")
+    )
 
 
 def actions(project: Project, application: str) -> Iterator[tuple[str, Place, Frame, Action]]:

@@ -101,6 +101,8 @@ class _Question:
             return str(named)
         state = self.wanted.get("state", self.wanted.get("to"))
         able = [n for n in known if not isinstance(state, str) or frames(self.project, n, state)]
+        if not able and len(known) == 1:
+            raise UsageError(f"--not: {known[0]} has no state {state}")
         if len(able) != 1:
             which = ", ".join(able or known) or "none"
             raise UsageError(f"--not needs an “application” of {which}")
@@ -115,7 +117,7 @@ class _Question:
 def _enter(asked: _Question) -> list[Reason]:
     state = asked.field("state")
     _, stuck, application = asked.stuck()
-    here = [stay for stay in stuck.now() if f"{stay.state}/".startswith(f"{state}/")]
+    here = [stay for stay in stuck.now() if stay.is_in(state)]
     if here:
         since = moment(here[-1].entered["t"])
         said = f"{application} was in {state} already, since {since}"
@@ -126,13 +128,16 @@ def _enter(asked: _Question) -> list[Reason]:
 def _transition(asked: _Question) -> list[Reason]:
     to, source = asked.field("to"), asked.wanted.get("from")
     _, stuck, application = asked.stuck()
-    if isinstance(source, str) and not any(s.state == source for s in stuck.now()):
+    inside = [stay for stay in stuck.now() if source is None or stay.is_in(source)]
+    if isinstance(source, str) and not inside:
         return stuck.why_not_in(source)
     found = []
-    for stay in stuck.now():
-        if source not in (None, stay.state):
-            continue
+    for stay in inside:
+        active = frames(asked.project, application, stay.state)
+        levels = [frame.before for frame in active if source in (None, frame.no)]
         for way in ways(asked.project, application, stay.state):
+            if way.before not in levels:
+                continue
             name = None if way.event is None else way.event.name
             named = "event" not in asked.wanted or asked.wanted["event"] == name
             if named and leads_to(asked.project, application, way, stay.state, to):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator
+from itertools import pairwise
 
 from situ.decide.intake import NOT_UNDERSTOOD
 from situ.decide.machine import RESUMED, TIMED_OUT
@@ -41,16 +42,19 @@ class Stuck:
         """What kept the application from entering ``target`` at the moment."""
         if not self.stays:
             return [self.not_started()]
-        found: list[Reason] = []
-        for stay in self.now():
-            for way in self._ways(stay):
-                if self._leads(stay, way, target):
-                    found += self.why_not_taken(stay, way)
+        found = [one for stay in self.now() for one in self._not_led(stay, target)]
         return found or self._no_way(self.now()[-1], target)
+
+    def _not_led(self, stay: Stay, target: str) -> list[Reason]:
+        found: list[Reason] = []
+        for way in self._ways(stay):
+            if self._leads(stay, way, target):
+                found += self.why_not_taken(stay, way)
+        return found
 
     def why_not_in(self, state: str) -> list[Reason]:
         """Why the application was elsewhere than in ``state``; empty where it was there."""
-        if any(f"{stay.state}/".startswith(f"{state}/") for stay in self.now()):
+        if any(stay.is_in(state) for stay in self.now()):
             return []
         below = self.why_not_entered(state)
         if below[0].code in ("no-way", "elsewhere"):
@@ -193,12 +197,26 @@ class Stuck:
                     found.append(Reason(code="input", text=said, below=below))
         if name == TIMED_OUT:
             found += [self._timeout(stay, w) for w in self._ways(stay) if w.timeout is not None]
+        found += self._ends(stay, name)
         if phrases:
             said = f"it is what is heard as {words.listed(map(words.quoted, phrases), 'or')}"
             found.append(Reason(code="input", text=said))
         if not found:
             found.append(Reason(code="input", text=_ORIGINS.get(name, _OUTSIDE)))
         return found
+
+    def _ends(self, stay: Stay, name: str) -> Iterator[Reason]:
+        """The end states of the parts around that would tell an event, and what kept them away."""
+        for frame, inside in pairwise(frames(self._project, self._application, stay.state)):
+            expected = [way.exit for way in self._ways(stay) if way.before == frame.before]
+            for end in inside.application.states:
+                own = f"done.{end.no}"
+                if not end.is_end or name not in (own, "done") or (name != own and own in expected):
+                    continue
+                no = inside.before + end.no
+                said = f"it comes when the part enters its end state {self._state(no)}"
+                below = self._not_led(stay, no) or self._no_way(stay, no)
+                yield Reason(code="input", text=said, below=tuple(below))
 
     def _raisers(self, stay: Stay, name: str) -> Iterator[str]:
         """Components and actions of the state that raise an event."""
@@ -242,7 +260,6 @@ _OUTSIDE = "it comes from outside: from a module, a message, or the blackboard"
 _ORIGINS = {
     RESUMED: "it comes when a suspension ends",
     NOT_UNDERSTOOD: "it comes when something is heard that is none of the phrases",
-    "done": "it comes when the part enters an end state whose own event is not accepted",
 }
 
 
@@ -263,21 +280,23 @@ def _fate(stay: Stay, element: str, name: str | None) -> str:
 
 
 def _path(project: Project, application: str, start: str, target: str) -> list[tuple[Way, str]]:
-    """The fewest ways from one state to another, each with where it leads; back not followed."""
-    came: dict[str, tuple[str, Way] | None] = {start: None}
+    """The fewest ways from one state into another, each with where it leads; back not followed."""
+    came: dict[str, tuple[str, Way]] = {}
     waiting = deque([start])
     while waiting:
         here = waiting.popleft()
-        if here == target and here != start:
+        if here in came and f"{here}/".startswith(f"{target}/"):
             break
         for way in ways(project, application, here):
             to = entered(project, application, way)
-            if to is not None and to not in came:
+            if to is not None and to != start and to not in came:
                 came[to] = (here, way)
                 waiting.append(to)
+    else:
+        return []
     found: list[tuple[Way, str]] = []
-    at = target
-    while (step := came.get(at)) is not None:
-        found.append((step[1], at))
-        at = step[0]
+    while here in came:
+        before, way = came[here]
+        found.append((way, here))
+        here = before
     return found[::-1]
