@@ -2,10 +2,11 @@
 # make test   all tests
 # make check  ruff, mypy, import-linter, then the tests
 # make bench  measures ours beside what else there is; ARGS="-k fsm" only some
+# make soak   the faults, long and often, with figures; SITU_SEED=N chooses other ones
 # make format rewrites the code's layout;  make clean removes what was made here
 
 .DELETE_ON_ERROR:
-.PHONY: demo test check lint bench format clean
+.PHONY: demo test check lint bench soak format clean
 
 VENV := .venv
 READY := $(VENV)/.ready
@@ -37,6 +38,9 @@ lint: $(READY)
 
 bench: $(VENV)/.bench
 	@$(BIN)/python -m tests.benchmarks $(ARGS)
+
+soak: $(READY)
+	@SITU_SOAK=1 $(BIN)/pytest -q -s --timeout 3600 tests/faults $(ARGS)
 
 format: $(READY)
 	@$(BIN)/ruff check -q --fix-only .

@@ -56,6 +56,14 @@ def test_what_was_kept_is_there_when_the_process_is_gone(tmp_path: Path, sync: b
         assert again.restored == {"pill.a": (value, 3, "nod"), "pill.b": (True, 1, "x")}
 
 
+@pytest.mark.parametrize(("sync", "level"), [(False, "NORMAL"), (True, "FULL")])
+def test_only_with_sync_the_disk_is_waited_for(tmp_path: Path, sync: bool, level: str) -> None:
+    # SQLite's documentation: in WAL mode FULL alone syncs each commit.
+    with opened(tmp_path, sync=sync) as store:
+        ((found,),) = store._db.execute("PRAGMA synchronous")
+    assert ("OFF", "NORMAL", "FULL")[found] == level
+
+
 def test_the_last_version_counts_and_a_deletion_is_kept(tmp_path: Path) -> None:
     with opened(tmp_path) as store:
         kept(store, changed("pill.a", 1, 1), changed("pill.b", 1, 1), changed("pill.a", 2, 2))

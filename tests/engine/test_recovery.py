@@ -4,7 +4,7 @@ again (docs/architecture.md, *How the core comes back*)."""
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +24,7 @@ from situ.document.ready import load_ready
 from situ.engine.folder import StateFolder
 from situ.engine.live import Live
 from situ.engine.recovery import INPUTS, Recovery, identity
-from situ.errors import UsageError
+from situ.errors import Refused, UsageError
 
 DEADLINE = 20.0
 LAB = Path(__file__).parent.parent / "blackboard" / "lab"
@@ -248,6 +248,43 @@ def robot_of(project: Project, folder: Path, carrying: Carrying, **more: Any) ->
         durable=DurableTags(folder, project.durable),
         **more,
     )
+
+
+class Slow(DurableTags):
+    """A disk that has everything kept only when it is told so."""
+
+    def keep(self, changes: Iterable[Changed], done: Callable[[str | None], None]) -> None:
+        self.done = done
+
+
+@pytest.mark.parametrize("why", [None, "disk I/O error"])
+def test_a_durable_tag_is_acknowledged_when_it_is_kept_and_others_do_not_wait(
+    tmp_path: Path, errand: Project, why: str | None
+) -> None:
+    store = Slow(tmp_path, errand.durable)
+
+    async def test() -> None:
+        robot = Live(errand, "tcp://127.0.0.1:0", "tcp://127.0.0.1:0", durable=store)
+        addresses = await robot.start()
+        async with (
+            connect_async(addresses.requests) as board,
+            connect_async(addresses.requests, "nod") as other,
+            other.watch("pill.*") as changes,
+        ):
+            acknowledged = asyncio.create_task(board.set("pill.a", 1))
+            change = await changes.next(DEADLINE)
+            assert change is not None
+            assert (await board.set("x", 1), await other.set("x", 2)) == ({"x": 1}, {"x": 2})
+            assert not acknowledged.done()
+            store.done(why)
+            if why is None:
+                assert await acknowledged == {"pill.a": 1}
+            else:
+                with pytest.raises(Refused, match="disk I/O error"):
+                    await acknowledged
+        await robot.stop()
+
+    go(test)
 
 
 def test_what_was_cut_off_begins_again_and_what_must_not_fails(
