@@ -52,7 +52,7 @@ from situ.document.rbd import (
 from situ.document.spds import Declaration, Entry, Situation, Spds
 
 FILE, PART = "a.rbd.xml", "p.rbd.xml"
-AT = {"x": 1.0, "y": 1.0, "width": 9.0, "height": 9.0}
+AT: dict[str, Any] = {"x": 1.0, "y": 1.0, "width": 9.0, "height": 9.0}
 SHAPE = 'x="1" y="1" width="9" height="9"'
 
 
@@ -80,7 +80,7 @@ def found(source: Project) -> list[Problem]:
 
 
 def told(text: str, **parts: str) -> list[tuple[str, ...]]:
-    return [one.place for one in found(project(text, **parts))]
+    return [one.place for one in found(project(text, None, **parts))]
 
 
 def state(no: str, inside: str = "", events: str = "", more: str = "") -> str:
@@ -153,9 +153,11 @@ def test_a_kept_screen_is_expected_where_it_is_kept() -> None:
     assert told(passed) == [AT_GO]
     back = state("1", "", event("e", "2")) + state("2", GO, event("b", BACK))
     assert told(back + state("3", "", event("go", "1"))) == [("state", "2", "screen", "go")]
-    assert (
-        told(state("1", "", event("go") + event("e", "2")) + state("2", GO, event("b", BACK))) == []
-    )
+    both = state("1", "", event("e", "2") + event("f", "3")) + state("2", GO, event("b", BACK))
+    both += state("3", "", event("b", BACK)) + state("4", "", event("go", "1"))
+    assert told(both) == [("state", "2", "screen", "go")]
+    expecting = state("1", "", event("go") + event("e", "2"))
+    assert told(expecting + state("2", GO, event("b", BACK))) == []
 
 
 def test_the_screen_of_always_is_not_kept_where_always_is_left_out() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from random import Random
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -297,18 +298,21 @@ class Maker:
         name = f"c{self.count}"
         x, y = random.choice([-60, -20, 0, 20, 60, 100]), random.choice([0, 20, 40, 90])
         width, height = random.choice([20, 40, 100]), random.choice([20, 60])
-        fill = random.choice([None, "#fff"])
-        shape = {"id": name, "x": float(x), "y": float(y), "fill": fill}
-        size = {"width": float(width), "height": float(height)}
-        kind = random.choice([Text, Text, Button, Image, Movie, Input, List])
-        more = {
-            Text: {"text": random.choice(["", "a"])},
-            Input: {"tag": "x"},
-            List: {"items": "x"},
-            Image: {"src": "a.png"},
-            Movie: {"src": "a.webm"},
-        }
-        return kind(**shape, **size, **more.get(kind, {}))
+        shape: dict[str, Any] = {"id": name, "x": float(x), "y": float(y)}
+        shape.update(width=float(width), height=float(height), fill=random.choice([None, "#fff"]))
+        match random.randrange(7):
+            case 0 | 1:
+                return Text(**shape, text=random.choice(["", "a"]))
+            case 2:
+                return Button(**shape)
+            case 3:
+                return Image(**shape, src="a.png")
+            case 4:
+                return Movie(**shape, src="a.webm")
+            case 5:
+                return Input(**shape, tag="x")
+            case _:
+                return List(**shape, items="x")
 
 
 def layers(source: Project) -> Iterator[list[str]]:

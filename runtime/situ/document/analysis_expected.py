@@ -236,7 +236,7 @@ class _Expected:
         expected = {one for run, active in reached for one in run.expected(active)}
         near = get_close_matches(name, sorted(expected), n=1, cutoff=0.8)
         negated = "not expect it" if len(paths) == 1 else "expect it"
-        mend: Mend
+        mend: Mend | None
         if near and not isinstance(raiser.value, Timeout):
             do = f"did you mean {words.quoted(near[0])}?"
             change = search.put(raiser.file, raiser.place, raiser.field, near[0])
@@ -251,7 +251,7 @@ class _Expected:
             raiser.file, "unexpected-event", message, raiser.value.aside, raiser.place, mend
         )
 
-    def _add(self, raiser: Raiser, active: Active) -> Mend:
+    def _add(self, raiser: Raiser, active: Active) -> Mend | None:
         """An event that is expected, and for the time being does nothing."""
         level = next(one for one in active.levels if one.file == raiser.file)
         place: Place = ("always",)

@@ -178,7 +178,7 @@ class _Boxes:
         )
         self._search.warn(box.file, "off-screen", message, one.aside, box.place, self._into(box))
 
-    def _into(self, box: Box) -> Mend:
+    def _into(self, box: Box) -> Mend | None:
         one = box.component
         width, height = min(one.width, 100.0), min(one.height, 100.0)
         wanted = {

@@ -103,7 +103,8 @@ def _near(name: str, known: set[str]) -> str | None:
 def _other_name(search: Search, file: str, place: Place, name: str, near: str) -> Mend | None:
     """The name that was meant, wherever what stands at the place has the other."""
     way = follow(of(search.project, file), place)
-    assert way is not None
+    if way is None:
+        return None
     value, changes = way[1][-1], []
     for field in value.__struct_fields__:
         held = getattr(value, field)
@@ -143,7 +144,7 @@ def _services(search: Search, file: str, application: Application) -> None:
         if not name or "{" in name or name in known:
             continue
         near = _near(name, known)
-        do, mend = f"add <module name={words.quoted(name)}> to the module information", None
+        do, mend = "declare it in the module information", None
         if near is not None:
             do = f"did you mean {words.quoted(near)}?"
             change = search.put(file, place, "url", f"{action.url[: len(BOARD)]}{near}/{request}")
