@@ -8,11 +8,14 @@ the element it stood at; namespaces are declared at the root.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from situ.document.aside import EDITOR, Aside
 from situ.document.elements import ROOTS, Element
+
+_Write = Callable[[Any], str]
 
 XMLNS = "http://www.w3.org/2000/xmlns/"
 """The namespace of namespace declarations; the root's aside holds the file's."""
@@ -101,33 +104,42 @@ def _element(
     out: list[str], element: Element, value: Any, indent: str, prefixes: _Prefixes
 ) -> None:
     aside: Aside = value.aside
-    out += [indent + prefixes.fragment(fragment) for fragment in aside.before]
+    if aside.before:
+        out += [indent + prefixes.fragment(fragment) for fragment in aside.before]
     _tagged(out, element, value, aside, indent, prefixes)
 
 
 def _quoted(text: str) -> str:
     """An attribute's value in the quotes that need the fewest escapes (JSON has many ``"``)."""
+    if text.isalnum():
+        return f'"{text}"'
     if '"' in text and "'" not in text:
         return f"'{text.translate(_SINGLE)}'"
     return f'"{text.translate(ATTRIBUTE)}"'
 
 
-def _attributes(element: Element, value: Any) -> Iterable[tuple[str, str]]:
-    for one in element.attributes:
-        held = getattr(value, one.field)
-        if held == one.default and (held is None or not (one.required or one.always)):
-            continue
-        kind = one.type
-        yield one.name, held if kind.write is None else kind.write(held)
+@cache
+def _attributes(element: Element) -> tuple[tuple[str, str, object, bool, _Write | None], ...]:
+    """Of each attribute: the start of its text, its field, the default and whether it is written
+    nevertheless, and how.
+    """
+    return tuple(
+        (f" {one.name}=", one.field, one.default, one.required or one.always, one.type.write)
+        for one in element.attributes
+    )
 
 
 def _tagged(
     out: list[str], element: Element, value: Any, aside: Aside, indent: str, prefixes: _Prefixes
 ) -> None:
     start = [indent, "<", element.name]
-    pairs = (element.attributes_of or (lambda v: _attributes(element, v)))(value)
-    for name, text in pairs:
-        start.append(f" {name}={_quoted(text)}")
+    if element.attributes_of is not None:
+        start += [f" {name}={_quoted(text)}" for name, text in element.attributes_of(value)]
+    else:
+        for name, field, default, always, write in _attributes(element):
+            held = getattr(value, field)
+            if held != default or (always and held is not None):
+                start += (name, _quoted(held if write is None else write(held)))
     own = len(start)
     for key, text in aside.attributes:
         space, _, name = key[1:].partition("}")
@@ -137,23 +149,26 @@ def _tagged(
     if element.text is not None:
         field, kind = element.text
         written = getattr(value, field)
-        text = (written if kind.write is None else kind.write(written)).translate(_TEXT)
+        text = written if kind.write is None else kind.write(written)
+        if not text.isalnum():
+            text = text.translate(_TEXT)
     inner: list[str] = []
     for slot in element.slots:
-        held: Any = getattr(value, slot.field) if slot.field else None
+        children: Any = getattr(value, slot.field) if slot.field else None
         if not slot.field:
             _part(inner, slot.elements[0], value, aside, indent + "  ", prefixes)
         elif slot.many:
-            for child in held:
+            for child in children:
                 _element(inner, slot.element(child), child, indent + "  ", prefixes)
-        elif held is not None:
-            _element(inner, slot.element(held), held, indent + "  ", prefixes)
-    inside = [prefixes.fragment(fragment) for fragment in aside.inside]
-    if not element.slots:
-        # White space would become part of the text: what stood in it follows it directly.
-        text += "".join(inside)
-    else:
-        inner += [f"{indent}  {fragment}" for fragment in inside]
+        elif children is not None:
+            _element(inner, slot.element(children), children, indent + "  ", prefixes)
+    if aside.inside:
+        inside = [prefixes.fragment(fragment) for fragment in aside.inside]
+        if not element.slots:
+            # White space would become part of the text: what stood in it follows it directly.
+            text += "".join(inside)
+        else:
+            inner += [f"{indent}  {fragment}" for fragment in inside]
     if not indent:
         start.insert(own, prefixes.declarations())
     if inner:
