@@ -9,13 +9,17 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+import msgspec
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from situ.decide import inputs
+from situ.decide.flips import Flips
 from situ.decide.robot import Robot
-from situ.decide.trace import Authority, Mapping, TraceEvent, to_fields, to_line
+from situ.decide.trace import Authority, Data, Mapping, TraceEvent, to_fields, to_line
+from situ.decide.trace import Condition as ConditionEvent
+from situ.decide.values import compile_test
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Leaf
 from situ.document.project import Project
@@ -584,6 +588,84 @@ def test_situations_are_as_the_plain_model_has_them(
 
 
 # -- speed does not depend on how many there are ----------------------------
+
+written = st.sampled_from(
+    ["1", "1.0", "2", "-3", "true", "false", "null", "a", '"a"', '"1"', "08:00", "[1]", '{"a": 1}']
+)
+members = st.sampled_from(["[1, 2]", '["a", true]', "[[1], null]", "1", "[]"])
+plain_tests = st.one_of(
+    st.builds(Leaf, st.just("x"), st.sampled_from(["is", "isnot"]), written),
+    st.builds(
+        Leaf, st.just("x"), st.sampled_from(["above", "below", "atleast", "atmost"]), written
+    ),
+    st.builds(Leaf, st.just("x"), st.just("in"), members),
+    st.builds(Leaf, st.just("x"), st.just("exists"), st.sampled_from(["true", "false"])),
+)
+any_value = st.sampled_from(
+    [None, 0, 1, 1.0, 1.5, 2, -3, True, False, "a", "1", "b", "08:00", "null", [1], [2], {"a": 1}]
+)
+
+
+@settings(FEW, max_examples=200)
+@given(st.lists(plain_tests, max_size=8), st.lists(any_value, max_size=8))
+def test_every_test_that_changes_with_its_value_is_found(
+    tests: list[Leaf], values_: list[Any]
+) -> None:
+    now: dict[str, Any] = {}
+    flips = Flips("x", now.get)
+    for number, test in enumerate(tests):
+        flips.add(test, number)
+    judges = [compile_test(test.test, test.value)[0] for test in tests]
+    before = [judge(None, now.get) for judge in judges]
+    for value in values_:
+        now["x"] = value
+        after_ = [judge(value, now.get) for judge in judges]
+        changed = {n for n, (a, b) in enumerate(zip(before, after_, strict=True)) if a != b}
+        assert changed <= set(flips.changed())
+        before = after_
+
+
+@pytest.mark.parametrize("test", ["above", "atmost", "is", "isnot"])
+def test_of_many_tests_of_one_name_only_those_near_its_value_are_judged(test: str) -> None:
+    now: dict[str, Any] = {}
+    flips = Flips("x", now.get)
+    for number in range(1000):
+        flips.add(Leaf("x", test, str(number)), number)  # type: ignore[arg-type]
+    now["x"] = 500.5 if test in ("above", "atmost") else 500
+    flips.changed()
+    now["x"] += 1
+    assert len(list(flips.changed())) <= 2
+
+
+@settings(FEW, max_examples=60)
+@given(
+    st.lists(st.lists(plain_tests, min_size=1, max_size=2), min_size=1, max_size=4),
+    st.lists(st.tuples(any_value, any_value), max_size=6),
+)
+def test_a_condition_is_caused_by_the_last_write_that_it_looks_at(
+    found: list[list[Leaf]], values_: list[tuple[Any, Any]]
+) -> None:
+    """Two tags of one write: the second is the cause where the condition looks at it."""
+    situations = tuple(
+        Situation(
+            f"s{number}",
+            condition=Condition(
+                tuple(msgspec.structs.replace(t, tag="xy"[n % 2]) for n, t in enumerate(tests))
+            ),
+        )
+        for number, tests in enumerate(found)
+    )
+    robot = Robot(
+        Project(root=".", name="p", spds=Spds("s", (), (), (*situations, Situation("r"))))
+    )
+    robot.step(inputs.Start(), 0)
+    for x, y in values_:
+        events, _ = robot.step(inputs.Set({"x": x, "y": y}, "m"), 1)
+        told = {e.tag: e.seq for e in events if isinstance(e, Data)}
+        for event in events:
+            if isinstance(event, ConditionEvent):
+                looks = "xy"[: len(found[int(event.situation[1:])])]
+                assert event.cause == max(told[tag] for tag in looks if tag in told)
 
 
 @pytest.mark.parametrize("others", [10, 400])

@@ -207,7 +207,7 @@ class Robot:
         for machine, kept in zip(self._machines, state.machines, strict=True):
             machine.restore(kept)
         if settling.situations is not None and state.situations is not None:
-            settling.situations.state = state.situations
+            settling.situations.restore(state.situations)
         self._presence.state = state.presence
         settling.moment, settling.count = state.moment, state.count
         settling.at_rest = state.at_rest

@@ -37,7 +37,7 @@ class Settling:
         self.livelocked = False
         self.situations: Situations | None = None
         if project.spds is not None:
-            self.situations = Situations(project.spds, world.conditions, world.step)
+            self.situations = Situations(project.spds, world.conditions, world.board, world.step)
         self._shown: list[Machine] = []
         self._heard: list[Machine] = []
 

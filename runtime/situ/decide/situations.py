@@ -7,9 +7,15 @@ import heapq
 from msgspec import Struct
 
 from situ.decide import trace
+from situ.decide.board import Board, Listener, prefixes
 from situ.decide.conditions import Compiled, Conditions, Watcher
+from situ.decide.flips import Flips
 from situ.decide.step import HOLD, Step, duration
+from situ.document.condition import Condition, Group, Test
 from situ.document.spds import Situation, Spds
+
+_NEVER = (0, None)
+"""A name that was not written."""
 
 
 class Observation(Struct):
@@ -36,31 +42,42 @@ class Observation(Struct):
 
 class SituationsState(Struct):
     """stale: situations to be judged, with what their condition was told last; untils: what
-    their until was.
+    their until was. told: names written since they were judged last: which was it in the order
+    of writing, and its cause.
     """
 
     observations: list[Observation] = []
     current: int | None = None
     stale: dict[int, int | None] = {}
     untils: dict[int, int | None] = {}
+    told: dict[str, tuple[int, int | None]] = {}
+    writes: int = 0
     candidates: list[int] = []
 
 
 class Situations:
     """The situation observation service of one robot."""
 
-    def __init__(self, spds: Spds, conditions: Conditions, step: Step) -> None:
+    def __init__(self, spds: Spds, conditions: Conditions, board: Board, step: Step) -> None:
         self.spds = spds
         self._step = step
+        self._board = board
         self._sources = spds.situations
         self.priorities = [spds.priorities(source) for source in self._sources]
         self._conditions: list[Compiled | None] = []
         self._untils: list[Compiled | None] = []
+        self._flips: dict[str, Flips] = {}
+        self._names: list[list[str]] = []
         self.state = SituationsState()
         for number, source in enumerate(self._sources):
             stale, until = self._watchers(number)
+            tests = plain(source.condition)
+            for test in tests:
+                self._follow(test.tag).add(test, number)
+            self._names.append(list({test.tag: test for test in tests}))
+            watcher = None if tests else stale
             self._conditions.append(
-                None if source.condition is None else conditions.compile(source.condition, stale)
+                None if source.condition is None else conditions.compile(source.condition, watcher)
             )
             self._untils.append(
                 None if source.until is None else conditions.compile(source.until, until)
@@ -80,6 +97,29 @@ class Situations:
 
         return stale, until
 
+    def _follow(self, name: str) -> Flips:
+        found = self._flips.get(name)
+        if found is None:
+            found = self._flips[name] = Flips(name, self._board.look)
+            self._board.listen(prefixes(name), self._written(found, name))
+        return found
+
+    def _written(self, flips: Flips, name: str) -> Listener:
+        def written(tag: str, cause: int | None) -> None:
+            state = self.state
+            state.writes += 1
+            state.told[name] = (state.writes, cause)
+            for number in flips.changed():
+                state.stale[number] = None
+
+        return written
+
+    def restore(self, state: SituationsState) -> None:
+        """Goes on from a state of the same script; the board has been restored before."""
+        self.state = state
+        for name, flips in self._flips.items():
+            flips.value = self._board.look(name)
+
     @property
     def current(self) -> Situation | None:
         at = self.state.current
@@ -96,13 +136,16 @@ class Situations:
         Gives the seq of the ``situation`` event, None where the current one stays.
         """
         state = self.state
-        if not state.stale and state.current is not None:
-            return None
-        stale = sorted(state.stale.items())
-        state.stale.clear()
-        for number, cause in stale:
-            self._judge(number, cause)
-        return self._choose()
+        if state.stale or state.current is None:
+            stale = sorted(state.stale.items())
+            state.stale.clear()
+            for number, cause in stale:
+                self._judge(number, cause)
+            chosen = self._choose()
+        else:
+            chosen = None
+        state.told.clear()
+        return chosen
 
     def is_live(self, number: int, token: int) -> bool:
         """Whether a timer of the situation still means something."""
@@ -131,6 +174,8 @@ class Situations:
             holds = condition()
             if holds != seen.condition:
                 seen.condition = holds
+                if self._names[number]:
+                    cause = self._last_told(self._names[number])
                 seen.begin_cause = self._step.trace(trace.Condition, cause, source.name, holds)
                 if not holds:
                     seen.spent = False
@@ -145,6 +190,13 @@ class Situations:
                 seen.end_cause = cause
                 self._end(number)
         self._offer(number)
+
+    def _last_told(self, names: list[str]) -> int | None:
+        """The cause of the last write that a condition of these names was told."""
+        told = self.state.told
+        if len(names) == 1:
+            return told.get(names[0], _NEVER)[1]
+        return max(told.get(name, _NEVER) for name in names)[1]
 
     def _end(self, number: int) -> None:
         """Ended by ``until`` or ``limit``: not again before its condition was false once."""
@@ -207,3 +259,18 @@ class Situations:
 
     def _name(self, number: int | None) -> str | None:
         return None if number is None else self._sources[number].name
+
+
+def plain(condition: Condition | None) -> list[Test]:
+    """The tests of a condition where each depends on one value alone; none where time counts."""
+    tests: list[Test] = []
+    waiting = list(condition.children) if condition is not None else []
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, Group):
+            waiting += node.children
+        elif node.within is not None or node.hold is not None:
+            return []
+        else:
+            tests.append(node)
+    return tests
