@@ -6,6 +6,9 @@ import asyncio
 import os
 import subprocess
 import sys
+from pathlib import Path
+
+import pytest
 
 from situ.engine.children import Children
 
@@ -61,3 +64,30 @@ def test_they_are_told_to_end_when_their_starter_is_killed() -> None:
         os.kill(process.pid, 9)
         # Comes to an end only when the child is gone too.
         assert process.stdout.read() == b""
+
+
+RUN = "from situ.engine.process import run; begun = run(['sh', '-c', program])"
+LAUNCH = (
+    "import logging; from situ.engine.actions.launch import Launcher; "
+    "begun = Launcher(folder, logging.getLogger()).launch('game', {})"
+)
+
+
+@pytest.mark.parametrize("begun", [RUN, LAUNCH], ids=["run", "launched"])
+def test_what_an_action_runs_ends_when_the_robot_is_killed(begun: str, tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    program = f"exec > {pipe}; echo up; exec tail -f /dev/null"
+    (tmp_path / "launch.toml").write_text(f'game = ["sh", "-c", "{program}"]')
+    starter = (
+        "import asyncio, pathlib, sys\n"
+        "folder, program = pathlib.Path(sys.argv[1]), sys.argv[2]\n"
+        f"{begun}\n"
+        "asyncio.run(begun)\n"
+    )
+    with subprocess.Popen([sys.executable, "-c", starter, str(tmp_path), program]) as process:
+        with open(pipe, "rb") as told:
+            assert told.readline() == b"up\n"
+            os.kill(process.pid, 9)
+            # Comes to an end only when the program is gone too.
+            assert told.read() == b""

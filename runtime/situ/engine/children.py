@@ -4,20 +4,16 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import ctypes
 import os
 import signal
-import sys
 from collections.abc import Sequence
 from types import TracebackType
 from typing import Any
 
-from situ.engine.process import kill
+from situ.engine.process import ending_with_us, kill
 
 GRACE = 2.0
 """Seconds that programs get to end by themselves, before they are killed."""
-
-_SET_PARENT_DEATH_SIGNAL = 1
 
 
 class Children:
@@ -48,7 +44,7 @@ class Children:
         """
         options.setdefault("stdin", asyncio.subprocess.DEVNULL)
         started = await asyncio.create_subprocess_exec(
-            *argv, start_new_session=True, preexec_fn=_end_with(os.getpid()), **options
+            *argv, start_new_session=True, preexec_fn=ending_with_us(signal.SIGTERM), **options
         )
         self._running.append(started)
         return started
@@ -66,18 +62,3 @@ class Children:
                 os.killpg(process.pid, signal.SIGKILL)
         await asyncio.gather(*waits)
         self._running.clear()
-
-
-def _end_with(parent: int) -> Any:
-    """What a new process does first: asks for a signal for when its parent dies."""
-    if sys.platform != "linux":
-        return None
-    # Loaded here: between fork and exec nothing may be imported.
-    prctl = ctypes.CDLL(None, use_errno=True).prctl
-
-    def ask() -> None:
-        prctl(_SET_PARENT_DEATH_SIGNAL, signal.SIGTERM)
-        if os.getppid() != parent:  # it died before we asked
-            os._exit(1)
-
-    return ask

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import ctypes
 import os
 import signal
-from collections.abc import Sequence
+import sys
+from collections.abc import Callable, Sequence
 
 from msgspec import Struct
 
@@ -31,7 +33,8 @@ async def run(argv: Sequence[str], data: bytes = b"") -> Ended:
     """Runs a program to its end.
 
     It leads a process group of its own; a cancelled ``run`` kills the group and
-    returns only when the program is gone. Raises OSError where it can not start.
+    returns only when the program is gone, and the system kills it where we are killed
+    ourselves. Raises OSError where it can not start.
     """
     process = await asyncio.create_subprocess_exec(
         *argv,
@@ -39,6 +42,7 @@ async def run(argv: Sequence[str], data: bytes = b"") -> Ended:
         stdout=asyncio.subprocess.PIPE,
         stderr=asyncio.subprocess.PIPE,
         start_new_session=True,
+        preexec_fn=ending_with_us(signal.SIGKILL),
     )
     try:
         out, err = await process.communicate(data)
@@ -56,3 +60,25 @@ def kill(process: asyncio.subprocess.Process, with_signal: int = signal.SIGKILL)
     if process.returncode is None:
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(process.pid, with_signal)
+
+
+def ending_with_us(number: signal.Signals) -> Callable[[], None] | None:
+    """A ``preexec_fn``: the program gets this signal from the system when we die, however we do.
+
+    None where the system can not (all but Linux).
+    """
+    if sys.platform != "linux":
+        return None
+    # Loaded here: between fork and exec nothing may be imported.
+    prctl = ctypes.CDLL(None, use_errno=True).prctl
+    starter = os.getpid()
+
+    def ask() -> None:
+        prctl(_SET_PARENT_DEATH_SIGNAL, number)
+        if os.getppid() != starter:  # it died before we asked
+            os._exit(1)
+
+    return ask
+
+
+_SET_PARENT_DEATH_SIGNAL = 1

@@ -25,7 +25,7 @@ from typing import Any
 import msgspec
 
 from situ.engine.actions import ActionFailed
-from situ.engine.process import kill
+from situ.engine.process import ending_with_us, kill
 
 GRACE = 1.0
 """Seconds between asking a program to end and killing it."""
@@ -44,7 +44,8 @@ class Launcher:
         """Returns when the program has ended with exit status 0.
 
         Raises ActionFailed for any other end, and for a program that is not on the
-        list. Cancelled, it ends the program and all it started, and waits for it.
+        list. Cancelled, it ends the program and all it started, and waits for it. Where we
+        are killed the system tells it to end: the core that comes back starts it again.
         """
         argv = arguments(self._allowed(program), params)
         try:
@@ -54,6 +55,7 @@ class Launcher:
                 stdout=asyncio.subprocess.DEVNULL,
                 stderr=asyncio.subprocess.DEVNULL,
                 start_new_session=True,
+                preexec_fn=ending_with_us(signal.SIGTERM),
             )
         except OSError as error:
             raise ActionFailed(f"{program} can not be started: {error.strerror}") from error
