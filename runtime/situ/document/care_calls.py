@@ -124,7 +124,7 @@ def _keeps(application: Application, along: list[Way]) -> set[str]:
     into: dict[str, set[str]] = {}
     for way in along:
         into.setdefault(way.target, set()).add(way.source)
-    bare = {s.no for s in application.states if s.screen is None}
+    bare = {s.no for s in application.states if s.screen is None and s.flow is None}
     has = {s.no for s in application.states if _used(s.screen, ())}
     start = application.start_no
     kept = {no for no in bare if no != start and into.get(no)}

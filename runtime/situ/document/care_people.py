@@ -9,7 +9,7 @@ from situ.document.analysis_data import shown_names
 from situ.document.analysis_search import Search
 from situ.document.care_mend import puts
 from situ.document.care_speech import literal
-from situ.document.care_ways import Way, backward, forward, may_be_part, serves
+from situ.document.care_ways import Way, backward, few, forward, may_be_part, serves
 from situ.document.datatypes import shown
 from situ.document.project import Project
 from situ.document.rbd import Application, Component, Input, Screen, Speech, State, Timeout
@@ -46,10 +46,8 @@ def only_waiting(search: Search, file: str, application: Application, along: lis
     lost = [state for state in application.states if state.no in caught]
     if not lost:
         return
-    several = words.listed(words.state(state) for state in lost[:4])
-    more = f" and {len(lost) - 4} more" if len(lost) > 4 else ""
     message = (
-        f"From {several}{more} nobody comes back to the start but by waiting for a timeout: add a "
+        f"From {few(lost)} nobody comes back to the start but by waiting for a timeout: add a "
         "button or a phrase that leads back, best Home to always"
     )
     search.warn(file, "no-way-back-by-hand", message, lost[0].aside, ("state", lost[0].no))

@@ -52,7 +52,7 @@ STAGE = 1.75
 the height, screen.css) taken off.
 """
 
-NARROW, LETTER, FULL = 0.2, 0.45, 0.95
+NARROW, LETTER, FULL = 0.19, 0.45, 0.95
 """The least widths of characters, beside their size: of ``NARROW_ONES``, of other Latin letters and
 digits, of Chinese and Japanese ones. All others count nothing.
 """
@@ -79,7 +79,7 @@ LIGHT = 0.36
 PIXEL = 0.2
 """Percent by which the page lets a text be larger than its component (a pixel, fit.js)."""
 
-_NARROW_ONES = re.compile(r"[\]\[ijlrtfIJ1(){}|/\\'.,:;!\"-]")
+_NARROW_ONES = re.compile(r"[\]\[ijlrtfIJ1(){}|/\\'.,:;!\"ÌÍÎÏìíîï-]")
 _LETTERS = re.compile(r"[A-Za-z0-9À-ÖØ-öø-ÿ]")
 _FULL = re.compile("[\u3041-\u3096\u30a1-\u30fa\u3400-\u9fff]")
 
@@ -220,8 +220,8 @@ def low_contrast(search: Search, file: str, application: Application) -> None:
                 "or a lighter color"
             )
             at = (*place, component.id)
-            readable = _readable(behind or GROUND)
-            mend = puts(search, file, at, component, f"Make the color {readable}", color=readable)
+            better = readable(behind or GROUND)
+            mend = puts(search, file, at, component, f"Make the color {better}", color=better)
             search.warn(file, "low-contrast", message, component.aside, at, mend)
 
 
@@ -284,7 +284,7 @@ def _best(ink: str, behind: tuple[str, ...]) -> float | None:
     return max(contrast(letters, ground) for ground in grounds)
 
 
-def _readable(behind: tuple[str, ...]) -> str:
+def readable(behind: tuple[str, ...]) -> str:
     """The first colour that is easy to read there: the page's own, else white, else black."""
     for one in (INK, "#ffffff"):
         best = _best(one, behind)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TypeGuard
 
 from situ.document import names, words
-from situ.document.analysis_data import actions, holders, placed_actions, screens
+from situ.document.analysis_data import CLOCK, actions, holders, placed_actions, screens
 from situ.document.analysis_search import Search
 from situ.document.analysis_written import constant
 from situ.document.care_mend import path_to
@@ -212,7 +212,7 @@ class _Taken:
 
     def never_missing(self, file: str, name: str) -> bool:
         root = name.partition("/")[0].partition(".")[0]
-        if root in ("application", "situation", "clock", "listen"):
+        if root in ("application", "situation", "listen") or name in CLOCK:
             return True
         if name in self._tags or any(names.matches(one, name) for one in self._patterns):
             return False
@@ -222,7 +222,10 @@ class _Taken:
         """What an application's start state gives a value before any condition is judged."""
         application = self._project.applications.get(file)
         start = application.state(application.start_no or "") if application is not None else None
-        given = [
-            one for one in (start.actions if start is not None else ()) if isinstance(one, Set)
-        ]
-        return {one.tag for one in given if constant(one.text)[1] is not None}
+        given: set[str] = set()
+        for action in start.actions if start is not None else ():
+            if isinstance(action, Set) and constant(action.text)[1] is not None:
+                given.add(action.tag)
+            if action.wait:
+                break
+        return given

@@ -6,7 +6,7 @@ from situ.document import names, words
 from situ.document.analysis_data import actions, placed_actions, screens
 from situ.document.analysis_search import Search
 from situ.document.care_mend import puts
-from situ.document.care_ways import TIMEOUT, documents, expected, may_be_part, serves
+from situ.document.care_ways import TIMEOUT, documents, expected, few, may_be_part, serves
 from situ.document.datatypes import shown
 from situ.document.rbd import (
     AGAIN,
@@ -121,10 +121,8 @@ def no_repeat(search: Search, file: str, application: Application, by_hand: set[
     ]
     if not mute:
         return
-    several = words.listed(words.state(state) for state in mute[:4])
-    more = f" and {len(mute) - 4} more" if len(mute) > 4 else ""
     message = (
-        f"Who has not understood cannot hear it again in {several}{more}: add an event with "
+        f"Who has not understood cannot hear it again in {few(mute)}: add an event with "
         "<repeat/>, best to always, and a button or a phrase for it"
     )
     search.warn(file, "no-repeat", message, mute[0].aside, ("state", mute[0].no))

@@ -10,6 +10,7 @@ from typing import Literal
 
 from msgspec import Struct
 
+from situ.document import words
 from situ.document.analysis_data import events, holders, screens
 from situ.document.analysis_search import Search
 from situ.document.project import Project
@@ -188,3 +189,9 @@ def forward(starts: Iterable[str], along: Iterable[Way]) -> set[str]:
 def backward(ends: Iterable[str], along: Iterable[Way]) -> set[str]:
     """The states from which ways lead to these, they included."""
     return forward(ends, [Way(way.target, way.source, way.by) for way in along])
+
+
+def few(states: Iterable[State]) -> str:
+    """The first states in words, and how many more there are."""
+    named = [words.state(state) for state in states]
+    return words.listed([*named[:4], f"{len(named) - 4} more"] if len(named) > 5 else named)
