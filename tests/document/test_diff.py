@@ -526,6 +526,74 @@ def test_parts_and_texts_that_stayed_or_changed_where_it_can_not_be_seen() -> No
     assert change.text == f"in ja, “Now”: {long} → {long}b"
 
 
+DAY = """<application name="day"><state no="1" name="hall"/>
+  <state no="2" name="ask"><backgroundactions><speech>Who?</speech></backgroundactions>
+  <expectedevents><event name="ok" next="3"/></expectedevents></state>
+  <state no="3" name="thanks"><backgroundactions><speech>Thanks</speech></backgroundactions>
+  <expectedevents><event name="ok" next="1"/></expectedevents></state></application>"""
+WITH_PART = """<application name="day"><state no="1" name="hall"/>
+  <state no="2" name="learn"><flow src="ask.rbd.xml"/></state></application>"""
+ASK = """<application name="ask">
+  <state no="a" name="ask"><backgroundactions><speech>Who?</speech></backgroundactions>
+  <expectedevents><event name="ok" next="b"/></expectedevents></state>
+  <state no="b" name="thanks"><backgroundactions><speech>Thanks</speech></backgroundactions>
+  <expectedevents><event name="ok" next="end"/></expectedevents></state>
+  <state no="end" final="true"/></application>"""
+
+
+def _days(text: str, **parts: str) -> Project:
+    read = {f"{name}.rbd.xml": _read(part) for name, part in parts.items()}
+    return _project(applications={"day.rbd.xml": _read(text)}, parts=read)
+
+
+def _lines(before: Project, after: Project) -> list[str]:
+    return [f"{change.file}: {change.text}" for change in compare(before, after)]
+
+
+def test_states_that_went_into_a_part_are_told_as_that_and_so_is_the_way_back() -> None:
+    before, after = _days(DAY), _days(WITH_PART, ask=ASK)
+    assert _lines(before, after) == [
+        "day.rbd.xml: state 2 ask: now in ask.rbd.xml, as a ask",
+        "day.rbd.xml: state 3 thanks: now in ask.rbd.xml, as b thanks",
+        "day.rbd.xml: state learn: added, runs the part ask.rbd.xml",
+        "ask.rbd.xml: part ask added",
+    ]
+    assert _lines(after, before) == [
+        "day.rbd.xml: state learn: gone, ran the part ask.rbd.xml",
+        "ask.rbd.xml: part ask gone",
+        "ask.rbd.xml: state a ask: now in day.rbd.xml, as 2 ask",
+        "ask.rbd.xml: state b thanks: now in day.rbd.xml, as 3 thanks",
+    ]
+
+
+def test_a_state_that_is_gone_or_new_is_told_where_its_like_stands_in_no_other_file() -> None:
+    more = ASK.replace("</application>", '<state no="c" name="again"/></application>')
+    assert _lines(_days(WITH_PART, ask=more), _days(WITH_PART, ask=ASK)) == [
+        "ask.rbd.xml: state again: gone"
+    ]
+    assert _lines(_days(WITH_PART, ask=ASK), _days(WITH_PART, ask=more)) == [
+        "ask.rbd.xml: state again: added"
+    ]
+
+
+def test_a_part_in_a_file_of_another_name_is_the_same_part() -> None:
+    renamed = WITH_PART.replace("ask.rbd.xml", "who.rbd.xml")
+    changes = compare(_days(WITH_PART, ask=ASK), _days(renamed, who=ASK))
+    assert [(change.file, change.text, change.behaviour) for change in changes] == [
+        ("day.rbd.xml", "state learn: part ask.rbd.xml → who.rbd.xml", True),
+        ("who.rbd.xml", "part ask: its file is who.rbd.xml, was ask.rbd.xml", False),
+    ]
+
+
+def test_a_component_of_another_kind_is_another_component() -> None:
+    at = 'x="1" y="1" width="9" height="9"'
+    screen = f'<application name="a"><state no="1"><screen><components>{{}} id="i" {at}'
+    button = screen.format("<button") + "/></components></screen></state></application>"
+    image = screen.format("<image") + ' src="a.png"/></components></screen></state></application>'
+    changes = compare(_read(button), _read(image))
+    assert [change.kind for change in changes] == ["gone", "new"]
+
+
 def test_a_document_alone_is_compared_without_what_only_a_project_has() -> None:
     alone = Project(root=".", name="q", applications={"other.rbd.xml": _read(_pills(seconds="9"))})
     before = Project(root=".", name="p", applications={"a.rbd.xml": _read(_pills())})

@@ -102,6 +102,15 @@ def test_a_failure_tells_what_was_expected_what_came_its_causes_and_what_was_in_
     ]
 
 
+def test_where_it_came_by_another_event_nothing_was_in_the_way(house: House) -> None:
+    wanted = {"kind": "transition", "from": "1", "to": "2", "event": "opened"}
+    house.write("a.jsonl", [*OPENS[:2], {"at": 2, "expect": wanted}])
+    status, out, _ = house.test()
+    assert status == 1
+    assert any('event was "open", not "opened"' in line for line in out)
+    assert not any("in the way" in line for line in out)
+
+
 def test_the_chain_of_causes_goes_back_to_the_outside_input(house: House) -> None:
     expected = {"kind": "action", "action": "speech", "text": "Go away"}
     house.write("a.jsonl", [*OPENS[:2], {"at": 2, "expect": expected}])

@@ -207,6 +207,8 @@ class _Comparison:
         inner = _place(slot, among, index, place)
         if isinstance(value, spds.Situation) and kind == "new" and index + 1 < len(among):
             said += f", goes before {among[index + 1].name}"
+        if isinstance(value, rbd.State) and value.flow is not None:
+            said += f", {'runs' if kind == 'new' else 'ran'} the part {value.flow}"
         if isinstance(value, rbd.State | spds.Situation | Module):
             # These are what everything else is told of.
             self._add(inner, (subject(value, among),), said, kind=kind)

@@ -44,20 +44,17 @@ def _by(key: Callable[[Any], Hashable | None]) -> Key[Any]:
 
 
 def _states(old: Sequence[rbd.State], new: Sequence[rbd.State]) -> list[Key[rbd.State]]:
-    """Number and name, number and content, content, name, number alone."""
+    """Number and name, number and content, content, name, number alone. A state that runs a
+    part is never one that does not.
+    """
     single = _once(old) & _once(new)
-
-    def content(_: int, state: rbd.State) -> Hashable | None:
-        found = skeleton(state)
-        return None if found == _EMPTY else found
-
     return [
-        lambda _, v: (v.no, v.name) if v.name else None,
+        lambda _, v: (v.no, v.name, v.flow is None) if v.name else None,
         lambda _, v: (v.no, skeleton(v)),
-        lambda i, v: (v.name, content(i, v)) if v.name else None,
-        content,
-        lambda _, v: v.name if v.name in single else None,
-        lambda _, v: v.no,
+        lambda _, v: (v.name, content(v)) if v.name else None,
+        lambda _, v: content(v),
+        lambda _, v: (v.name, v.flow is None) if v.name in single else None,
+        lambda _, v: (v.no, v.flow is None),
     ]
 
 
@@ -79,6 +76,12 @@ def skeleton(state: rbd.State) -> rbd.State:
         timeout=None if timeout is None else replace(timeout, next=None),
         events=tuple(replace(event, next=None) for event in state.events),
     )
+
+
+def content(state: rbd.State) -> rbd.State | None:
+    """Its ``skeleton``; None where it has none to be known by."""
+    found = skeleton(state)
+    return None if found == _EMPTY else found
 
 
 _EMPTY = rbd.State(no="")
@@ -119,7 +122,6 @@ _KEYS: dict[str, list[Callable[[Any], Hashable | None]]] = {
     "components": [
         lambda v: (type(v), v.id),
         lambda v: replace(v, id=""),
-        lambda v: v.id,
     ],
     "actions": [_own, _plain],
     "events": [

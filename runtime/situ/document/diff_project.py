@@ -9,11 +9,12 @@ from situ.document import words
 from situ.document.change import Change
 from situ.document.codec import Document
 from situ.document.diff import compare
+from situ.document.diff_match import content
 from situ.document.diff_words import shown
 from situ.document.folder import PROJECT_FILE, TEXTS_FOLDER
 from situ.document.pairing import pair
 from situ.document.project import Project
-from situ.document.rbd import Application
+from situ.document.rbd import Application, State
 
 Files = dict[str, Application]
 
@@ -30,6 +31,7 @@ def compare_projects(before: Project, after: Project) -> list[Change]:
         changes += _settings(before, after)
     changes += _applications(before.applications, after.applications, whole)
     changes += _parts(before.parts, after.parts)
+    changes = _between_files(before, after, changes)
     changes += _document(before.spds_file, before.spds, after.spds_file, after.spds, whole)
     changes += _document(
         before.modules_file, before.modules, after.modules_file, after.modules, whole
@@ -52,8 +54,8 @@ def _applications(before: Files, after: Files, whole: bool) -> list[Change]:
             lambda index, one: None if whole else index,
         ],
     )
-    changes = [_file(old[index], "gone") for index in paired.gone]
-    changes += [_file(new[index], "added") for index in paired.new]
+    changes = [_file(old[index], "application", "gone") for index in paired.gone]
+    changes += [_file(new[index], "application", "added") for index in paired.new]
     for first, then in paired.both:
         (file, application), (name, now) = old[first], new[then]
         if file != name and whole:
@@ -67,25 +69,57 @@ def _applications(before: Files, after: Files, whole: bool) -> list[Change]:
     return changes
 
 
-def _file(one: tuple[str, Application], what: str) -> Change:
+def _file(one: tuple[str, Application], word: str, what: str) -> Change:
     file, application = one
-    said = f"application {application.name} {what}"
+    said = f"{word} {application.name} {what}"
     return Change(file=file, place=(), text=said, kind="gone" if what == "gone" else "new")
 
 
 def _parts(before: Files, after: Files) -> list[Change]:
-    changes = []
-    for file in dict.fromkeys((*before, *after)):
-        old, new = before.get(file), after.get(file)
-        if old is not None and new is not None:
-            changes += compare(old, new, file)
-            continue
-        part = old or new
-        assert part is not None
-        said = f"part {part.name} {'gone' if new is None else 'added'}"
-        kind = "gone" if new is None else "new"
-        changes.append(Change(file=file, place=(), text=said, kind=kind))  # type: ignore[arg-type]
-    return changes
+    old, new = list(before.items()), list(after.items())
+    paired = pair(old, new, [lambda _, one: one[0], lambda _, one: one[1]])
+    changes = [_file(old[index], "part", "gone") for index in paired.gone]
+    for first, then in paired.both:
+        (file, part), (name, now) = old[first], new[then]
+        if file != name:
+            said = f"part {now.name}: its file is {name}, was {file}"
+            changes.append(Change(file=name, place=(), text=said, behaviour=False))
+        changes += compare(part, now, name)
+    return changes + [_file(new[index], "part", "added") for index in paired.new]
+
+
+def _between_files(before: Project, after: Project, changes: list[Change]) -> list[Change]:
+    """The changes, with states that went into another file, as into a part, told as that."""
+    gone, came = _states(before, changes, "gone"), _states(after, changes, "new")
+    paired = pair(gone, came, [lambda _, one: one[1].name and (one[1].name, content(one[1]))])
+    moved = {}
+    for first, then in paired.both:
+        (file, state), (other, now) = gone[first], came[then]
+        place = ("state", state.no)
+        said = f"state {words.state(state)}: now in {other}, as {words.state(now)}"
+        moved[file, place] = Change(file=file, place=place, text=said)
+    new = {(came[then][0], ("state", came[then][1].no)) for _, then in paired.both}
+    found = []
+    for one in changes:
+        at = (one.file, one.place)
+        if one.kind == "gone" and at in moved:
+            found.append(moved.pop(at))
+        elif one.kind != "new" or at not in new:
+            found.append(one)
+    # Of a file that is gone whole no state was told yet.
+    return [*found, *moved.values()]
+
+
+def _states(project: Project, changes: list[Change], kind: str) -> list[tuple[str, State]]:
+    """The states that are gone or new, with their files; those of whole files too."""
+    files = {**project.applications, **project.parts}
+    return [
+        (one.file, state)
+        for one in changes
+        if one.kind == kind and one.file in files
+        for state in files[one.file].states
+        if one.place in ((), ("state", state.no))
+    ]
 
 
 def _document(

@@ -154,7 +154,9 @@ def _failed(project: Project, recording: Recording, failure: expect.Failure) -> 
     if failure.fields.get("kind") in KINDS:
         try:
             answer: Answer = why_not(project, recording, failure.fields, at)
-            reasons = answer.reasons
+            # That it came otherwise, as told above, stands in no way.
+            if any(one.code != "note" for one in answer.reasons):
+                reasons = answer.reasons
         except UsageError:
             pass  # it leaves open what was meant: then the closest event has to do
     return Failed(
