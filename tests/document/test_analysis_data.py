@@ -371,6 +371,12 @@ def test_a_name_that_is_nearly_written_was_meant(states: str) -> None:
     assert left == []
 
 
+def test_among_very_many_names_none_is_looked_for() -> None:
+    tags = {f"user.n{number}": 1 for number in range(400)}
+    (one,) = found(project(does("<speech>{user.nn1}</speech>"), tags=tags))
+    assert "did you mean" not in one.message
+
+
 def test_a_name_in_a_param_is_left_to_the_designer() -> None:
     text = does('<message topic="t"><param name="p">{user.nmae}</param></message>')
     (one,) = found(project(text, tags={"user.name": "Ann"}))

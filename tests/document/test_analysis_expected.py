@@ -282,10 +282,21 @@ def test_a_name_that_is_nearly_expected_was_meant() -> None:
 @pytest.mark.parametrize(
     ("text", "says", "where"),
     [
-        (state("1", GO, event("f", "1")), "This button raises “go”, but the state “1”", "“1”"),
         (
-            f"<always>{GO}</always>" + "".join(state(n, "", event("f", "1")) for n in "12345"),
-            "none of the states “1”, “2”, “3” and 2 more does expect it",
+            state("1", GO, event("f", "1")),
+            "This button raises “go”, but no state expects it: add an expected event",
+            "“1”",
+        ),
+        (
+            state("1", GO, event("f", "2")) + state("2", "<screen/>", event("go", "1")),
+            "but the state “1” does not expect it: add",
+            "“1”",
+        ),
+        (
+            f"<always>{GO}</always>"
+            + "".join(state(n, "", event("f", "1")) for n in "12345")
+            + state("6", "", event("go", "1"), 'always="false"'),
+            "but none of the states “1”, “2”, “3” and 2 more expects it",
             "every state",
         ),
         (state("1", screen(touched="go"), event("f", "1")), "A touch on this screen", "“1”"),

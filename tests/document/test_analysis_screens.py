@@ -227,6 +227,18 @@ def test_a_kept_screen_lies_below_the_always_of_the_state_that_keeps_it() -> Non
     assert found(project(always + one + clear + '<state no="3"/>')) == []
 
 
+def test_what_an_event_of_the_part_takes_first_leads_out_of_no_part() -> None:
+    always = f"<always>{screen(at('button', 'home', INSIDE))}</always>"
+    on = '<expectedevents><event name="e" next="{}">{}</event></expectedevents>'
+    flow = f'<state no="1" always="false"><flow src="p.rbd.xml"/>{on.format(2, "")}</state>'
+    outer = f'{always}{flow}<state no="2"/>'
+    when = '<when><data tag="x" is="1"/></when>'
+    part = f'<state no="1">{screen(at("button", "a", ACROSS))}{{}}</state>'
+    assert found(project(outer, p=part.format(on.format(1, "")))) == []
+    for taken in (on.format(1, when), on.format("#back", "")):
+        assert [p.place[-1] for p in found(project(outer, p=part.format(taken)))] == ["a"]
+
+
 def test_what_lies_over_one_is_told_once() -> None:
     boxes = [at("text", f"b{n}", ACROSS, 'color="#000" empty') for n in range(5)]
     (problem,) = found(shown(at("button", "a", INSIDE), *boxes))

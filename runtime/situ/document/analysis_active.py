@@ -1,8 +1,8 @@
 """Which states are active together: an application with its parts, as it runs.
 
 An innermost state stands with all states around it, the outermost first. Ways are taken as they
-are written: whether a ``when`` can hold is not asked. ``#back`` leads to each state from which
-a way leads here.
+are written: whether a ``when`` can hold is not asked, nor whether a state is reached. ``#back``
+leads to each state from which a way leads here.
 """
 
 from __future__ import annotations
@@ -98,6 +98,8 @@ class Run:
         self._project = project
         self._innermost: dict[str, Active] = {}
         self._names: dict[int, frozenset[str | None]] = {}
+        self._ever: frozenset[str | None] | None = None
+        self._is_known = True
         self._into: dict[int, dict[str, list[str]]] = {}
         around = Active((), True, (), ())
         self.start = self._file(file, application, "", around, frozenset((id(application),)))
@@ -107,6 +109,14 @@ class Run:
         if not active.is_known:
             return True
         return any(name in self._expected(holder) for holder in active.holders)
+
+    def ever_expects(self, name: str) -> bool:
+        """Whether an event of that name is expected in any state."""
+        if self._ever is None:
+            every = {id(holder): holder for one in self.actives.values() for holder in one.holders}
+            self._ever = frozenset().union(*(self._expected(one) for one in every.values()))
+            self._is_known = all(active.is_known for active in self.actives.values())
+        return name in self._ever or not self._is_known
 
     def expected(self, active: Active) -> set[str]:
         """The names of the events that are expected there."""
@@ -143,8 +153,16 @@ class Run:
         return [one for one in found if one is not None]
 
     def ways(self, active: Active) -> Iterator[tuple[str | None, bool, list[Active]]]:
-        """Where events and the timeout lead: name of the event, whether it is the timeout."""
+        """Where events and the timeout lead: name of the event, whether it is the timeout.
+
+        An event is passed over where an earlier one of its name is always taken first.
+        """
+        closed: set[str] = set()
         for number, event in self.events(active):
+            if event.name is not None and event.name in closed:
+                continue
+            if event.name is not None and event.when is None and event.next != BACK:
+                closed.add(event.name)
             if event.next is not None:
                 yield event.name, False, self.targets(active.levels[number], event.next)
         serves = self.timeout(active)

@@ -86,10 +86,14 @@ class _Expected:
             if key in self._fine:
                 continue
             self._search.go_on()
-            reached = [(run, self._reach(run, raiser.reach, actives)) for run, actives in found]
+            reached = found
+            somewhere = any(run.ever_expects(raiser.name) for run, _ in found)
+            if somewhere:
+                # The states to which it may lead are looked at only where that can matter.
+                reached = [(run, self._reach(run, raiser.reach, actives)) for run, actives in found]
             judged = [(run, one) for run, several in reached for one in several]
             if not any(run.expects(one, raiser.name) for run, one in judged):
-                self._tell(raiser, judged, found[0][1][0])
+                self._tell(raiser, judged, found[0][1][0], somewhere)
 
     def fine(self, run: Run, value: object, field: str, name: str, actives: list[Active]) -> bool:
         """Whether an event that is raised in one of these states is expected there."""
@@ -224,18 +228,21 @@ class _Expected:
 
     # -- telling ---------------------------------------------------------------------
 
-    def _tell(self, raiser: Raiser, reached: list[tuple[Run, Active]], first: Active) -> None:
+    def _tell(
+        self, raiser: Raiser, reached: list[tuple[Run, Active]], first: Active, somewhere: bool
+    ) -> None:
         search, name = self._search, raiser.name
         paths = list(dict.fromkeys(active.path for _, active in reached))
-        where = f"the state {words.quoted(paths[0])} does"
-        if len(paths) > 1:
+        why = f"the state {words.quoted(paths[0])} does not expect it"
+        if not somewhere:
+            why = "no state expects it"
+        elif len(paths) > 1:
             more = [words.quoted(path) for path in paths[:3]]
             if len(paths) > 3:
                 more.append(f"{len(paths) - 3} more")
-            where = f"none of the states {words.listed(more)} does"
+            why = f"none of the states {words.listed(more)} expects it"
         expected = {one for run, active in reached for one in run.expected(active)}
         near = get_close_matches(name, sorted(expected), n=1, cutoff=0.8)
-        negated = "not expect it" if len(paths) == 1 else "expect it"
         mend: Mend | None
         if near and not isinstance(raiser.value, Timeout):
             do = f"did you mean {words.quoted(near[0])}?"
@@ -246,7 +253,7 @@ class _Expected:
             if isinstance(raiser.value, Timeout):
                 do = "give the timeout a next, or add an expected event of this name"
             mend = self._add(raiser, first)
-        message = f"{_what(raiser)} raises {words.quoted(name)}, but {where} {negated}: {do}"
+        message = f"{_what(raiser)} raises {words.quoted(name)}, but {why}: {do}"
         search.warn(
             raiser.file, "unexpected-event", message, raiser.value.aside, raiser.place, mend
         )

@@ -28,6 +28,9 @@ from situ.document.project import Project
 from situ.document.rbd import Application, Service
 from situ.document.spds import Observed, Spds
 
+MOST = 300
+"""Names among which one that is nearly right is looked for."""
+
 
 def search_unwritten(search: Search) -> None:
     """Tells of data that nobody writes and of modules that nobody provides."""
@@ -96,6 +99,9 @@ def _data(search: Search, file: str, used: Iterator[Use]) -> None:
 
 
 def _near(name: str, known: set[str]) -> str | None:
+    """The name that was probably meant; among very many it is not looked for."""
+    if len(known) > MOST:
+        return None
     found = get_close_matches(name, sorted(known), n=1, cutoff=0.8)
     return found[0] if found else None
 
