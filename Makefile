@@ -3,6 +3,7 @@
 # make check  ruff, mypy, import-linter, then the tests
 # make bench  measures ours beside what else there is; ARGS="-k fsm" only some
 # make soak   the faults, long and often, with figures; SITU_SEED=N chooses other ones
+# make fuzz   damaged files of each kind, SECONDS=60 long
 # make format rewrites the code's layout;  make clean removes what was made here
 
 .DELETE_ON_ERROR:
@@ -19,6 +20,7 @@ PYTHON := $(shell for want in "import ensurepip, venv" ""; do \
 	$$python -c "$$want" 2>/dev/null && echo $$python && exit; done; done)
 endif
 WORKERS ?= auto
+SECONDS ?= 60
 
 demo: $(READY)
 	@$(PYTHON) packaging/system_check.py demo
@@ -41,6 +43,9 @@ bench: $(VENV)/.bench
 
 soak: $(READY)
 	@SITU_SOAK=1 $(BIN)/pytest -q -s --timeout 3600 tests/faults $(ARGS)
+
+fuzz: $(READY)
+	@SITU_FUZZ=$(SECONDS) $(BIN)/pytest -q -o timeout=0 -n $(WORKERS) tests/test_fuzz.py
 
 format: $(READY)
 	@$(BIN)/ruff check -q --fix-only .

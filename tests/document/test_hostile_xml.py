@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import random
+import re
+import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -174,6 +177,64 @@ def test_a_damaged_file_is_read_or_refused_but_never_raises(
     assert all(p.line >= 1 and p.column >= 1 for p in problems), [str(p) for p in problems]
     if document is not None:
         codec.write(document)
+
+
+HOSTILE: dict[str, tuple[bytes, str, int]] = {
+    "an entity bomb": (BOMB, "doctype", 2),
+    "an external entity": (b"\n" + EXTERNAL, "doctype", 2),
+    "a DOCTYPE": (b"\n\n<!DOCTYPE application><application/>", "doctype", 3),
+    "10,000 elements deep": (HEAD + b"\n<x>" * 10_000, "unknown-element", 2),
+    "conditions 10,000 deep": (SPDS_HEAD + b"\n<all>" * 10_000, "too-deep", 199),
+    "a million siblings": (HEAD + b'\n<state no="1"/>' * 1_000_000, "too-many", 300_001),
+    "a million strangers": (HEAD + b"\n<x/>" * 1_000_000, "too-many", 300_001),
+    "a million foreign siblings": (
+        HEAD + b"\n<o:x xmlns:o='u'/>" * 1_000_000,
+        "too-many",
+        300_001,
+    ),
+    "an attribute of 11 MB": (
+        b'\n<application name="' + b"a" * 11_000_000 + b'"/>',
+        "too-long",
+        2,
+    ),
+    "a name of 11 MB": (b"\n<" + b"a" * 11_000_000 + b"/>", "unknown-element", 2),
+    "a text of 11 MB": (HEAD + b"\n" + b"a" * 11_000_000 + b"</application>", "unexpected-text", 1),
+    "a comment of 11 MB": (HEAD + b"\n<!--" + b"a" * 11_000_000, "malformed-xml", 2),
+    "not UTF-8": (HEAD + b"\n\n<state no='\xe4'/></application>", "malformed-xml", 3),
+    "NUL": (HEAD + b"\n<state no='\0'/></application>", "malformed-xml", 2),
+}
+
+MOST = 200_000
+"""kB of memory that ``situ check`` takes at most, the interpreter included."""
+
+CHILD = r"""
+import re, resource, sys
+resource.setrlimit(resource.RLIMIT_AS, (1_000_000_000, 1_000_000_000))
+from situ import cli
+status = cli.main(["check", sys.argv[1]])
+most = re.search(r"VmHWM:\s*(\d+)", open("/proc/self/status").read())[1]
+print(most, status, file=sys.stderr)
+"""
+
+
+@pytest.mark.parametrize("what", HOSTILE)
+def test_a_hostile_file_is_a_line_with_its_place_and_takes_little_memory(
+    tmp_path: Path, what: str
+) -> None:
+    data, code, line = HOSTILE[what]
+    file = tmp_path / ("a.spds.xml" if data.startswith(SPDS_HEAD) else "a.rbd.xml")
+    file.write_bytes(data)
+    done = subprocess.run(
+        [sys.executable, "-c", CHILD, str(file)], capture_output=True, text=True, check=True
+    )
+    first = done.stdout.splitlines()[0]
+    place = re.match(rf"{re.escape(str(file))}:(\d+):(\d+): error {code} .", first)
+    assert place is not None, first
+    assert int(place[1]) == line
+    assert len(first) < 300 + len(str(file))
+    most, status = map(int, done.stderr.split())
+    assert status == 1
+    assert most <= MOST
 
 
 def test_reading_leaves_the_recursion_limit_alone() -> None:

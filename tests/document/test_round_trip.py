@@ -241,6 +241,14 @@ def test_foreign_namespaces_survive_with_their_prefixes() -> None:
     etree.fromstring(written.encode())
 
 
+def test_a_namespace_may_hold_a_brace() -> None:
+    written = canonical(
+        '<application name="a" xmlns:my="urn:{mine}"><state no="1" my:owner="Ann"/></application>'
+    )
+    assert 'xmlns:my="urn:{mine}"' in written
+    assert '<state no="1" my:owner="Ann"/>' in written
+
+
 def test_a_state_copied_into_another_document_keeps_its_namespaces_bound() -> None:
     source = read(
         b'<application name="a" xmlns:my="urn:mine"><state no="1" my:a="1"><my:b/></state>'

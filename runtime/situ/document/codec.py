@@ -15,6 +15,7 @@ from situ.document.locate import locate_all
 from situ.document.modules import Modules
 from situ.document.problem import Problem
 from situ.document.rbd import Application
+from situ.document.reader import MAX_BYTES, MAX_ELEMENTS
 from situ.document.reader import read as _read
 from situ.document.spds import Spds
 from situ.document.writer import write
@@ -30,7 +31,24 @@ def read(data: bytes, file: str) -> tuple[Document | None, list[Problem]]:
     ``file`` is what the problems call it. A document that comes with errors lacks
     what they name: good to look at and to check further, never to be saved.
     """
+    if _may_be_crowded(data):
+        # Counting takes a moment; making all of them, to tell then that it was in vain, seconds.
+        place = locate(data, MAX_ELEMENTS)
+        if place != (0, 0):
+            said = f"The file holds more than {MAX_ELEMENTS} elements: split it into parts"
+            line, column = place
+            return None, [
+                Problem(file=file, line=line, column=column, code="too-many", message=said)
+            ]
     return _read(data, file)
+
+
+def _may_be_crowded(data: bytes) -> bool:
+    """Whether there are tags enough for more elements than are read."""
+    shortest = len("<a/>")
+    if not shortest * MAX_ELEMENTS < len(data) <= MAX_BYTES:
+        return False
+    return data.count(b"<") - data.count(b"</") > MAX_ELEMENTS
 
 
 def locate(data: bytes, index: int) -> tuple[int, int]:

@@ -57,7 +57,7 @@ class _Prefixes:
         self._bound: dict[str, str] = {}
         self._of: dict[str, str] = {XML: "xml"}
         for key, uri in root.attributes:
-            space, _, prefix = key[1:].partition("}")
+            space, _, prefix = key[1:].rpartition("}")
             if space == XMLNS and prefix not in self._bound:
                 self._bound[prefix] = uri
                 self._of.setdefault(uri, prefix)
@@ -142,7 +142,7 @@ def _tagged(
                 start += (name, _quoted(held if write is None else write(held)))
     own = len(start)
     for key, text in aside.attributes:
-        space, _, name = key[1:].partition("}")
+        space, _, name = key[1:].rpartition("}")
         if space != XMLNS:
             start.append(f" {prefixes.of(space)}:{name}={_quoted(text)}")
     text = ""

@@ -91,6 +91,9 @@ def parse(data: bytes, file: str, applications: Iterable[str] | None = None) -> 
                 )
         except (ScenarioError, msgspec.DecodeError, UnicodeDecodeError) as error:
             raise ScenarioError(f"{file}:{number}: {error}") from None
+        except RecursionError:
+            said = "lists and objects stand too deep in each other; take some out"
+            raise ScenarioError(f"{file}:{number}: {said}") from None
         lines.append(line)
     return lines
 
