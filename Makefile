@@ -7,7 +7,7 @@
 # make format rewrites the code's layout;  make clean removes what was made here
 
 .DELETE_ON_ERROR:
-.PHONY: demo test check lint bench soak format clean
+.PHONY: demo test check lint bench soak fuzz format clean
 
 VENV := .venv
 READY := $(VENV)/.ready

@@ -99,7 +99,7 @@ def wounded(data: bytes, pieces: tuple[bytes, ...], dice: Random) -> bytes:
     return bytes(made)
 
 
-ODD = (
+ODD: tuple[Any, ...] = (
     *(None, True, -1, 0.5, 1e300, 10**400, "", "a", "{a}", "#back", "\ud800", "\0", "2", "robot/x"),
     *([], [[]], {}, {"a": {"b": None}}, ["a", 1], {"": ""}, "start", "clickContinue", "language"),
 )
