@@ -120,15 +120,15 @@ class Kept(NamedTuple):
 
 
 def _kept(args: argparse.Namespace, project: Project, stack: contextlib.ExitStack) -> Kept:
-    from situ.blackboard.journal import DurableTags
+    from situ.blackboard.journal import DurableTags, patterns
     from situ.engine.folder import StateFolder
     from situ.engine.recovery import Recovery
 
     folder = StateFolder(_state(args.state, project))
     stack.callback(folder.close)
     durable = None
-    if project.durable:
-        durable = DurableTags(folder.path, project.durable, sync=args.sync)
+    if durable_tags := patterns(project):
+        durable = DurableTags(folder.path, durable_tags, sync=args.sync)
         stack.callback(durable.close)
     recovery = Recovery(folder.path, project)
     if args.fresh:

@@ -15,8 +15,9 @@ import msgspec
 import pytest
 
 from situ.blackboard.core import Held, Outgoing
-from situ.blackboard.journal import FILE, Durable, DurableTags
+from situ.blackboard.journal import FILE, Durable, DurableTags, patterns
 from situ.decide.effects import Changed
+from situ.document.project import Project, Setting
 from situ.errors import UsageError
 
 DEADLINE = 20.0
@@ -95,6 +96,19 @@ def test_what_the_runtime_itself_keeps_is_never_durable() -> None:
     assert [tag for tag in kept_by_us if durable[tag]] == []
     assert durable["pill.a"]
     assert durable["service/find"]
+
+
+def test_what_settings_change_is_durable_too() -> None:
+    settings = (Setting("morning", "Morning round", "time"),)
+    project = Project(root=".", name="ward", durable=("pill.*",), settings=settings)
+    assert patterns(project) == ("pill.*", "morning")
+
+
+def test_the_file_is_nobody_else_s_to_read(tmp_path: Path) -> None:
+    with opened(tmp_path) as store:
+        kept(store, changed("pill.a", 1, 1))
+        modes = {file.name: file.stat().st_mode & 0o777 for file in tmp_path.iterdir()}
+    assert modes == {FILE: 0o600, f"{FILE}-wal": 0o600}
 
 
 def test_a_damaged_file_is_set_aside_and_told(

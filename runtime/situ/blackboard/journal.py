@@ -9,6 +9,7 @@ into a dict.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 import sqlite3
@@ -24,6 +25,7 @@ from situ.decide.board import Entry
 from situ.decide.effects import Changed
 from situ.decide.world import untraced
 from situ.document import names
+from situ.document.project import Project
 from situ.errors import UsageError
 
 FILE = "durable.db"
@@ -195,7 +197,15 @@ def _open(file: Path, sync: bool) -> sqlite3.Connection:
         return _opened(file, sync)
 
 
+def patterns(project: Project) -> tuple[str, ...]:
+    """What is durable in a project: what it says, and what its settings change."""
+    return (*project.durable, *(setting.tag for setting in project.settings))
+
+
 def _opened(file: Path, sync: bool) -> sqlite3.Connection:
+    with contextlib.suppress(OSError):
+        # SQLite would make it readable to all; what goes with it gets the same rights.
+        os.close(os.open(file, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600))
     # Opened here, used by the thread alone afterwards.
     db = sqlite3.connect(file, isolation_level=None, check_same_thread=False, timeout=0.0)
     try:

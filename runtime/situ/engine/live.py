@@ -163,25 +163,28 @@ class Live:
         if self._recovery is None or self._recovery.found is None:
             return False
         kept, past = self._recovery.found
+        self._recovery.found = None
         try:
             self._started = kept.began
             self._make_core(project, addresses, kept.seq)
             self._robot.restore(kept.robot)
             self._sessions.restore(kept.sessions, past, self._now())
             behind = self._durable.behind(self._robot.board.state) if self._durable else []
+            self._core.heard = self._heard
+            self._take_snapshot()
+            _log.warning(
+                "the robot goes on from %g s, where it was killed", self._core.moment / SECOND
+            )
+            self._begin_again()
+            # Time went on while nobody was there.
+            self._sessions.advance(self._now())
         except Exception as error:
+            # Whatever it is, it would be there again after the next start.
             self._recovery.set_aside(error)
             self._robot = Robot(project)
             return False
-        self._recovery.found = None
-        _log.warning("the robot goes on from %g s, where it was killed", self._core.moment / SECOND)
-        self._core.heard = self._heard
-        self._take_snapshot()
         if behind:
             self._keep(behind, [])
-        self._begin_again()
-        # Time went on while nobody was there.
-        self._sessions.advance(self._now())
         return True
 
     def _make_core(self, project: Project, addresses: Addresses, seq: int) -> None:
