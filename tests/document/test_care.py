@@ -98,7 +98,7 @@ def test_a_speech_is_as_long_as_in_the_language_that_takes_longest() -> None:
     )
     texts = {"de": {"Good morning": "Einen wunderschönen guten Morgen wünsche ich"}}
     assert told(whole(one), "speech-over-timeout") == []
-    languages = {"languages": ("en", "de"), "texts": texts}
+    languages: dict[str, Any] = {"languages": ("en", "de"), "texts": texts}
     assert told(whole(one, **languages), "speech-over-timeout") != []
     fixed = app(
         state(acts='<speech lang="en">Good morning</speech>', rest='<timeout next="2">2</timeout>')

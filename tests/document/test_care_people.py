@@ -166,6 +166,24 @@ def test_an_event_that_something_else_raises_leads_nobody_here() -> None:
 
 
 @pytest.mark.parametrize(
+    ("screen", "acts"),
+    [
+        ("", '<sound src="http://a/b.ogg" done="over"/>'),
+        ("", '<sound src="http://a/b.ogg" failed="over"/>'),
+        (f'<movie id="m" {WIDE} src="http://a/b.webm" done="over"/>', ""),
+    ],
+)
+def test_what_ends_by_itself_shows_nobody_to_be_there(screen: str, acts: str) -> None:
+    """``other`` is raised in the second state only: it leads nobody from here to the third."""
+    over = '<event name="over" next="2"/><event name="other" next="3"/>'
+    start = state(screen + BUTTON, acts, over + '<event name="click" next="3"/>')
+    second = state("", NAMED.replace(">", ' done="other">', 1), rest=idle(9), no="2")
+    third = state(acts=NAMED, rest=idle(9), no="3")
+    found = private(start + second + third, code="private-spoken")
+    assert found == [("state", "2", "action", "0")]
+
+
+@pytest.mark.parametrize(
     ("component", "is_told"),
     [
         (NAME, True),

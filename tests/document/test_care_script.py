@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from tests.document.care_projects import (
     WIDE,
     always,
@@ -16,7 +18,12 @@ from tests.document.care_projects import (
     whole,
 )
 
+from situ.decide.trace import TraceEvent, to_fields
+from situ.document.analysis_search import Search
+from situ.document.care_script import isnot_alone
 from situ.document.project import Project
+from situ.rehearse import scenario
+from situ.rehearse.simulate import simulate
 
 # -- what stops the robot ----------------------------------------------------------
 
@@ -215,12 +222,14 @@ NIGHT = '<situation name="night"><condition><data tag="x" is="1"/></condition>{}
 OBSERVED = '<observe><data tag="x"/></observe>'
 
 
-def calling(*applications: Any, night: str = "", day: str = "", resources: str = "base") -> Project:
+def calling(
+    *applications: Any, night: str = "", day: str = "", resources: str = "base", own: int = 5
+) -> Project:
     """The application is not in the script by night, unless ``night`` says so."""
     script = (
         f'{OBSERVED}<modules><module name="a" resources="screen speech base head"/>'
         f'<module name="m" resources="{resources}"/></modules>{NIGHT.format(night)}'
-        f'<situation name="day"><module name="a" priority="5"/>{day}</situation>'
+        f'<situation name="day"><module name="a" priority="{own}"/>{day}</situation>'
     )
     return whole(*applications, script=script)
 
@@ -335,3 +344,54 @@ def test_a_call_in_a_part_is_suspended_with_what_holds_it() -> None:
     assert problem.file == "nowhere/part1.rbd.xml"
     twice = flow + flow.replace('no="1"', 'no="2"')
     assert told(calling(twice, part), "suspended-call") == []
+
+
+PRIORITIES = st.sampled_from([None, 1, 3])
+
+
+RESOURCES = st.sampled_from(["base", "screen"])
+
+
+@settings(max_examples=40, deadline=None)
+@given(PRIORITIES, st.sampled_from([1, 3]), PRIORITIES, PRIORITIES, RESOURCES)
+def test_what_is_told_is_what_a_run_can_suspend(
+    night: int | None, day: int, rival_night: int | None, rival_day: int | None, resources: str
+) -> None:
+    def entry(module: str, priority: int | None) -> str:
+        return f'<module name="{module}" priority="{priority}"/>' if priority is not None else ""
+
+    def of_rival(priority: int | None) -> str:
+        # Never a tie: then who asked first would count.
+        return entry("m", priority + 1 if priority is not None else None)
+
+    project = calling(
+        state(SCREEN, CALL),
+        night=entry("a", night) + of_rival(rival_night),
+        day=of_rival(rival_day),
+        resources=resources,
+        own=day,
+    )
+    lines = (
+        f'{{"at":1,"acquire":{{"module":"m","resources":["{resources}"]}}}}\n'
+        '{"at":2,"set":{"x":1}}\n{"at":3,"end":true}\n'
+    )
+    events: list[TraceEvent] = []
+    simulate(project, scenario.parse(lines.encode(), "s.jsonl", ["a"]), tell=events.extend)
+    suspended = any(to_fields(event)["kind"] == "suspend" for event in events)
+    assert bool(told(project, "suspended-call")) is suspended
+
+
+def test_where_a_place_is_anothers_too_nothing_is_mended() -> None:
+    # The error about the two states comes first.
+    twice = state() + state(events=when('<data tag="x" isnot="1"/>'))
+    search = Search(whole(twice))
+    isnot_alone(search)
+    assert [one.mend for one in search.found["a0.rbd.xml"]] == [None]
+
+
+def test_what_is_meant_is_accepted_where_it_stands() -> None:
+    meant = state(events=when('<data tag="x" isnot="1" ed:accept="isnot-without-exists"/>'))
+    assert told(whole(meant), "isnot-without-exists") == []
+    around = state(SCREEN, CALL, attributes='ed:accept="suspended-call"')
+    assert told(calling(around), "suspended-call") == []
+    assert told(calling(around), "accept-unused") == []
