@@ -127,7 +127,6 @@ class _Reading:
         self._rests: dict[int, _Rest] = {}
         self._texts: list[str] = []
         self._pending: list[str] = []
-        self._index = -1
         self._declared: list[tuple[str, str]] = []
         self._foreign: Foreign | None = None
         self._foreign_plans: dict[tuple[Rule, tuple[str, ...]], tuple[Plan, _Plain]] = {}
@@ -145,19 +144,21 @@ class _Reading:
         texts, pending = self._texts, self._pending
         careful = self.careful
         self._long = long = self._has_long()
+        index = -1
 
         def start(name: str, given: dict[str, Any]) -> None:
-            self._index = index = self._index + 1
+            nonlocal index
+            index += 1
             parent, _, _, _, held = stack[-1]
             known = parent.children.get(name)
-            if texts and (careful or known is None or parent.text is not None):
+            if texts and (
+                careful or known is None or known[0].text is not None or parent.text is not None
+            ):
                 self._text_before_child()
             if known is None or index >= MAX_ELEMENTS or len(stack) > MAX_DEPTH:
-                self._stranger(name, given)
+                self._stranger(name, given, index)
                 return
             rule, field, many = known
-            if rule.text is not None and texts:
-                self._text_before_child()
             if rule.part:
                 if rule.mark in held:
                     self._duplicate(name)
@@ -223,9 +224,10 @@ class _Reading:
                 held[field] = [value]
 
         def foreign_start(name: str, given: dict[str, str]) -> None:
-            self._index += 1
+            nonlocal index
+            index += 1
             assert self._foreign is not None
-            self._limit(len(stack) + self._foreign.depth)
+            self._limit(len(stack) + self._foreign.depth, index)
             self._foreign.start(name, given)
 
         def foreign_end(_name: str) -> None:
@@ -373,9 +375,9 @@ class _Reading:
 
     def _text_before_child(self) -> None:
         """Text before a child, or before the end of an element that has no text."""
-        rule, _, _, index, _ = self._stack[-1]
         text = "".join(self._texts)
         self._texts.clear()
+        rule, _, _, index, _ = self._stack[-1]
         if rule.text is not None:
             rest = self._rest(index)
             rest.texts = (*rest.texts, text)
@@ -420,8 +422,10 @@ class _Reading:
         return rest
 
     def _aside(self, index: int) -> Aside:
-        inside = tuple(self._pending)
-        self._pending.clear()
+        inside: tuple[str, ...] = ()
+        if self._pending:
+            inside = tuple(self._pending)
+            self._pending.clear()
         rest = self._rests.pop(index, None)
         if rest is None:
             return Aside(index, (), inside)
@@ -439,12 +443,12 @@ class _Reading:
 
     # -- start tags that are not wholly plain ------------------------------------
 
-    def _limit(self, depth: int) -> None:
+    def _limit(self, depth: int, index: int) -> None:
         if depth > MAX_DEPTH:
             said = f"Elements stand more than {MAX_DEPTH} deep in each other: close some before"
             self._problem("too-deep", said)
             raise _Stop
-        if self._index >= MAX_ELEMENTS:
+        if index >= MAX_ELEMENTS:
             said = f"The file holds more than {MAX_ELEMENTS} elements: split it into parts"
             self._problem("too-many", said)
             raise _Stop
@@ -485,14 +489,14 @@ class _Reading:
         self, rule: Rule, given: dict[str, Any], names: tuple[str, ...], index: int
     ) -> Plan:
         """How to read a start tag with attributes that are foreign, unknown or missing."""
-        planned = self._foreign_plans.get((rule, names))
-        if planned is None:
-            planned = self._plan(rule, given, names, index)
-        plan, foreign = planned
+        plan, foreign = self._foreign_plans.get((rule, names)) or self._plan(
+            rule, given, names, index
+        )
         if self._long:
             self._shorten(rule, given)
         if foreign:
-            self._rest(index).attributes = tuple([(full, given.pop(key)) for key, full in foreign])
+            attributes = [(full, given.pop(key)) for key, full in foreign]
+            self._rest(index).attributes = tuple(attributes)
         return plan
 
     def _plan(
@@ -540,9 +544,9 @@ class _Reading:
             self._foreign_plans[rule, names] = made
         return made
 
-    def _stranger(self, name: str, given: dict[str, Any]) -> None:
+    def _stranger(self, name: str, given: dict[str, Any], index: int) -> None:
         """An element that has no place here: foreign, or unknown."""
-        self._limit(len(self._stack))
+        self._limit(len(self._stack), index)
         parent = self._stack[-1][0]
         if not parent.name:
             said = f"<{_short(name)}> is no document of Situ"
