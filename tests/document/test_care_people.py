@@ -300,3 +300,18 @@ def test_in_a_part_anyone_passes_where_its_holder_is_passed() -> None:
 def test_without_private_data_nothing_is_told() -> None:
     project = whole(state(NAME, NAMED), tags={"user.name": "Ann"})
     assert told(project, "private-spoken") + told(project, "private-shown") == []
+
+
+@pytest.mark.parametrize(
+    ("holder", "is_told"),
+    [
+        # The part ends by itself; a state without one is not left so, whatever it expects.
+        ('<flow src="a1.rbd.xml"/>', True),
+        ("", False),
+    ],
+)
+def test_the_end_of_a_part_shows_nobody_to_be_there(holder: str, is_told: bool) -> None:
+    first = state(rest=holder, events='<event name="done.2" next="2"/>')
+    part = state(events='<event name="seen" next="2"/>') + state(no="2")
+    found = private(first + state(acts=NAMED, rest=idle(9), no="2"), part, code="private-spoken")
+    assert found == ([("state", "2", "action", "0")] if is_told else [])
