@@ -32,9 +32,9 @@ from situ.decide.robot import Robot
 from situ.document.project import Project
 
 FOLDER = "core"
-INPUTS = 4_000
+INPUTS = 10_000
 """What happened since the last snapshot, at the most: a new one is made then. So many are done
-again in about a quarter of a second."""
+again in about a tenth of a second."""
 BYTES = 4_000_000
 """The same for what the journal takes; more only where the snapshot itself is as large."""
 
