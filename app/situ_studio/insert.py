@@ -49,6 +49,11 @@ def _into_application(
         made = kind.make(words.expected_next(part))
         after = places.change(document, root, events=(*part.events, made))
         return after, (*root, "event", str(len(part.events))), text
+    event = at[: len(root) + 2]
+    inside = places.get(document, event)
+    on_the_way = isinstance(inside, rbd.Event) and kind in kinds.EVENT_ACTIONS
+    if isinstance(part, rbd.State) and part.flow is not None and not on_the_way:
+        raise NotHere(f"{where.capitalize()} runs {part.flow}: add the {kind.title.lower()} there.")
     if kind is kinds.TIMEOUT:
         if part.timeout is not None:
             raise NotHere(f"{where.capitalize()} has a timeout already.")
@@ -62,9 +67,7 @@ def _into_application(
         screen = replace(screen, components=(*screen.components, new))
         return places.change(document, root, screen=screen), (*root, "screen", name), text
     made = kind.make("")
-    event = at[: len(root) + 2]
-    inside = places.get(document, event)
-    if isinstance(inside, rbd.Event) and kind in kinds.EVENT_ACTIONS:
+    if on_the_way:
         after = places.change(document, event, actions=(*inside.actions, made))
         return after, (*event, "action", str(len(inside.actions))), text
     if not isinstance(part, rbd.State):

@@ -40,6 +40,19 @@ def test_a_row_opens_its_form_and_back_returns(studio: Start, project: Copy) -> 
     assert used.window.inspector.place == ("state", "7")
 
 
+def test_a_state_that_runs_a_part_has_a_form_of_its_own(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "16")
+    assert form(used).kind.name == "part"
+    assert form(used).field("flow").text() == "register.rbd.xml"
+    used.fill(form(used).field("flow"), "learn.rbd.xml")
+    assert value(used, "state", "16").flow == "learn.rbd.xml"
+    used.fill(form(used).field("flow"), "")
+    assert value(used, "state", "16").flow == "learn.rbd.xml"
+    used.select("state", "15")
+    assert form(used).kind.name == "state"
+
+
 def test_rows_are_moved_by_keys(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     used.select("state", "7")

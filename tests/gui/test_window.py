@@ -282,6 +282,29 @@ def test_an_action_without_a_state_is_refused_with_words(studio: Start, project:
     assert used.window.status.said.text() == "Select a state first, then add the speech."
 
 
+def test_a_state_that_runs_a_part_takes_no_actions_of_its_own(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "16")
+    used.click(used.window.palette_.item("speech"))
+    assert used.session.undo_text is None
+    said = "State 16 runs register.rbd.xml: add the speech there."
+    assert used.window.status.said.text() == said
+    used.click(used.window.palette_.item("event"))
+    assert used.window.inspector.place == ("state", "16", "event", "3")
+    used.click(used.window.palette_.item("set"))
+    assert used.window.inspector.place == ("state", "16", "event", "3", "action", "0")
+
+
+def test_a_project_opens_with_its_parts_beside_it(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    assert used.window.tabs.files() == ["reception.rbd.xml", "register.rbd.xml"]
+    tree = used.window.project_tree.tree
+    used.click_row(tree, used.row_with(tree, "register"))
+    assert used.window.current_file == "register.rbd.xml"
+    outline = used.window.outline.list
+    assert used.row_with(outline, "verify name").isValid()
+
+
 def test_delete_takes_a_state_and_what_leads_to_it(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     used.window.show_mode("outline")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from situ.document import rbd
 from situ_studio.kinds.actions import (
     ACTIONS,
     ADD,
@@ -30,6 +31,7 @@ from situ_studio.kinds.application import (
     ALWAYS,
     APPLICATION,
     EVENT,
+    PART,
     SCREEN,
     STATE,
     TIMEOUT,
@@ -70,6 +72,7 @@ from situ_studio.kinds.script import (
 KINDS: tuple[Kind, ...] = (
     APPLICATION,
     ALWAYS,
+    PART,
     STATE,
     EVENT,
     TIMEOUT,
@@ -94,6 +97,8 @@ MIME = "application/x-situ-kind"
 
 def kind_of(value: Any) -> Kind | None:
     """The kind of a value; None for what has no form of its own."""
+    if isinstance(value, rbd.State) and value.flow is not None:
+        return PART
     return _BY_VALUE.get(type(value))
 
 
@@ -128,6 +133,7 @@ __all__ = [
     "MODULE",
     "MODULES",
     "MOVIE",
+    "PART",
     "REPEAT",
     "ROBOT",
     "SCREEN",

@@ -46,44 +46,64 @@ SCREEN = Kind(
     make=lambda _: rbd.Screen(),
     summary=lambda v: f"{len(v.components)}",
 )
+_STATE_NAME = (
+    Field(attribute="name", label="Name", empty=""),
+    Field(
+        attribute="no",
+        label="Number",
+        help="Unique; transitions lead to it.",
+        fixed=True,
+    ),
+)
+_MORE = Section(
+    title="More",
+    closed=True,
+    fields=(
+        Field(
+            attribute="final",
+            label="It may end here",
+            editor="flag",
+            help="Nothing leads out of this state, and that is meant.",
+        ),
+        Field(
+            attribute="always",
+            label="As in every state",
+            editor="flag",
+            help="What “In every state” adds is part of this one too.",
+        ),
+    ),
+)
+PART = Kind(
+    name="part",
+    value=rbd.State,
+    title="Part",
+    icon="part",
+    tint="part",
+    help="A state that runs another application until that ends.",
+    fields=(
+        *_STATE_NAME,
+        Field(
+            attribute="flow",
+            label="Runs",
+            help="The application's file. Its ends are the events done.NUMBER, else done.",
+            fixed=True,
+        ),
+    ),
+    sections=(_EVENTS, _MORE),
+    summary=lambda v: v.flow or "",
+)
 STATE = Kind(
     name="state",
     value=rbd.State,
     title="State",
     icon="state",
     help="What the robot shows, says and waits for.",
-    fields=(
-        Field(attribute="name", label="Name", empty=""),
-        Field(
-            attribute="no",
-            label="Number",
-            help="Unique; transitions lead to it.",
-            fixed=True,
-        ),
-        _TIMEOUT,
-    ),
+    fields=(*_STATE_NAME, _TIMEOUT),
     sections=(
         Section(title="Screen", attribute="screen", editor="components"),
         Section(title="Actions on entry", attribute="actions", editor="actions"),
         _EVENTS,
-        Section(
-            title="More",
-            closed=True,
-            fields=(
-                Field(
-                    attribute="final",
-                    label="It may end here",
-                    editor="flag",
-                    help="Nothing leads out of this state, and that is meant.",
-                ),
-                Field(
-                    attribute="always",
-                    label="As in every state",
-                    editor="flag",
-                    help="What “In every state” adds is part of this one too.",
-                ),
-            ),
-        ),
+        _MORE,
     ),
     make=lambda name: rbd.State(no=name, name="new state"),
     summary=lambda v: next((a.text for a in v.actions if isinstance(a, rbd.Speech)), ""),
