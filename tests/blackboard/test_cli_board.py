@@ -167,8 +167,11 @@ def test_a_project_with_errors_is_not_run(
     assert "a.rbd.xml" in capsys.readouterr().err
 
 
-def test_a_port_that_is_taken_is_told(running: Any, capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main(["run", str(LAB), "--endpoint", running.endpoint]) == 2
+def test_a_port_that_is_taken_is_told(
+    running: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    command = ["run", str(LAB), "--state", str(tmp_path), "--endpoint", running.endpoint]
+    assert cli.main(command) == 2
     error = capsys.readouterr().err
     assert "give another address or port 0" in error
     assert error.count("\n") == 1

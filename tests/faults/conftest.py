@@ -71,7 +71,7 @@ class Runtime:
         return time.monotonic() - began
 
     def start_in_vain(self) -> tuple[int, str]:
-        """A second one, on any ports; its exit status and what it says."""
+        """Where it can not start: its exit status, and what it says."""
         done = subprocess.run(
             [
                 *(sys.executable, "-m", "situ", "run", str(self.project)),

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import situ
+from situ.engine.folder import StateFolder
 from situ.errors import BlackboardError
 
 if TYPE_CHECKING:
@@ -215,8 +216,9 @@ def test_after_a_good_end_only_durable_tags_come_back(runtime: Runtime) -> None:
 
 
 def test_a_second_core_on_one_state_folder_says_so_and_ends(runtime: Runtime) -> None:
-    runtime.start()
+    first = StateFolder(runtime.state)
     status, said = runtime.start_in_vain()
+    first.close()
     assert status == 2
     assert said.startswith(f"situ: {runtime.state}: another situ run keeps its state there; ")
     assert said.count("\n") == 1
