@@ -9,19 +9,18 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
-from tests.benchmarks import deciding, documents_read, live, messages
+from tests.benchmarks import deciding, documents_read, drawing, live, messages
 from tests.benchmarks.harness import ROUNDS, Bench, Missing, Result, measure, table
 
 BENCHES: tuple[Bench, ...] = (
     *deciding.BENCHES,
     *documents_read.BENCHES,
+    *drawing.BENCHES,
     *messages.BENCHES,
     *live.BENCHES,
 )
 
 UNBUILT = {
-    "frame": "editor: a frame at 1,000 and 5,000 states",
-    "open": "editor: open 1,000 states",
     "edit": "editor: one edit at 5,000 states",
     "events": "editor: 1,000 trace events a second",
     "layout": "automatic layout of 1,000 states",
@@ -37,6 +36,8 @@ FIGURES = (
     "transitions",
     "load",
     "memory",
+    "frame",
+    "open",
     *UNBUILT,
 )
 """What the project is measured by; every row is ``of`` one of them."""
