@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -14,6 +15,7 @@ from situ.decide.robot import Robot
 from situ.document import codec, mend
 from situ.document.analysis_data import Data, kind_of
 from situ.document.check import check
+from situ.document.folder import load
 from situ.document.modules import Module, Modules, Provides, Requires
 from situ.document.problem import Problem
 from situ.document.project import Mqtt, Project, Setting
@@ -391,10 +393,41 @@ def test_of_two_states_of_one_number_nothing_is_mended() -> None:
 
 
 def test_without_module_information_it_can_be_observed_at_a_click() -> None:
-    _, left = after(project(SAYS, observe=()))
+    one, left = after(project(SAYS, observe=()))
+    assert "or observe it in the script" in one.message
     assert left == []
     (one,) = found(project(does("<speech>{robot/neck}</speech>"), observe=()))
     assert one.mend is None
+    assert "observe" not in one.message
+
+
+def test_a_warning_stands_where_the_name_is_written_and_can_be_accepted(tmp_path: Path) -> None:
+    told_at = [("a.rbd.xml", 5, 38, "unwritten-data"), ("modules.xml", 3, 3, "unprovided-module")]
+    written = (
+        '<application name="a" xmlns:ed="urn:situ:editor">\n<state no="1" final="true">\n'
+        "<backgroundactions>\n<speech>Hello</speech>\n"
+        '<robot resource="head" command="nod"><param name="who">{user.name}</param></robot>\n'
+        "</backgroundactions></state></application>"
+    )
+    modules = (
+        '<modules>\n<module name="eyes" resources="">\n  <requires module="b"/></module></modules>'
+    )
+    (tmp_path / "situ.toml").write_text(
+        '[project]\napplications = ["a.rbd.xml"]\nmodules = "modules.xml"\n'
+    )
+    (tmp_path / "a.rbd.xml").write_text(written)
+    (tmp_path / "modules.xml").write_text(modules)
+
+    def places() -> list[tuple[str, int, int, str]]:
+        source, problems = load(tmp_path)
+        assert source is not None
+        assert not problems
+        return [(Path(p.file).name, p.line, p.column, p.code) for p in found(source)]
+
+    assert places() == told_at
+    accepted = written.replace("<robot ", '<robot ed:accept="unwritten-data" ')
+    (tmp_path / "a.rbd.xml").write_text(accepted)
+    assert places() == told_at[1:]
 
 
 @pytest.mark.parametrize(

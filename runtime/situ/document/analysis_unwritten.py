@@ -94,6 +94,8 @@ def _data(search: Search, file: str, used: Iterator[Use]) -> None:
                 "module information who provides it"
             )
             mend = _observe(search, name)
+            if mend is not None:
+                do += ", or observe it in the script"
         message = f"Nobody writes {words.quoted(name)}{more}, so it never has a value: {do}"
         search.warn(file, "unwritten-data", message, aside, place, mend)
 
