@@ -230,6 +230,12 @@ def test_within_has_ended_at_the_moment_itself(play: Play) -> None:
     assert changes(play, CALLED, lines) == [1, 4, 4, 7]
 
 
+def test_the_end_of_within_changes_nothing_where_nothing_is_left_to_count_from(play: Play) -> None:
+    test = '<data tag="x.y" is="1" within="3"/>'
+    lines = [{"at": 1, "set": {"x": {"y": 1}}}, {"at": 2, "set": {"x": None}}]
+    assert changes(play, test, lines) == [1, 2]
+
+
 def test_the_end_of_within_is_caused_by_the_data_that_began_it(play: Play) -> None:
     lines = [{"at": t, "set": {"x": True}} for t in (1, 3)]
     assert watched(play, CALLED, lines).lines(since=1) == [

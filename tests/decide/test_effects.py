@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING
 import pytest
 
 from situ.decide.effects import AnyEffect, Begin, Cancel, Changed, Map
-from situ.decide.inputs import Attend, Finish, Raise, Set, Start
+from situ.decide.inputs import (
+    Acquire,
+    Attend,
+    Command,
+    Finish,
+    Raise,
+    Set,
+    Start,
+)
 from situ.decide.robot import Robot
 
 if TYPE_CHECKING:
@@ -106,3 +114,78 @@ def test_typing_counts_an_idle_timeout_anew(build: Build, typing: bool) -> None:
     if typing:
         assert robot.step(Attend(), 2_000_000) == ([], [])
     assert robot.due() == (5_000_000 if typing else 3_000_000)
+
+
+def test_typing_where_no_screen_is_shown_means_nothing(build: Build) -> None:
+    robot, _ = started(build, '<state no="1"><timeout next="2">3</timeout></state><state no="2"/>')
+    assert robot.step(Attend(), 2_000_000) == ([], [])
+    assert robot.due() == 3_000_000
+
+
+def test_the_seq_of_a_robot_is_that_of_its_last_event(build: Build) -> None:
+    robot = Robot(build(RBD))
+    assert robot.seq == 0
+    events, _ = robot.step(Start(), 0)
+    assert robot.seq == events[-1].seq
+
+
+# -- what a driver has to take up after a restore ----------------------------
+
+
+def outstanding(robot: Robot) -> tuple[dict[str, Map], list[Begin]]:
+    effects = robot.outstanding()
+    maps = [effect for effect in effects if isinstance(effect, Map)]
+    begins = [effect for effect in effects if isinstance(effect, Begin)]
+    assert effects == [*maps, *begins]
+    return {effect.resource: effect for effect in maps}, begins
+
+
+def test_what_is_outstanding_is_what_was_asked_for_and_has_not_ended(build: Build) -> None:
+    robot, effects = started(build)
+    maps, begins = outstanding(robot)
+    last = {effect.resource: effect for effect in effects if isinstance(effect, Map)}
+    assert maps == last
+    assert begins == [e for e in effects if isinstance(e, Begin) and e.action != "message"]
+
+
+def test_what_was_filled_in_when_a_service_began_stays(build: Build) -> None:
+    rbd = """<state no="1"><backgroundactions><service name="s" method="POST" url="http://{x}/">
+      </service></backgroundactions></state>"""
+    robot = Robot(build(rbd, tags={"x": "a"}))
+    robot.step(Start(), 0)
+    robot.step(Set({"x": "b"}, "m"), 1)
+    (begin,) = outstanding(robot)[1]
+    assert begin.fields["url"] == "http://a/"
+
+
+def test_what_has_ended_is_not_outstanding(build: Build) -> None:
+    """A movie that has ended keeps its place on the screen, with 0 for its id."""
+    robot, effects = started(build)
+    maps, _ = outstanding(robot)
+    robot.step(Finish(id=maps["screen"].actions[0]), 1)
+    robot.step(Finish(id=begun(effects, "service")), 2)
+    maps, begins = outstanding(robot)
+    assert maps["screen"].actions == (0,)
+    assert [begin.action for begin in begins] == ["launch"]
+    robot.step(Raise("go"), 3)
+    maps, begins = outstanding(robot)
+    assert (maps["speech"].value, maps["speech"].actions) == (None, ())
+    assert [begin.action for begin in begins] == ["launch"]
+
+
+def test_a_modules_equal_command_does_not_carry_out_an_action(build: Build) -> None:
+    """The module has taken over with the very value that the application's action had."""
+    rbd = """<state no="1"><backgroundactions><robot resource="head" command="nod"/>
+      </backgroundactions></state>"""
+    spds = """<modules><module name="m" resources="head"/><module name="app" resources="head"/>
+      </modules><situation name="busy"><condition><data tag="busy" is="true"/></condition>
+      <module name="m" priority="1"/></situation><situation name="rest">
+      <module name="app" priority="1"/></situation>"""
+    robot = Robot(build(rbd, spds))
+    _, effects = robot.step(Start(), 0)
+    (nod,) = [effect for effect in effects if isinstance(effect, Map) and effect.actions]
+    robot.step(Acquire("m", ("head",)), 1)
+    robot.step(Command("m", "head", nod.value, 10), 2)
+    _, effects = robot.step(Set({"busy": True}, "m"), 3)
+    assert [effect for effect in effects if isinstance(effect, Map)] == []
+    assert outstanding(robot)[0] == {"head": Map("head", "m", nod.value)}

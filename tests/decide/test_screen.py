@@ -127,6 +127,14 @@ def test_a_button_may_also_set_a_tag_read_like_a_set(
     assert trace.of("data", tag="x")[0]["writer"] == "screen"
 
 
+def test_a_button_that_sets_what_is_missing_deletes_with_a_warning(play: Play) -> None:
+    button = f'<button id="b" {AT} tag="x" value="{{gone}}">B</button>'
+    use = {"at": 1, "use": {"component": "b"}}
+    trace = play(state("1", screen(button)), [use], tags={"x": 1})
+    assert trace.values("x") == [1, None]
+    assert trace.lines("warning") == ["1 warning gone has no value <-"]
+
+
 def test_a_button_without_event_only_sets(play: Play) -> None:
     rbd = state("1", screen(f'<button id="go" {AT} tag="x" value="1">GO</button>'))
     trace = play(rbd, [{"at": 1, "use": {"component": "go"}}])
@@ -195,6 +203,12 @@ def test_a_list_shows_its_items_by_label(play: Play) -> None:
         {"label": "Ann, room 7 !", "value": PATIENTS[0]},
         {"label": "Bo, room 8 !", "value": PATIENTS[1]},
     ]
+
+
+def test_a_list_without_label_shows_its_items_themselves(play: Play) -> None:
+    plain = f'<list id="names" {AT} items="names"/>'
+    trace = play(state("1", screen(plain)), [], tags={"names": ["Ann", 2]})
+    assert [item["label"] for item in components(trace)[0]["items"]] == ["Ann", "2"]
 
 
 def test_the_chosen_item_goes_whole_to_the_tag_then_comes_the_event(play: Play) -> None:

@@ -37,6 +37,14 @@ def command(
 # -- what stands where -------------------------------------------------------
 
 
+def test_a_command_of_nothing_stands_nowhere(build: Build) -> None:
+    robot = Robot(build((), SPDS))
+    robot.step(Start(), 0)
+    robot.step(Acquire("a", ("head",)), 1)
+    assert robot.step(Command("a", "head", None), 2) == ([], [])
+    assert robot.board.look("module/a/head") is None
+
+
 def test_what_a_module_commands_stands_under_its_name(build: Build) -> None:
     robot = Robot(build((), SPDS))
     robot.step(Start(), 0)

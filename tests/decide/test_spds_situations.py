@@ -6,6 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from situ.decide import trace
+from situ.decide.inputs import Set, Start
+from situ.decide.robot import Robot
+from situ.document.condition import Condition
+from situ.document.condition import Test as Leaf
+from situ.document.project import Project
+from situ.document.spds import Situation, Spds
+
 if TYPE_CHECKING:
     from tests.decide.conftest import Play
 
@@ -44,6 +52,20 @@ def test_the_first_in_document_order_that_holds_is_current(play: Play) -> None:
     assert play((), lines, spds=spds).situations() == [
         (0, "rest"), (1, "b"), (2, "a"), (3, "b"), (4, "rest"),
     ]  # fmt: skip
+
+
+def test_while_none_holds_there_is_none() -> None:
+    """A script that ``check`` refuses: its last situation has a condition."""
+    spds = Spds("s", (), (), (Situation("a", condition=Condition((Leaf("x", "is", "1"),))),))
+    robot = Robot(Project(root=".", name="p", spds=spds))
+    events = [
+        *robot.step(Start(), 0)[0],
+        *robot.step(Set({"x": 1}, "m"), 1)[0],
+        *robot.step(Set({"x": 2}, "m"), 2)[0],
+    ]
+    found = [(e.source, e.to) for e in events if isinstance(e, trace.Situation)]
+    assert found == [(None, "a"), ("a", None)]
+    assert robot.board.look("situation.name") is None
 
 
 def test_a_change_behind_the_current_one_changes_nothing(play: Play) -> None:

@@ -103,10 +103,12 @@ class Machine:
     def may_resume(self) -> bool:
         return self.state.suspended and not self.missing()
 
-    def earliest(self) -> int | None:
-        """The order of the raised event that is next here; None where none is."""
-        found = self._next()
-        return None if found is None else found.order
+    def earliest(self) -> Raised | None:
+        """The raised event that is next here; None where none is."""
+        for raised in self.state.queue:
+            if not (self.state.suspended and raised.own):
+                return raised
+        return None
 
     def phrases(self) -> list[str]:
         """What a person may say now."""
@@ -137,22 +139,13 @@ class Machine:
         raised = Raised(self._world.next_raise(), name, cause, own=True, holder=holder)
         self.state.queue.append(raised)
 
-    def _next(self) -> Raised | None:
-        for raised in self.state.queue:
-            if not (self.state.suspended and raised.own):
-                return raised
-        return None
-
     def stay(self) -> None:
         """A livelock: what waits is dropped, and the state stays until something new comes."""
         self.state.queue.clear()
         self.state.stale.clear()
 
-    def judge_event(self) -> None:
-        """Takes the event that is next out of the queue and finishes it."""
-        raised = self._next()
-        if raised is None:
-            return
+    def judge_event(self, raised: Raised) -> None:
+        """Takes the event, which is next, out of the queue and finishes it."""
         self.state.queue.remove(raised)
         self.judge(raised.name, raised.cause, raised.holder)
 
@@ -423,11 +416,10 @@ class Machine:
 
     # -- the timeout ---------------------------------------------------------
 
-    def due(self, token: int) -> None:
+    def due(self) -> None:
         """The timeout falls due."""
         here, clock = self.here, self.timeouts.clock
-        if clock is None or not self.timeouts.is_due(token):
-            return
+        assert clock is not None
         if here.next is None:
             self._raise_own(TIMED_OUT, clock.cause)
         elif here.next != BACK or self.state.stacks[here.timeout_level]:
@@ -476,8 +468,7 @@ class Machine:
 
     def refresh(self) -> None:
         """The end of a step: a live text that changed is shown once more."""
-        if self.state.display.stale:
-            self.display.refresh(self.here)
+        self.display.refresh(self.here)
 
     def _phrases(self) -> list[tuple[str, str]]:
         state = self.state

@@ -218,11 +218,10 @@ class Priorities:
         standing = self.state.commands.get(module, {}).get(resource)
         return standing is not None and standing.token == token
 
-    def due(self, name: str, token: int) -> None:
-        """The validity of a command ends."""
-        if self.is_live(name, token):
-            module, _, resource = name.partition("/")
-            self._drop(module, resource, self.state.commands[module][resource].cause)
+    def due(self, name: str) -> None:
+        """The validity of a command that still stands ends."""
+        module, _, resource = name.partition("/")
+        self._drop(module, resource, self.state.commands[module][resource].cause)
 
     def _drop(self, module: str, resource: str, cause: int | None, remap: bool = True) -> None:
         if self.state.commands.get(module, {}).pop(resource, None) is None:

@@ -132,32 +132,34 @@ class Robot:
             self._ring(heapq.heappop(timers))
 
     def _ring(self, timer: Timer) -> None:
+        """Lets a timer that ``_is_live`` do what it was set for."""
         kind, _, name = timer.owner.partition(":")
         if kind == "test":
             self._world.conditions.due(int(name), timer.token)
-        elif kind == "situation" and self._settling.situations is not None:
-            self._settling.situations.due(int(name), timer.token)
+        elif kind == "situation":
+            assert self._settling.situations is not None
+            self._settling.situations.due(int(name))
         elif kind == "command":
-            self._world.priorities.due(name, timer.token)
+            self._world.priorities.due(name)
         elif kind == "action":
             machine = self._machines[int(name)]
-            if timer.token in machine.actions.state.running:
-                cause = machine.actions.state.running[timer.token].seq
-                machine.finish(timer.token, True, None, None, None, cause)
-        elif kind == "application":
-            self._machines[int(name)].due(timer.token)
+            cause = machine.actions.state.running[timer.token].seq
+            machine.finish(timer.token, True, None, None, None, cause)
+        else:
+            self._machines[int(name)].due()
 
     def _is_live(self, timer: Timer) -> bool:
         kind, _, name = timer.owner.partition(":")
-        if kind == "situation" and self._settling.situations is not None:
+        if kind == "test":
+            return True
+        if kind == "situation":
+            assert self._settling.situations is not None
             return self._settling.situations.is_live(int(name), timer.token)
         if kind == "command":
             return self._world.priorities.is_live(name, timer.token)
         if kind == "action":
             return timer.token in self._machines[int(name)].actions.state.running
-        if kind == "application":
-            return self._machines[int(name)].timeouts.state.token == timer.token
-        return True
+        return self._machines[int(name)].timeouts.is_live(timer.token)
 
     # -- the state as a value ------------------------------------------------
 

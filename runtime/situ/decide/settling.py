@@ -7,8 +7,9 @@ events, then the earliest raised event of all applications.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
-from situ.decide.machine import Machine
+from situ.decide.machine import Machine, Raised
 from situ.decide.presence import Presence
 from situ.decide.priorities import RUNTIME
 from situ.decide.situations import Situations
@@ -71,20 +72,18 @@ class Settling:
         if self.livelocked:
             return None
         for machine in self.machines:
-            if machine.state.suspended and machine.may_resume():
+            if machine.may_resume():
                 return machine.resume
         for machine in self.machines:
-            if machine.state.stale:
-                taken = machine.unnamed()
-                if taken is not None:
-                    return lambda m=machine, t=taken: m.take_unnamed(t)  # type: ignore[misc]
-        first, order = None, 0
+            taken = machine.unnamed()
+            if taken is not None:
+                return partial(machine.take_unnamed, taken)
+        first: tuple[Machine, Raised] | None = None
         for machine in self.machines:
-            if machine.state.queue:
-                found = machine.earliest()
-                if found is not None and (first is None or found < order):
-                    first, order = machine.judge_event, found
-        return first
+            found = machine.earliest()
+            if found is not None and (first is None or found.order < first[1].order):
+                first = machine, found
+        return None if first is None else partial(first[0].judge_event, first[1])
 
     def _may_go_on(self) -> bool:
         """Counts one more of what must not go on for ever."""

@@ -152,10 +152,8 @@ class Situations:
         seen = self.state.observations[number]
         return seen.kept and seen.token == token
 
-    def due(self, number: int, token: int) -> None:
-        """The end of a ``dwell`` or ``limit``; ``observe`` then follows."""
-        if not self.is_live(number, token):
-            return
+    def due(self, number: int) -> None:
+        """The end of a ``dwell`` or ``limit`` that still counts; ``observe`` then follows."""
         seen = self.state.observations[number]
         seen.end_cause = seen.current_seq
         source = self._sources[number]

@@ -36,10 +36,9 @@ class Timeouts:
     def clock(self) -> Clock | None:
         return self.state.clock
 
-    def is_due(self, token: int) -> bool:
+    def is_live(self, token: int) -> bool:
         """Whether a timer of this token is that of the timeout now."""
-        clock = self.state.clock
-        return token == self.state.token and clock is not None and clock.due is not None
+        return token == self.state.token
 
     def begin(self, length: int, cause: int | None) -> None:
         """Begins to count ``length`` µs."""
@@ -56,10 +55,10 @@ class Timeouts:
     def restart(self) -> None:
         """Counts anew."""
         clock = self.state.clock
-        if clock is not None:
-            clock.remaining = clock.length
-            clock.started = self._step.now
-            self._run()
+        assert clock is not None
+        clock.remaining = clock.length
+        clock.started = self._step.now
+        self._run()
 
     def stop(self) -> None:
         """Stands still with what remains."""
