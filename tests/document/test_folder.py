@@ -282,17 +282,106 @@ def test_a_file_that_the_system_does_not_give_is_told(
     read = Path.read_bytes
 
     def refuse(path: Path) -> bytes:
-        if path.name in ("reception.rbd.xml", "ja.po"):
+        if path.name in closed:
             raise PermissionError(13, "Permission denied")
         return read(path)
 
     monkeypatch.setattr(Path, "read_bytes", refuse)
+    closed = ["reception.rbd.xml", "ja.po"]
     _, problems = folder.load(root)
     assert [(Path(p.file).name, p.code) for p in problems] == [
-        ("reception.rbd.xml", "unreadable-file"),
-        ("ja.po", "unreadable-file"),
+        (name, "unreadable-file") for name in closed
     ]
     assert "Permission denied" in problems[0].message
+    whole = APPLICATION.replace("</state>", '</state><state no="2"><flow src="p.rbd.xml"/></state>')
+    part = '<application name="p"><state no="1"/></application>'
+    write(reception_rbd_xml=whole, p_rbd_xml=part, robot_local_toml="")
+    closed = ["robot.local.toml", "p.rbd.xml"]
+    _, problems = folder.load(root)
+    assert [(Path(p.file).name, p.code) for p in problems] == [
+        (name, "unreadable-file") for name in closed
+    ]
+
+
+def test_a_local_file_that_cannot_be_read_is_told_and_the_project_stays(write: Write) -> None:
+    project, problems = folder.load(write(robot_local_toml="[robot\n"))
+    assert project is not None
+    assert project.endpoint == "tcp://127.0.0.1:5571"
+    assert [(Path(p.file).name, p.code) for p in problems] == [
+        ("robot.local.toml", "malformed-toml")
+    ]
+
+
+@pytest.mark.parametrize("path", ["a\0b", "a" * 5000])
+def test_a_path_that_no_system_has_is_one_line(path: str) -> None:
+    with pytest.raises(UsageError, match="no such file"):
+        folder.load(path)
+
+
+def test_links_in_a_circle_lead_nowhere(write: Write) -> None:
+    root = write(reception_rbd_xml=None)
+    (root / "reception.rbd.xml").symlink_to("other.rbd.xml")
+    (root / "other.rbd.xml").symlink_to("reception.rbd.xml")
+    assert ("situ.toml", "unreadable-file") not in [(n, c) for n, c, _ in told(root)]
+    assert {code for _, code, _ in told(root)} & {"missing-file", "unreadable-file"}
+
+
+def test_a_part_must_be_an_application(write: Write) -> None:
+    whole = APPLICATION.replace(
+        "</state>", '</state><state no="2"><flow src="reception.spds.xml"/></state>'
+    )
+    project, _ = folder.load(write(reception_rbd_xml=whole))
+    assert project is not None
+    assert project.parts == {}
+    assert told(write(reception_rbd_xml=whole)) == [("reception.rbd.xml", "wrong-document", 2)]
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "words"),
+    [
+        ("[project]\nname =", (2, 7), "no TOML"),
+        ("[project]\nname = 1 2", (2, 10), "no TOML"),
+        ("[project]\na = " + "[" * 100_000, (1, 1), "no TOML"),
+        (b"[project]\n\xff", (2, 1), "UTF-8"),
+    ],
+)
+def test_a_project_file_that_is_no_toml_is_told_with_its_place(
+    tmp_path: Path, text: str | bytes, place: tuple[int, int], words: str
+) -> None:
+    (tmp_path / "situ.toml").write_bytes(text.encode() if isinstance(text, str) else text)
+    project, (problem,) = folder.load(tmp_path)
+    assert project is None
+    assert problem.code == "malformed-toml"
+    assert (problem.line, problem.column) == place
+    assert words in problem.message
+
+
+def test_tags_hold_lists_and_tables(write: Write) -> None:
+    toml = TOML.replace("[tags]", '[tags]\n"a" = [1, { b = "c" }]\n"d" = { e = [inf] }')
+    project, problems = folder.load(write(situ_toml=toml))
+    assert project is not None
+    assert project.tags["a"] == [1, {"b": "c"}]
+    assert "d" not in project.tags
+    assert [p.code for p in problems] == ["bad-value"]
+
+
+@pytest.mark.parametrize(
+    ("data", "line", "words"),
+    [
+        (b'msgid "a"\nmsgstr "\xff"\n', 2, "UTF-8"),
+        (b" " * 16_000_001, 1, "larger than 16 MB"),
+    ],
+)
+def test_texts_that_cannot_be_read_are_told(data: bytes, line: int, words: str) -> None:
+    found, (problem,) = texts.read(data, "ja.po")
+    assert found == {}
+    assert (problem.code, problem.line) == ("malformed-po", line)
+    assert words in problem.message
+
+
+def test_texts_of_one_line_are_no_name_of_a_file(tmp_path: Path) -> None:
+    (tmp_path / "b.po").write_text('msgid "a"\nmsgstr "b"\n')
+    assert texts.read(str(tmp_path / "b.po").encode(), "ja.po")[0] == {}
 
 
 def test_a_file_that_is_too_large_is_told(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -420,6 +509,22 @@ def test_parts_in_a_circle_are_an_error_in_each_file_of_it(write: Write) -> None
         ("reception.rbd.xml", "circular-parts", 2),
         ("p.rbd.xml", "circular-parts", 1),
     ]
+
+
+def test_the_way_that_a_circle_takes_is_told(write: Write) -> None:
+    whole = APPLICATION.replace("</state>", '</state><state no="2"><flow src="p.rbd.xml"/></state>')
+    part = '<application name="{}"><state no="1"><flow src="{}.rbd.xml"/></state></application>'
+    _, problems = found_in(
+        write(
+            reception_rbd_xml=whole,
+            p_rbd_xml=part.format("p", "q"),
+            q_rbd_xml=part.format("q", "p"),
+        )
+    )
+    ways = [problem.message for problem in problems if problem.code == "circular-parts"]
+    assert len(ways) == 2
+    assert "(p.rbd.xml → q.rbd.xml → p.rbd.xml)" in ways[0]
+    assert "(q.rbd.xml → p.rbd.xml → q.rbd.xml)" in ways[1]
 
 
 def test_what_a_part_uses_its_application_declares(write: Write) -> None:

@@ -205,23 +205,30 @@ def _circles(found: Findings, application: Application, project: Project) -> Non
     for state in application.states:
         if state.flow is None:
             continue
-        seen: set[str] = set()
-        waiting = [state.flow]
-        while waiting:
-            file = waiting.pop()
-            if file in seen:
-                continue
-            seen.add(file)
-            part = project.parts.get(file) or project.applications.get(file)
-            if part is not None:
-                waiting += [one.flow for one in part.states if one.flow is not None]
-        if found.file in seen:
+        way = _way_back(project, state.flow, found.file)
+        if way is not None:
             said = (
-                f"The part {shown(state.flow)} leads back to this file, and a part cannot hold "
-                "itself: let it end, and lead on from its done event"
+                f"The part {shown(state.flow)} leads back to this file "
+                f"({' → '.join((found.file, *way))}), and a part cannot hold itself: let it end, "
+                "and lead on from its done event"
             )
             aside = state.aside.part("flow")
             found.error("circular-parts", said, aside, ("state", state.no))
+
+
+def _way_back(project: Project, start: str, end: str) -> list[str] | None:
+    """The shortest way from one file to another by the parts that they hold."""
+    ways = {start: [start]}
+    waiting = [start]
+    for file in waiting:
+        if file == end:
+            return ways[file]
+        part = project.parts.get(file) or project.applications.get(file)
+        for state in part.states if part is not None else ():
+            if state.flow is not None and state.flow not in ways:
+                ways[state.flow] = [*ways[file], state.flow]
+                waiting.append(state.flow)
+    return None
 
 
 def _languages(found: Findings, application: Application, project: Project) -> None:
