@@ -10,8 +10,10 @@ import pytest
 
 from situ import cli
 from situ.document import codec
+from situ.document.aside import Aside
 from situ.document.export import without_editor
 from situ.document.folder import load
+from situ.document.rbd import Application, State
 from situ.resources import example, examples
 
 Captured = pytest.CaptureFixture[str]
@@ -71,6 +73,38 @@ def test_a_single_document_is_exported_with_the_media_that_it_names(tmp_path: Pa
     assert cli.main(["export", str(tmp_path / "a.rbd.xml"), "-o", str(out)]) == 0
     found = sorted(str(f.relative_to(out)) for f in out.rglob("*") if f.is_file())
     assert found == ["a.rbd.xml", "s/a.ogg"]
+
+
+def test_media_that_services_read_go_too(tmp_path: Path) -> None:
+    (tmp_path / "quiz.json").write_text("{}")
+    (tmp_path / "a.rbd.xml").write_text(
+        GOOD.replace(
+            ' final="true"/>',
+            ' final="true"><backgroundactions><service name="q" url="media:quiz.json"/>'
+            "</backgroundactions></state>",
+        )
+    )
+    assert cli.main(["export", str(tmp_path / "a.rbd.xml"), "-o", str(tmp_path / "out")]) == 0
+    assert (tmp_path / "out" / "quiz.json").read_text() == "{}"
+
+
+def test_a_project_whose_own_file_leads_elsewhere_is_refused(
+    tmp_path: Path, capsys: Captured
+) -> None:
+    inside = tmp_path / "project"
+    inside.mkdir()
+    (tmp_path / "elsewhere.toml").write_text('[project]\napplications = ["a.rbd.xml"]\n')
+    (inside / "situ.toml").symlink_to("../elsewhere.toml")
+    (inside / "a.rbd.xml").write_text(GOOD)
+    assert cli.main(["export", str(inside), "-o", str(tmp_path / "out")]) == 2
+    assert "situ.toml: leads out of the project" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_what_the_editor_has_put_in_without_a_declaration_is_stripped() -> None:
+    aside = Aside(before=("<ed:note>a</ed:note>", "<my:z/>", "<!-- why -->"))
+    stripped = without_editor(Application("a", states=(State("1", aside=aside),)))
+    assert stripped.states[0].aside.before == ("<my:z/>", "<!-- why -->")
 
 
 def test_a_project_with_errors_is_refused_in_one_line(tmp_path: Path, capsys: Captured) -> None:

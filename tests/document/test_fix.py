@@ -102,6 +102,16 @@ def test_a_mend_that_makes_room_for_another_is_followed_by_it(ward: Path) -> Non
     assert sorted(done) == ["bad-value", "double-data", "double-module", "double-module"]
 
 
+def test_mends_that_make_room_for_ever_new_ones_come_to_an_end(
+    ward: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(fixing, "ROUNDS", 1)
+    first = fix(ward)
+    assert len(first.mended) == 3
+    assert len(fix(ward).mended) == 1
+    assert fix(ward).mended == []
+
+
 def test_a_second_run_changes_nothing(ward: Path) -> None:
     first = fix(ward)
     before = {path: (path.read_bytes(), path.stat().st_mtime_ns) for path in ward.iterdir()}

@@ -311,6 +311,15 @@ TABLE: list[tuple[str, dict[str, str], str, bool]] = [
         False,
     ),
     (
+        "undeclared-resource",
+        {
+            "a.rbd.xml": SPEAKS,
+            "modules.xml": '<modules><module name="b"/><module name="a"/></modules>',
+        },
+        'Give it "speech"',
+        False,
+    ),
+    (
         "contradiction",
         {
             "s.spds.xml": SCRIPT.format(
@@ -403,6 +412,19 @@ def test_a_mend_takes_its_problem_away(
         (
             "dangling-next",
             {"a.rbd.xml": STATE.format('<timeout next="elsewhere">5</timeout>')},
+        ),
+        (
+            "application-without-priority",
+            {"a.rbd.xml": SPEAKS, "s.spds.xml": '<spds name="s"/>'},
+        ),
+        (
+            "empty-condition",
+            {
+                "a.rbd.xml": APPLICATION.format(
+                    '<state no="1"/><state no="1"><expectedevents><event name="e"><when/></event>'
+                    "</expectedevents></state>"
+                )
+            },
         ),
         (
             "bad-value",

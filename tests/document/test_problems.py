@@ -55,6 +55,12 @@ READING = [
     ("duplicate-element", STATE.format("<expectedevents/>@<expectedevents/>"), "only one"),
     # values of the wrong type
     ("bad-value", SCREEN.format('@<text id="t" x="abc" y="0" width="1" height="1"/>'), '"abc"'),
+    (
+        "bad-value",
+        SCREEN.format(f'@<text id="t" x="{"9" * 400}" y="0" width="1" height="1"/>'),
+        "too large",
+    ),
+    ("unknown-attribute", STATE.format("@<expectedevents a='1'/>"), 'no attribute "a"'),
     ("bad-value", SCREEN.format('@<text id="t" x="nan" y="0" width="1" height="1"/>'), "number"),
     ("bad-value", SCREEN.format(f'@<text id="t" {AT} align="middle"/>'), '"left", "center"'),
     ("bad-value", SCREEN.format(f'@<input id="t" {AT} tag="a" max="1.5"/>'), "whole number"),
@@ -198,6 +204,14 @@ CHECKING = [
             '<situation name="s"/></spds>'
         ),
         "twice",
+    ),
+    (
+        "bad-value",
+        (
+            '<spds name="a"><modules>@<module name="m" resources="left/head"/></modules>'
+            '<situation name="s"/></spds>'
+        ),
+        "without /",
     ),
     (
         "double-data",

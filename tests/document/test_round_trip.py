@@ -241,6 +241,15 @@ def test_foreign_namespaces_survive_with_their_prefixes() -> None:
     etree.fromstring(written.encode())
 
 
+def test_what_stands_in_foreign_elements_stays_in_them() -> None:
+    written = canonical(
+        '<application name="a" xmlns:my="urn:mine"><state no="1" xml:lang="en">'
+        "<my:thing><!-- a --><?b c?></my:thing></state></application>"
+    )
+    assert "<my:thing><!-- a --><?b c?></my:thing>" in written
+    assert '<state no="1" xml:lang="en">' in written
+
+
 def test_a_namespace_may_hold_a_brace() -> None:
     written = canonical(
         '<application name="a" xmlns:my="urn:{mine}"><state no="1" my:owner="Ann"/></application>'

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
+from functools import partial
 from random import Random
 from typing import Any
 
@@ -22,7 +23,7 @@ from situ.document.condition import TESTS, Condition, Group, GroupName
 from situ.document.condition import Test as Single
 from situ.document.satisfy import Moment, every_test
 from situ.document.spds import Spds
-from situ.document.value_sets import Domain
+from situ.document.value_sets import ANY, Domain
 
 LENGTHS = (1.0, 2.0)
 AGES = (0.25, 0.75, 1.25, 1.75, 2.25)
@@ -102,6 +103,8 @@ def holds(node: Condition | Group | Single, judge: Any) -> bool:
         '<data tag="a" is="{b}"/><data tag="b" exists="false"/>',
         '<data tag="a" in="{b}"/><data tag="a" is="1"/><data tag="b" is="[2, 3]"/>',
         '<data tag="a" isnot="{a}"/><data tag="a" exists="true"/>',
+        '<data tag="a" in="{b}"/><data tag="b" in="{a}"/>',
+        """<data tag="a" in="{b}"/><data tag="b" in='[{"x": 1}]'/>""",
     ],
 )
 def test_what_can_not_hold_is_known(text: str) -> None:
@@ -115,6 +118,10 @@ def test_what_can_not_hold_is_known(text: str) -> None:
         '<data tag="a" above="9007199254740992"/><data tag="a" below="9007199254740994"/>',
         '<data tag="a" is="5"/><data tag="a" isnot="{b}"/>',
         '<data tag="a" exists="false"/><data tag="a.b" exists="true"/>',
+        '<data tag="a" exists="false"/><data tag="a.b.c" exists="true"/>',
+        '<data tag="a" exists="true"/><data tag="a.B" is="5"/>',
+        '<data tag="a" is="[[5]]"/><data tag="a.0" exists="true"/>',
+        '<data tag="a" in="{b}"/><data tag="a" in="{b}" within="3"/>',
         '<data tag="a" exists="true"/><data tag="a.0" exists="false"/>',
         '<data tag="a" is="1"/><none><data tag="a" is="1" within="3"/></none>',
         '<data tag="a" is="1" for="3"/><data tag="a" is="1" within="1"/>',
@@ -162,10 +169,32 @@ def test_what_was_not_searched_to_its_end_is_not_guessed() -> None:
     assert moment.possible(moment.node(one)) is True
 
 
+@pytest.mark.parametrize(
+    ("text", "can"),
+    [
+        ('<data tag="a" above="{b}"/><data tag="a" below="{b}"/>', False),
+        ('<data tag="a" in="{b}"/><data tag="a" is="1"/><data tag="b" is="[2, 3]"/>', False),
+        ('<data tag="a" atleast="{b}"/><data tag="a" isnot="{b}"/>', True),
+    ],
+)
+def test_however_little_time_is_given_nothing_is_guessed(text: str, can: bool) -> None:
+    one = condition(text)
+    found = []
+    for budget in range(1, 200):
+        moment = Moment([one])
+        found.append(moment.possible(moment.node(one), budget=budget))
+    assert set(found) <= {None, can}
+    assert found[-1] is can
+
+
 def test_three_names_compared_in_a_circle_are_not_guessed() -> None:
     circle = '<data tag="a" above="{b}"/><data tag="b" above="{c}"/><data tag="c" above="{a}"/>'
     assert possible(circle) is None
     assert possible(circle, '<data tag="a" is="text"/><data tag="b" is="1"/>') is False
+
+
+def _known(domains: dict[str, Domain], name: str) -> Domain:
+    return domains.get(name, ANY)
 
 
 def test_what_is_known_of_a_name_beforehand_counts() -> None:
@@ -174,6 +203,16 @@ def test_what_is_known_of_a_name_beforehand_counts() -> None:
     moment = Moment([one, both], lambda name: Domain(frozenset(("boolean",))))
     assert moment.possible(moment.node(one)) is True
     assert moment.possible(moment.node(one), moment.node(both)) is False
+    one = condition('<data tag="a" exists="true"/><data tag="a.B" is="5"/>')
+    for kind, can in (("object", True), ("list", False), ("text", False)):
+        domains = {"a": Domain(frozenset((kind,)))}
+        moment = Moment([one], partial(_known, domains))
+        assert moment.possible(moment.node(one)) is can
+    several = condition("""<data tag="a" in='[[1], {"x": 2}, "b"]'/>""")
+    for kind, can in (("list", True), ("object", True), ("text", True), ("number", False)):
+        domains = {"a": Domain(frozenset((kind,)))}
+        moment = Moment([several], domains.__getitem__)
+        assert moment.possible(moment.node(several)) is can
     word = condition('<data tag="a" is="c"/>')
     moment = Moment([word], lambda name: Domain(frozenset(("text",)), ("a", "b")))
     assert moment.possible(moment.node(word)) is False

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import runpy
+from pathlib import Path
+
 import pytest
 from lxml import etree
 
 from situ.document import codec
+from situ.document import schema as making
 from situ.document.schema import FILES, schema
 from situ.resources import examples, resource
 
@@ -18,6 +22,16 @@ def valid(file: str, data: bytes) -> bool:
 @pytest.mark.parametrize("file", FILES)
 def test_the_shipped_schema_is_what_the_table_makes(file: str) -> None:
     assert resource("schema", file).read_bytes() == schema(FILES[file])
+
+
+def test_the_schemas_are_made_by_running_the_module(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("situ.resources.resource", lambda *parts: tmp_path.joinpath(*parts[1:]))
+    runpy.run_path(making.__file__, run_name="__main__")
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {
+        file: schema(root) for file, root in FILES.items()
+    }
 
 
 def test_the_documents_of_formats_are_valid_once_they_are_canonical(example: bytes) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterable
+from itertools import takewhile
 
 from situ.document import names, projectfile
 from situ.document.accept import ACCEPT
@@ -86,13 +87,12 @@ def _unused_accepts(project: Project, found: dict[str, Findings]) -> None:
         if findings.has("undecided"):
             continue
         for place, aside, unused, used in findings.accepts.unused():
-            mend = None
             way = follow(of(project, file), place)
-            if way is not None:
-                was = json.dumps(aside.attribute(ACCEPT), ensure_ascii=False)
-                left = json.dumps(" ".join(used) or None, ensure_ascii=False)
-                out = Change((*way[0], EDITOR_FIELD + ACCEPT), "set", left, was)
-                mend = Mend(file, "Take out what is accepted in vain", (out,), safe=True)
+            assert way is not None  # nothing stands there twice where there is no error
+            was = json.dumps(aside.attribute(ACCEPT), ensure_ascii=False)
+            left = json.dumps(" ".join(used) or None, ensure_ascii=False)
+            out = Change((*way[0], EDITOR_FIELD + ACCEPT), "set", left, was)
+            mend = Mend(file, "Take out what is accepted in vain", (out,), safe=True)
             several = ", ".join(shown(code) for code in unused) or "nothing"
             said = (
                 f"ed:accept names {several} here, but there is no such warning about this or "
@@ -128,11 +128,9 @@ def _application(found: Findings, application: Application, project: Project, fi
     _languages(found, application, project)
     if found.file not in project.applications:
         return
-    for file, other in project.applications.items():
-        if file == found.file:
-            break
-        if other.name == application.name:
-            said = f"{file} has the name {shown(other.name)} too: give one of them another"
+    for file in takewhile(lambda one: one != found.file, project.applications):
+        if project.applications[file].name == application.name:
+            said = f"{file} has the name {shown(application.name)} too: give one of them another"
             found.error("double-application", said, application.aside)
     _authority(found, application, project)
 
@@ -168,8 +166,7 @@ def _authority(found: Findings, application: Application, project: Project) -> N
 
 def _give_priority(project: Project, script: Spds, application: Application) -> Mend | None:
     """To declare an application, and give it the lowest priority of the last situation."""
-    file = project.spds_file
-    if file is None or not script.situations:
+    if not script.situations:
         return None
     at = len(script.situations) - 1
     last = script.situations[at]
@@ -182,23 +179,25 @@ def _give_priority(project: Project, script: Spds, application: Application) -> 
     entries: Path = ("situations", at, "entries", len(last.entries))
     changes.append(put_in(entries, Entry(application.name, lowest)))
     words = f"Give it the priority {lowest} in {shown(last.name)}"
-    return Mend(file, words, tuple(changes))
+    return Mend(project.spds_file or "", words, tuple(changes))
 
 
-def _give_resource(project: Project, application: Application, resource: str) -> Mend | None:
-    """To declare one resource more, where the application is declared."""
-    known: list[tuple[str | None, tuple[Declaration | Module, ...]]] = []
-    if project.spds is not None:
-        known.append((project.spds_file, project.spds.modules))
-    if project.modules is not None:
-        known.append((project.modules_file, project.modules.modules))
-    for file, declarations in known:
-        for at, declared in enumerate(declarations):
-            if file is not None and declared.name == application.name:
-                more = (*declared.resources, resource)
-                made = change(("modules", at), declared, "resources", more)
-                return Mend(file, f"Give it {shown(resource)}", (made,))
-    return None
+def _give_resource(project: Project, application: Application, resource: str) -> Mend:
+    """To declare one resource more where the application is declared, which it is."""
+    every: list[tuple[str | None, int, Declaration | Module]] = [
+        *(
+            (project.spds_file, at, one)
+            for at, one in enumerate(project.spds.modules if project.spds else ())
+        ),
+        *(
+            (project.modules_file, at, one)
+            for at, one in enumerate(project.modules.modules if project.modules else ())
+        ),
+    ]
+    file, at, declared = next(found for found in every if found[2].name == application.name)
+    more = (*declared.resources, resource)
+    made = change(("modules", at), declared, "resources", more)
+    return Mend(file or "", f"Give it {shown(resource)}", (made,))
 
 
 def _circles(found: Findings, application: Application, project: Project) -> None:

@@ -43,13 +43,10 @@ def load(path: str | Path) -> tuple[Project | None, list[Problem]]:
     itself is not there, cannot be read, or is nothing of the kind.
     """
     given = Path(path)
-    try:
-        is_folder = given.is_dir()
-        if not is_folder and not given.exists():
-            raise UsageError(f"{path}: no such file or folder")
-    except (OSError, ValueError) as error:
-        raise UsageError(f"{path}: cannot be read: {_reason(error)}") from error
-    if is_folder:
+    # Path.is_dir raises for names that no system has, in some Pythons.
+    if not os.path.exists(given):
+        raise UsageError(f"{path}: no such file or folder")
+    if os.path.isdir(given):
         return _Loading(given).project(_bytes(given / PROJECT_FILE, path))
     if given.name == PROJECT_FILE:
         return _Loading(given.parent).project(_bytes(given, path))
@@ -67,11 +64,9 @@ def resolve(root: str | Path, path: str) -> Path | None:
         return None
     if ".." in Path(path).parts:
         return None
-    try:
-        home = Path(root).resolve()
-        found = (home / path).resolve()
-    except (OSError, RuntimeError):
-        return None
+    # Path.resolve raises where links go in a circle, in some Pythons.
+    home = os.path.realpath(root)
+    found = Path(os.path.realpath(os.path.join(home, path)))
     return found if found.is_relative_to(home) else None
 
 

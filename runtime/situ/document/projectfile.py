@@ -105,9 +105,9 @@ class ProjectFile:
         except tomllib.TOMLDecodeError as wrong:
             said = str(wrong)
             match = _AT.search(said)
-            if match is not None:
-                said = said[: match.start()]
-            if match is not None and match[1]:
+            assert match is not None
+            said = said[: match.start()]
+            if match[1]:
                 line, column = int(match[1]), int(match[2])
             else:
                 lines = self._text.split("\n")

@@ -105,11 +105,6 @@ class Moment:
             node.opposite, found.opposite = found, node
         return found
 
-    def is_in(self, name: str, mask: int) -> Node:
-        """The name's value is one of this set; the name is one that a condition tests."""
-        var = self.variables.var[name]
-        return self._literal(var, mask & self.variables.full[var])
-
     def possible(self, *nodes: Node, budget: int = BUDGET) -> bool | None:
         """Whether all of them can hold at one moment; None: undecided.
 

@@ -225,7 +225,4 @@ def _number_between(low: Any, high: Any) -> bool:
         return True
     if abs(low) > 2**53:
         return False  # Floats as large as this are integers.
-    next_float = float(low)
-    if next_float <= low:
-        next_float = math.nextafter(next_float, math.inf)
-    return bool(next_float < high)
+    return bool(math.nextafter(float(low), math.inf) < high)

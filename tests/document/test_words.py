@@ -1,0 +1,37 @@
+"""Conditions and actions in plain words, as canvas, diff and why say them."""
+
+from __future__ import annotations
+
+import pytest
+
+from situ.document import words
+from situ.document.condition import Condition
+from situ.document.condition import Test as Single
+from situ.document.rbd import Message, Param, Robot, Speech
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        ('["a", 1]', "a, 1"),
+        ("[]", ""),
+        ("not a list", "not a list"),
+        ('"a"', '"a"'),
+    ],
+)
+def test_a_list_is_told_member_by_member_and_what_is_none_as_it_is_written(
+    value: str, said: str
+) -> None:
+    assert words.predicate(Single("t", "in", value)).endswith(said)
+
+
+def test_no_condition_is_nothing() -> None:
+    assert words.condition(None) == ""
+    assert words.condition(Condition((Single("t", "is", "1"),))) == "t is 1"
+
+
+def test_an_action_is_told_by_what_it_does() -> None:
+    assert words.action(Speech(text="Hello")) == "Hello"
+    assert words.action(Message(topic="nurse/call", text="Come")) == "Come"
+    robot = Robot(resource="base", command="goto", params=(Param("place", "lobby"),))
+    assert words.action(robot) == "goto lobby"
