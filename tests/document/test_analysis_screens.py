@@ -173,6 +173,25 @@ def test_a_text_can_be_read(upper: str, more: str, hides: bool) -> None:
     assert told(one, at(upper, "b", BESIDE, more)) == []
 
 
+@pytest.mark.parametrize(
+    ("lower", "upper", "is_told"),
+    [
+        ("{a}", "{b}", False),
+        ("Hello", "{b}", False),
+        ("{a}", "Hello", False),
+        ("Hello {a}", "{b}!", True),
+        ("{}", "{{", True),
+    ],
+)
+def test_texts_of_nothing_but_data_may_take_turns(lower: str, upper: str, is_told: bool) -> None:
+    shape = 'x="10" y="10" width="30" height="20"'
+    one = f'<text id="a" {shape}>{lower}</text>'
+    assert told(one, f'<text id="b" {shape}>{upper}</text>') == (
+        [("covered-component", "a")] if is_told else []
+    )
+    assert told(one, f'<text id="b" {shape} fill="#fff">{upper}</text>') != []
+
+
 @pytest.mark.parametrize(("kind", "more"), [("image", ""), ("movie", ""), ("text", PANEL)])
 def test_what_lies_behind_is_told_only_where_nothing_of_it_is_seen(kind: str, more: str) -> None:
     one = at(kind, "a", INSIDE, more)

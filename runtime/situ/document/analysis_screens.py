@@ -8,12 +8,13 @@ What is claimed, up to a hair (half a percent of the screen):
 - of two components that overlap, the upper one is *in the way* where the lower one can be
   touched, whatever the upper one is, since a touch goes to what lies on top; where the lower one
   is a text with words and the upper one covers it (has a ``fill``, is a picture or a movie or can
-  be touched) or has words too; and where it covers the whole of a picture, a movie or a panel.
-  So a picture or a panel beneath others is as it should be.
+  be touched); where both have words of their own, for texts of nothing but data may take turns;
+  and where it covers the whole of a picture, a movie or a panel. So a picture or a panel beneath
+  others is as it should be.
 
 What lies above what: later components of a screen above earlier ones, ``always`` above the
-state's screen, outer files above inner ones, wherever a screen is shown or kept. A text whose
-words come from data has words; a picture is not looked through.
+state's screen, outer files above inner ones, wherever a screen is shown or kept. A picture is
+not looked through.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from situ.document import words
+from situ.document import names, words
 from situ.document.analysis_active import Active, Layers, Run, shows
 from situ.document.analysis_search import Search
 from situ.document.finding import Place
@@ -36,7 +37,8 @@ HAIR = 0.5
 class Box(NamedTuple):
     """A component as it lies there. file, place: of its document.
 
-    words, touch: whether it is read, or touched. covers: whether what lies below is not seen.
+    words, touch: whether it is read, or touched. always: whether it has words whatever the data
+    are. covers: whether what lies below is not seen.
     """
 
     left: float
@@ -44,6 +46,7 @@ class Box(NamedTuple):
     right: float
     bottom: float
     words: bool
+    always: bool
     touch: bool
     covers: bool
     component: Component
@@ -245,6 +248,7 @@ def _box(one: Component, file: str, place: Place) -> Box:
         one.x + one.width,
         one.y + one.height,
         has_words,
+        has_words and _has_own_words(one),
         touch,
         covers,
         one,
@@ -253,12 +257,17 @@ def _box(one: Component, file: str, place: Place) -> Box:
     )
 
 
+def _has_own_words(one: Component) -> bool:
+    text = one.text if isinstance(one, Text) else ""
+    return "{" not in text or any(literal.strip() for literal, _ in names.split(text))
+
+
 def in_the_way(lower: Box, upper: Box) -> bool:
     """Whether the upper one of two that overlap is in the way of the lower one."""
     if lower.touch:
         return True
     if lower.words:
-        return upper.covers or upper.words
+        return upper.covers or (lower.always and upper.always)
     return (
         lower.covers
         and upper.covers
