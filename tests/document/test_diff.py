@@ -585,6 +585,16 @@ def test_a_part_in_a_file_of_another_name_is_the_same_part() -> None:
     ]
 
 
+def test_a_guard_that_reads_the_same_is_told_as_it_stands_in_the_file() -> None:
+    guard = '<data tag="t" is="1"/>'
+    text = '<application name="a"><state no="1"><expectedevents><event name="e"><when>{}</when>'
+    text += "</event></expectedevents></state></application>"
+    changes = compare(_read(text.format(guard)), _read(text.format(f"<all>{guard}</all>")))
+    assert [change.text for change in changes] == [
+        'state 1, event e: guard t is="1" → all(t is="1")'
+    ]
+
+
 def test_a_component_of_another_kind_is_another_component() -> None:
     at = 'x="1" y="1" width="9" height="9"'
     screen = f'<application name="a"><state no="1"><screen><components>{{}} id="i" {at}'

@@ -92,6 +92,27 @@ def test_guards_both_ways(make: Make, record: Record) -> None:
     assert [s.covered for s in seen.values()] == [False, True, False, False]
 
 
+def test_guards_that_look_at_the_clock(make: Make, record: Record) -> None:
+    project = make(
+        '<application name="a"><state no="1"><expectedevents><event next="2"><when>'
+        '<data tag="clock.time" is="08:00"/></when></event></expectedevents></state>'
+        '<state no="2"/></application>'
+    )
+    recording = record(project, {"at": 1, "set": {"clock.time": "08:00"}})
+    assert _cover(project, recording).conditions.popitem()[1].covered
+
+
+def test_an_unnamed_event_that_holds_and_leads_nowhere_is_not_one_that_failed(
+    make: Make, record: Record
+) -> None:
+    project = make(
+        '<application name="a"><state no="1"><expectedevents><event next="#back"><when>'
+        '<data tag="x" is="1"/></when></event></expectedevents></state></application>'
+    )
+    (seen,) = _cover(project, record(project, {"at": 0, "set": {"x": 1}})).conditions.values()
+    assert not seen.covered
+
+
 def test_situations_and_their_conditions_both_ways(make: Make, record: Record) -> None:
     project = make(RBD, SCRIPT)
     recording = record(

@@ -168,13 +168,9 @@ def entered(project: Project, application: str, way: Way) -> str | None:
 def _inmost(project: Project, application: str, to: str | None) -> str | None:
     if to is None or to == BACK:
         return None
-    while found := frames(project, application, to):
-        flow = found[-1].state.flow
-        part = None if flow is None else _document(project, flow)
-        if part is None or part.start_no is None:
-            break
-        to = f"{to}/{part.start_no}"
-    return to
+    flow = frames(project, application, to)[-1].state.flow
+    part = None if flow is None else _document(project, flow)
+    return to if part is None else _inmost(project, application, f"{to}/{part.start_no}")
 
 
 def leads_to(project: Project, application: str, way: Way, here: str, target: str) -> bool:

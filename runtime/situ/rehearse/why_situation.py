@@ -40,8 +40,8 @@ def _goes_first(past: Past, script: Spds, event: Fields, name: str) -> Reason:
         f"situation {first.name}, which goes before {name}, was current since {moment(event['t'])}"
     )
     if past.holds(first.condition):
-        if first.condition is not None:
-            said += f": {words.condition(first.condition)}"
+        assert first.condition is not None  # only the last one has none
+        said += f": {words.condition(first.condition)}"
         return Reason(code="order", text=said, seq=event["seq"])
     keeps = []
     if first.dwell is not None:
