@@ -61,10 +61,6 @@ class _Stop(Exception):
     """Reading ends here; the problem is noted."""
 
 
-class _Again(Exception):
-    """Something is wrong: to be read again, carefully."""
-
-
 class _Absent(ValueError):
     """An attribute that must be there is not."""
 
@@ -97,12 +93,8 @@ def read(data: bytes, file: str) -> tuple[Any, list[Problem]]:
     collecting = gc.isenabled()
     gc.disable()
     try:
-        reading = _Reading(data, file, careful=False)
-        try:
-            reading.parse()
-        except _Again:
-            reading = _Reading(data, file, careful=True)
-            reading.parse()
+        reading = _Reading(data, file)
+        reading.parse()
     finally:
         if collecting:
             gc.enable()
@@ -110,14 +102,9 @@ def read(data: bytes, file: str) -> tuple[Any, list[Problem]]:
 
 
 class _Reading:
-    """One reading of a file. Not ``careful``: a file in which nothing is wrong is read in half
-    of the time, and one in which something is raises _Again.
-    """
-
-    def __init__(self, data: bytes, file: str, *, careful: bool) -> None:
+    def __init__(self, data: bytes, file: str) -> None:
         self.data = data
         self.file = file
-        self.careful = careful
         self.document: Any = None
         self.parser = expat.ParserCreate("utf-8", None, dict(NAMES))
         self._found: list[tuple[int, int, int, str, str, tuple[str, ...]]] = []
@@ -134,15 +121,11 @@ class _Reading:
     # -- the loop ----------------------------------------------------------------
 
     def parse(self) -> None:
-        """Reads all of the data; what comes of it is in ``document`` and ``problems``.
-
-        Raises _Again where it is not careful and something is wrong.
-        """
+        """Reads all of the data; what comes of it is in ``document`` and ``problems``."""
         if not self._is_text():
             return
         parser, stack, rests = self.parser, self._stack, self._rests
         texts, pending = self._texts, self._pending
-        careful = self.careful
         self._long = long = self._has_long()
         index = -1
 
@@ -151,10 +134,11 @@ class _Reading:
             index += 1
             parent, _, _, _, held = stack[-1]
             known = parent.children.get(name)
-            if texts and (
-                careful or known is None or known[0].text is not None or parent.text is not None
-            ):
-                self._text_before_child()
+            if texts:
+                if len(texts) == 1 and parent.text is None and texts[0].isspace():
+                    texts.clear()
+                else:
+                    self._text_before_child()
             if known is None or index >= MAX_ELEMENTS or len(stack) > MAX_DEPTH:
                 self._stranger(name, given, index)
                 return
@@ -193,14 +177,19 @@ class _Reading:
                 held.update(given)
 
         def end(_name: str) -> None:
-            if careful and texts and stack[-1][0].text is None:
-                self._text_before_child()
-            rule, field, many, index, values = stack.pop()
-            if rule.text is not None:
+            rule, field, many, index, values = stack[-1]
+            if rule.text is None:
+                if texts:
+                    if len(texts) == 1 and texts[0].isspace():
+                        texts.clear()
+                    else:
+                        self._text_before_child()
+            else:
                 if rule.known_text is None and len(texts) == 1 and not long and index not in rests:
                     values[rule.text] = texts.pop().strip(WHITE)
                 else:
                     self._take_text(rule, index, values)
+            stack.pop()
             if rule.part:
                 if pending or index in rests or rule.attributes:
                     rest = self._rest(stack[-1][3])
@@ -255,14 +244,10 @@ class _Reading:
         listen()
         try:
             parser.Parse(self.data, True)
-            if texts:
-                self._text_before_child()
             self.document = self._complete(stack[0][4]["document"])
         except _Stop:
             pass
         except expat.ExpatError as error:
-            if not careful:
-                raise _Again from error
             self._malformed(error)
         finally:
             # The functions above and the parser hold each other: let go of the file at once.
@@ -294,8 +279,6 @@ class _Reading:
 
     def _problem(self, code: str, message: str, index: int | None = None) -> None:
         """Notes a problem; its place is the element ``index``, or where the parser stands."""
-        if not self.careful:
-            raise _Again
         line = column = 0
         if index is None:
             line = self.parser.CurrentLineNumber
