@@ -85,9 +85,11 @@ def test_what_an_action_runs_ends_when_the_robot_is_killed(begun: str, tmp_path:
         f"{begun}\n"
         "asyncio.run(begun)\n"
     )
-    with subprocess.Popen([sys.executable, "-c", starter, str(tmp_path), program]) as process:
-        with open(pipe, "rb") as told:
-            assert told.readline() == b"up\n"
-            os.kill(process.pid, 9)
-            # Comes to an end only when the program is gone too.
-            assert told.read() == b""
+    with (
+        subprocess.Popen([sys.executable, "-c", starter, str(tmp_path), program]) as process,
+        open(pipe, "rb") as told,
+    ):
+        assert told.readline() == b"up\n"
+        os.kill(process.pid, 9)
+        # Comes to an end only when the program is gone too.
+        assert told.read() == b""

@@ -190,10 +190,22 @@ def test_the_trace_and_the_robot_go_on_over_a_kill(
         rounds = board.get("rounds")
         counted(rounds - 1)
         seqs = [event["seq"] for event in events]
+        with (
+            situ.connect(runtime.endpoint, timeout=DEADLINE) as late,
+            late.trace(since=1) as all_of_it,
+        ):
+            # Who begins to look only now sees it from its first event on.
+            assert [_next(all_of_it)["seq"] for _ in seqs] == seqs
     # One run, of which no event came twice and none is missing.
     assert seqs == list(range(1, len(seqs) + 1))
     assert {json.loads(line)["seq"] for line in file.read_bytes().splitlines()} >= set(seqs)
     assert all(a["t"] <= b["t"] for a, b in pairwise(events))
+
+
+def _next(events: Any) -> dict[str, Any]:
+    event = events.next(DEADLINE)
+    assert event is not None
+    return dict(event)
 
 
 def _rounds(events: list[dict[str, Any]]) -> int:

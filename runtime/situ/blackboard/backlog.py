@@ -19,6 +19,10 @@ PAGE = 1_000_000
 """Bytes after which ``since`` gives no more at once."""
 
 
+Line = tuple[int, bytes, float]
+"""The seq of an event, its JSON, and the moment it was made (UNIX seconds)."""
+
+
 class Backlog:
     """A bounded run of events without a gap; each with the moment (UNIX seconds) it was made.
 
@@ -27,7 +31,7 @@ class Backlog:
 
     def __init__(self, capacity: int = CAPACITY, limit: int = BYTES, begin: int = 0) -> None:
         self._begin = begin
-        self._kept: deque[tuple[int, bytes, float]] = deque()
+        self._kept: deque[Line] = deque()
         self._capacity = capacity
         self._limit = limit
         self._bytes = 0
@@ -51,6 +55,24 @@ class Backlog:
             len(self._kept) > self._capacity or self._bytes > self._limit
         ):
             self._bytes -= len(self._kept.popleft()[1])
+
+    def after(self, seq: int, limit: int) -> list[Line]:
+        """The events after ``seq`` as they are kept; only the newest, where ``limit`` bytes are
+        not enough."""
+        found: list[Line] = []
+        size = 0
+        for line in reversed(self._kept):
+            size += len(line[1])
+            if line[0] <= seq or size > limit:
+                break
+            found.append(line)
+        found.reverse()
+        return found
+
+    def restore(self, lines: Iterable[Line]) -> None:
+        """The events of the run before, up to ``begin`` without a gap; nothing else came yet."""
+        self._kept.extend(lines)
+        self._bytes = sum(len(line) for _, line, _ in self._kept)
 
     def since(self, seq: int, limit: int) -> Iterator[bytes]:
         """At most ``limit`` events from ``seq`` on, oldest first, as ``stamped``; at least one

@@ -167,6 +167,7 @@ class Live:
         try:
             self._started = kept.began
             self._make_core(project, addresses, kept.seq)
+            self._core.backlog.restore(self._recovery.trace(kept))
             self._robot.restore(kept.robot)
             self._sessions.restore(kept.sessions, past, self._now())
             behind = self._durable.behind(self._robot.board.state) if self._durable else []
@@ -223,7 +224,8 @@ class Live:
 
     def _take_snapshot(self) -> None:
         if self._recovery is not None:
-            self._recovery.snapshot(self._started, self._robot, self._sessions.state())
+            state = self._sessions.state()
+            self._recovery.snapshot(self._started, self._robot, state, self._core.backlog)
             self._core.remembers = True
 
     def _keep(self, changes: list[Changed], held: list[Held]) -> None:

@@ -5,8 +5,9 @@ comes back*). What has happened is handed to the system before anything of it le
 without waiting for the disk: it survives the death of the process, not that of the machine, so
 it counts only in the boot in which it was written. Durable tags survive both.
 
-The journal is frames: length and CRC-32 of the body, the body. The first names the snapshot
-that it follows, each other one is what one turn of the loop brought about, whole or not at all.
+The journal is frames (``situ.engine.frames``). The first names the snapshot that it follows, each
+other one is what one turn of the loop brought about, whole or not at all. ``core/trace`` has the
+trace events up to the snapshot, for those who begin to look later.
 """
 
 from __future__ import annotations
@@ -16,20 +17,20 @@ import hashlib
 import logging
 import os
 import secrets
-import struct
-from collections.abc import Iterator
 from pathlib import Path
-from zlib import crc32
 
 import msgspec
 from msgspec import Struct
 
 import situ
+from situ.blackboard.backlog import Backlog, Line
 from situ.blackboard.history import AnySessionEvent, Past, SessionsState
 from situ.decide.effects import Begin
 from situ.decide.inputs import AnyInput
 from situ.decide.robot import Robot
 from situ.document.project import Project
+from situ.engine import frames
+from situ.engine.kept_trace import KeptTrace
 
 FOLDER = "core"
 INPUTS = 10_000
@@ -73,9 +74,14 @@ class Recovery:
         self._count = self._size = 0
         self._limit = BYTES
         self._failing = False
+        self._trace = KeptTrace(self._folder)
         self.found: tuple[Kept, list[Past]] | None = None
         if self._boot:
             self.found = self._load()
+
+    def trace(self, kept: Kept) -> list[Line]:
+        """The trace events up to the snapshot that was found, without a gap; perhaps not all."""
+        return self._trace.load(kept.sessions.runtime, kept.seq)
 
     @property
     def wanted(self) -> bool:
@@ -88,19 +94,13 @@ class Recovery:
         if self._journal is None:
             return
         try:
-            body = _encode(past)
-            # In the way of every reply: one call of the system, without a copy.
-            size = len(body)
-            head = _pack(size, crc32(body))
-            written = os.writev(self._journal, (head, body))
-            if written < size + _HEAD.size:
-                _write(self._journal, (head + body)[written:])
+            self._size += frames.append(self._journal, _encode(past))
         except _CAN_NOT as error:
             self._fail(error)
-            return
-        self._size += size
 
-    def snapshot(self, began: float, robot: Robot, sessions: SessionsState) -> None:
+    def snapshot(
+        self, began: float, robot: Robot, sessions: SessionsState, backlog: Backlog
+    ) -> None:
         """Begins anew from here; the old one stands until the new one is whole.
 
         To be called when all that has happened is written down.
@@ -111,15 +111,16 @@ class Recovery:
         mark = secrets.token_hex(8)
         try:
             self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+            self._trace.follow(sessions.runtime, backlog)
             state = robot.snapshot()
             body = _encode(
                 Kept(self._identity, self._boot, mark, began, robot.seq, state, sessions)
             )
-            journal = _create(self._folder / "journal.new", _frame(mark.encode()))
+            journal = frames.create(self._folder / "journal.new", mark.encode())
             if self._journal is not None:
                 os.close(self._journal)
             self._journal = journal
-            os.close(_create(self._folder / "snapshot.new", _frame(body)))
+            os.close(frames.create(self._folder / "snapshot.new", body))
             # Between the two the old journal stands beside the new snapshot, and is passed over.
             os.replace(self._folder / "snapshot.new", self._folder / "snapshot")
             os.replace(self._folder / "journal.new", self._folder / "journal")
@@ -137,6 +138,7 @@ class Recovery:
         if self._journal is not None:
             os.close(self._journal)
             self._journal = None
+        self._trace.forget()
         for name in ("snapshot", "journal", "snapshot.new", "journal.new"):
             with contextlib.suppress(OSError):
                 (self._folder / name).unlink(missing_ok=True)
@@ -172,10 +174,10 @@ class Recovery:
             self.set_aside(error)
             return None
         try:
-            frames = list(_frames(snapshot))
-            if not frames:
+            found = list(frames.read(snapshot))
+            if not found:
                 raise ValueError("it is damaged")
-            kept = msgspec.msgpack.decode(frames[0][0], type=Kept)
+            kept = msgspec.msgpack.decode(found[0][0], type=Kept)
         except (ValueError, msgspec.MsgspecError) as error:
             self.set_aside(error)
             return None
@@ -184,13 +186,13 @@ class Recovery:
         return kept, self._past(journal, kept.mark)
 
     def _past(self, journal: bytes, mark: str) -> list[Past]:
-        frames = _frames(journal)
-        first = next(frames, None)
+        turns = frames.read(journal)
+        first = next(turns, None)
         if first is None or first[0] != mark.encode():
             return []
         past: list[Past] = []
         end = first[1]
-        for body, behind in frames:
+        for body, behind in turns:
             try:
                 past += _decode(body)
             except msgspec.MsgspecError:
@@ -223,40 +225,5 @@ def _boot() -> str:
 _SAFE = ("GET", "HEAD")
 _CAN_NOT = (OSError, TypeError, ValueError, OverflowError, msgspec.MsgspecError)
 """A disk that does not take it, a value that has no bytes (an integer of more than 64 bits)."""
-_HEAD = struct.Struct("<II")
-_pack = _HEAD.pack
 _encode = msgspec.msgpack.Encoder().encode
 _decode = msgspec.msgpack.Decoder(list[tuple[int, AnyInput | AnySessionEvent | None]]).decode
-
-
-def _frame(body: bytes) -> bytes:
-    return _HEAD.pack(len(body), crc32(body)) + body
-
-
-def _frames(data: bytes) -> Iterator[tuple[bytes, int]]:
-    """Bodies, each with where it ends, up to the first that is not whole."""
-    at = 0
-    while at + _HEAD.size <= len(data):
-        length, check = _HEAD.unpack_from(data, at)
-        begin, at = at + _HEAD.size, at + _HEAD.size + length
-        body = data[begin:at]
-        if len(body) < length or crc32(body) != check:
-            return
-        yield body, at
-
-
-def _create(file: Path, data: bytes) -> int:
-    """An open file that holds ``data``."""
-    made = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o600)
-    try:
-        _write(made, data)
-    except BaseException:
-        os.close(made)
-        raise
-    return made
-
-
-def _write(file: int, data: bytes) -> None:
-    written = os.write(file, data)
-    while written < len(data):
-        written += os.write(file, data[written:])
