@@ -60,7 +60,7 @@ def test_a_target_of_less_than_12_mm_is_told(
 def test_the_mend_of_a_target_makes_it_large_enough_and_keeps_it_on_the_screen() -> None:
     project = whole(shown(of('button event="e"', 98, 50, 2, 30)))
     (problem,) = told(project, "small-target")
-    assert "4 mm wide" in problem.message
+    assert "4.3 mm wide" in problem.message
     after = mended(project, problem)
     assert told(after, "small-target") == []
     (button,) = after.applications["a0.rbd.xml"].states[0].screen.components  # type: ignore[union-attr]

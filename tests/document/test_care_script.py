@@ -395,3 +395,14 @@ def test_what_is_meant_is_accepted_where_it_stands() -> None:
     around = state(SCREEN, CALL, attributes='ed:accept="suspended-call"')
     assert told(calling(around), "suspended-call") == []
     assert told(calling(around), "accept-unused") == []
+
+
+def test_an_application_that_uses_nothing_has_a_priority_all_the_same() -> None:
+    """The mend of a call that may wait is no mistake itself."""
+    script = (
+        '<modules><module name="a" resources=""/></modules>'
+        '<situation name="day"><module name="a" priority="1"/></situation>'
+    )
+    project = whole(state(acts=CALL), script=script)
+    for code in ("suspended-call", "never-wins", "application-without-priority"):
+        assert told(project, code) == []

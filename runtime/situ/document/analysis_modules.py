@@ -173,6 +173,9 @@ def _never_wins(
     place = ("situation", first.name, "entry", str(at))
     aside = first.entries[at].aside
     if not asker.resources:
+        if is_application:
+            # It needs a priority all the same, and as it asks for nothing, nothing suspends it.
+            return
         message = (
             f'The module "{name}" has no resources, so its priority has no effect: take it out'
         )

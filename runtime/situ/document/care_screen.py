@@ -79,9 +79,9 @@ LIGHT = 0.36
 PIXEL = 0.2
 """Percent by which the page lets a text be larger than its component (a pixel, fit.js)."""
 
-_NARROW_ONES = re.compile(r"[\]\[ijlrtfIJ1(){}|/\\'.,:;!\"ÌÍÎÏìíîï-]")
-_LETTERS = re.compile(r"[A-Za-z0-9À-ÖØ-öø-ÿ]")
-_FULL = re.compile("[\u3041-\u3096\u30a1-\u30fa\u3400-\u9fff]")
+NARROW_ONES = re.compile(r"[\]\[ijlrtfIJ1(){}|/\\'.,:;!\"ÌÍÎÏìíîï-]")
+LETTERS = re.compile(r"[A-Za-z0-9À-ÖØ-öø-ÿ]")
+FULL_ONES = re.compile("[\u3041-\u3096\u30a1-\u30fa\u3400-\u9fff]")
 
 
 # -- tap targets -----------------------------------------------------------------
@@ -100,8 +100,8 @@ def small_targets(search: Search, file: str, application: Application) -> None:
             continue
         side, size = ("wide", wide) if wide < TARGET else ("high", high)
         message = (
-            f"This is {size:.0f} mm {side} on a 10-inch screen, and fingers need {TARGET}: make it "
-            f"at least {least(WIDE):g} wide and {least(HIGH):g} high"
+            f"This is {math.floor(size * 10) / 10:g} mm {side} on a 10-inch screen, and fingers "
+            f"need {TARGET}: make it at least {least(WIDE):g} wide and {least(HIGH):g} high"
         )
         fields: dict[str, float] = {}
         for field, beside, most in (("width", "x", WIDE), ("height", "y", HIGH)):
@@ -173,9 +173,9 @@ def _fitting(search: Search, component: Text | Button) -> tuple[float, str]:
 
 def _width(text: str) -> float:
     """The least that a text can be wide, in sizes of its letters."""
-    narrow = len(_NARROW_ONES.findall(text))
-    full = len(_FULL.findall(text))
-    letters = len(_LETTERS.findall(_NARROW_ONES.sub("", text)))
+    narrow = len(NARROW_ONES.findall(text))
+    full = len(FULL_ONES.findall(text))
+    letters = len(LETTERS.findall(NARROW_ONES.sub("", text)))
     return narrow * NARROW + letters * LETTER + full * FULL
 
 
@@ -215,9 +215,9 @@ def low_contrast(search: Search, file: str, application: Application) -> None:
                 if any(_hides(one, component) for one in below):
                     continue
             message = (
-                f"{words.quoted(ink)} on {words.quoted(behind[0] if behind else 'the page')} is "
-                f"hard to read: contrast {best:.1f}, and {CONTRAST:g} is needed; choose a darker "
-                "or a lighter color"
+                f"The color {ink} on {behind[0] if behind else 'the page'} is hard to read: their "
+                f"contrast is {math.floor(best * 10) / 10:g}, and {CONTRAST:g} is needed; choose a "
+                "darker or a lighter color"
             )
             at = (*place, component.id)
             better = readable(behind or GROUND)

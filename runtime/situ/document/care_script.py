@@ -19,7 +19,7 @@ from situ.document.project import Project
 from situ.document.rbd import Application, Clear, List, Robot, Service, Set, Take
 from situ.document.spds import Observed, Situation, Spds
 
-HARMLESS = frozenset(("screen", "speech", "head"))
+HARMLESS = frozenset(("screen", "speech", "head", "face", "lights"))
 """Resources that hurt nobody: a head turns where it is."""
 
 STOP = "robot.stop"

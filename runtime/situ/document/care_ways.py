@@ -5,7 +5,7 @@ Guards are taken to hold, so there is never less of a way here than the robot ha
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal
 
 from msgspec import Struct
@@ -191,7 +191,8 @@ def backward(ends: Iterable[str], along: Iterable[Way]) -> set[str]:
     return forward(ends, [Way(way.target, way.source, way.by) for way in along])
 
 
-def few(states: Iterable[State]) -> str:
+def few(states: Sequence[State]) -> str:
     """The first states in words, and how many more there are."""
     named = [words.state(state) for state in states]
-    return words.listed([*named[:4], f"{len(named) - 4} more"] if len(named) > 5 else named)
+    told = words.listed([*named[:4], f"{len(named) - 4} more"] if len(named) > 5 else named)
+    return f"the states {told}" if len(named) > 1 else f"the state {told}"
