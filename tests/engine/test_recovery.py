@@ -96,6 +96,15 @@ def test_nothing_is_read_behind_a_garbled_byte(
     assert "breaks off" in caplog.text
 
 
+def test_it_may_lie_in_memory(tmp_path: Path, project: Project) -> None:
+    memory, state = tmp_path / "memory", tmp_path / "state"
+    state.mkdir()
+    (state / "core").symlink_to(memory / "core")
+    killed(state, project, PAST)
+    assert found(state, project) == PAST
+    assert {"snapshot", "journal"} <= {file.name for file in (memory / "core").iterdir()}
+
+
 def test_an_older_journal_beside_a_newer_snapshot_is_passed_over(
     tmp_path: Path, project: Project
 ) -> None:

@@ -67,7 +67,8 @@ class Recovery:
     """
 
     def __init__(self, folder: Path, project: Project, *, boot: str | None = None) -> None:
-        self._folder = folder / FOLDER
+        # It may be a link to a folder in memory, which a start of the machine has emptied.
+        self._folder = (folder / FOLDER).resolve()
         self._identity = identity(project)
         self._boot = _boot() if boot is None else boot
         self._journal: int | None = None
