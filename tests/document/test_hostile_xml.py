@@ -81,6 +81,15 @@ def test_the_number_of_elements_is_bounded(one: bytes) -> None:
     assert only_problem(HEAD + one * (MAX_ELEMENTS + 1) + b"</application>")[0] == "too-many"
 
 
+@pytest.mark.parametrize("one", [b'<state no="1"/>', b"<o:x xmlns:o='u'/>"])
+def test_it_is_bounded_too_where_end_tags_in_a_comment_hide_it(
+    monkeypatch: pytest.MonkeyPatch, one: bytes
+) -> None:
+    monkeypatch.setattr("situ.document.reader.MAX_ELEMENTS", 50)
+    data = HEAD + b"<!-- " + b"</" * 60 + b" -->" + one * 50 + b"</application>"
+    assert only_problem(data)[0] == "too-many"
+
+
 @pytest.mark.parametrize(
     ("data", "code"),
     [
