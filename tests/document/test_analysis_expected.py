@@ -16,6 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec import Struct
+from msgspec.structs import replace
 
 from situ.decide import inputs, trace
 from situ.decide.robot import Robot
@@ -252,6 +253,14 @@ def test_nothing_is_said_of_a_part_that_is_missing_or_holds_itself() -> None:
     circle = '<state no="2"><flow src="p.rbd.xml"/></state>'
     assert found(project(state("1", GO, event("f", "1")) + circle, p=circle)) == []
     assert told(state("1", GO, event("f", "1")) + circle, p="") == [AT_GO]
+
+
+def test_two_states_that_share_one_value_are_judged_each_for_itself() -> None:
+    """As when an editor has made a copy of a state."""
+    one = application(state("1", GO, event("go", "1"))).states[0]
+    two = replace(one, no="2", events=(Event("f", "1"),))
+    copied = replace(project(""), applications={FILE: Application("a", None, None, (one, two))})
+    assert [p.place for p in found(copied)] == [("state", "2", "screen", "go")]
 
 
 def test_what_has_too_many_states_is_told_as_undecided(monkeypatch: pytest.MonkeyPatch) -> None:

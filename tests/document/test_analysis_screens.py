@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from situ.decide import inputs, trace
 from situ.decide.robot import Robot
@@ -256,6 +257,14 @@ def test_what_an_event_of_the_part_takes_first_leads_out_of_no_part() -> None:
     assert found(project(outer, p=part.format(on.format(1, "")))) == []
     for taken in (on.format(1, when), on.format("#back", "")):
         assert [p.place[-1] for p in found(project(outer, p=part.format(taken)))] == ["a"]
+
+
+def test_a_copy_of_a_state_is_judged_for_itself() -> None:
+    """An editor's copy holds the very same screen."""
+    one = shown(at("text", "a", (90, 10, 30, 20))).applications[FILE].states[0]
+    two = replace(one, no="2")
+    copied = replace(project(""), applications={FILE: Application("a", None, None, (one, two))})
+    assert [p.place[1] for p in found(copied)] == ["1", "2"]
 
 
 def test_what_lies_over_one_is_told_once() -> None:

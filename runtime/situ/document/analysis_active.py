@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from situ.document.analysis_search import Search
+from situ.document.finding import Place
 from situ.document.project import Project
 from situ.document.rbd import AGAIN, BACK, Always, Application, Event, Screen, State, Timeout
 
@@ -36,8 +37,16 @@ class Level(NamedTuple):
         return self.application.always if self.state.always else None
 
 
-Layers = tuple[tuple[str, Screen], ...]
-"""Screens with their files, the upper ones later."""
+class Layer(NamedTuple):
+    """A screen, and where it stands: its file, and its state or ``always`` in it."""
+
+    file: str
+    holder: Place
+    screen: Screen
+
+
+Layers = tuple[Layer, ...]
+"""Screens above each other, the upper ones later."""
 
 
 class Active(NamedTuple):
@@ -227,7 +236,7 @@ class Run:
         shared: tuple[Always, ...] = (always,) if always is not None else ()
         above = around.above
         if always is not None and always.screen is not None and shows(always.screen):
-            above = ((file, always.screen), *above)
+            above = (Layer(file, ("always",), always.screen), *above)
         for state in application.states:
             path = prefix + state.no
             if path in self._innermost:

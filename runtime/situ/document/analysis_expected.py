@@ -52,6 +52,12 @@ HERE, WAITED, SHOWN, WRITES, SOON, ANYWHERE = range(6)
 """In which states an event may be judged, from those that have what raises it."""
 
 
+Key = tuple[str, Place, str]
+"""What tells raisers from each other: file, place and field. Two states may hold the very same
+value, so that it does not.
+"""
+
+
 class Raiser(NamedTuple):
     """What raises an event. field: with the event's name; reach: HERE, …, ANYWHERE."""
 
@@ -71,9 +77,9 @@ def search_expected(search: Search, runs: list[Run]) -> None:
 class _Expected:
     def __init__(self, search: Search, runs: list[Run]) -> None:
         self._search = search
-        self._fine: set[tuple[int, str]] = set()
-        self._open: dict[tuple[int, str], tuple[Raiser, list[tuple[Run, list[Active]]]]] = {}
-        self._settled: set[int] = set()
+        self._fine: set[Key] = set()
+        self._open: dict[Key, tuple[Raiser, list[tuple[Run, list[Active]]]]] = {}
+        self._settled: set[str] = set()
         self._own: dict[int, frozenset[str | None]] = {}
         for run in runs:
             search.go_on()
@@ -95,9 +101,8 @@ class _Expected:
             if not any(run.expects(one, raiser.name) for run, one in judged):
                 self._tell(raiser, judged, found[0][1][0], somewhere)
 
-    def fine(self, run: Run, value: object, field: str, name: str, actives: list[Active]) -> bool:
+    def fine(self, run: Run, key: Key, name: str, actives: list[Active]) -> bool:
         """Whether an event that is raised in one of these states is expected there."""
-        key = (id(value), field)
         if key in self._fine:
             return True
         for active in actives:
@@ -108,7 +113,7 @@ class _Expected:
 
     def open(self, run: Run, raiser: Raiser, actives: list[Active]) -> None:
         """An event is raised in these states, none of which expects it."""
-        key = (id(raiser.value), raiser.field)
+        key = (raiser.file, raiser.place, raiser.field)
         found = self._open.setdefault(key, (raiser, []))[1]
         if not found or found[-1][0] is not run:
             found.append((run, []))
@@ -133,16 +138,16 @@ class _Expected:
             file = active.levels[number].file
             own = (*place, "timeout")
             where: Place = ("always", "timeout") if isinstance(holder, Always) else own
-            if not self.fine(run, timeout, "next", TIMEOUT, [active]):
+            if not self.fine(run, (file, where, "next"), TIMEOUT, [active]):
                 self.open(run, Raiser(file, where, timeout, "next", TIMEOUT, HERE), [active])
         for level in active.levels:
             self._events(run, active, level, level.state, ("state", level.state.no))
             always = level.always
-            if always is not None and id(always) not in self._settled:
+            if always is not None and level.file not in self._settled:
                 events = self._events(run, active, level, always, ("always",))
                 screen = self._screen(run, active, level.file, always.screen, ("always",))
                 if events and screen:
-                    self._settled.add(id(always))
+                    self._settled.add(level.file)
 
     def _screen(
         self, run: Run, active: Active, file: str, screen: Screen | None, place: Place
@@ -152,10 +157,10 @@ class _Expected:
         for component in screen.components if screen is not None else ():
             field = "done" if isinstance(component, Movie) else "event"
             name = getattr(component, field, None)
-            if name is None or self.fine(run, component, field, name, [active]):
+            at = (*place, "screen", component.id)
+            if name is None or self.fine(run, (file, at, field), name, [active]):
                 continue
             writes = isinstance(component, (Button, Input, List)) and component.tag
-            at = (*place, "screen", component.id)
             reach = WRITES if writes else SHOWN
             if place[0] == "always":
                 # It is shown where it is part of the state, and kept nowhere else.
@@ -189,7 +194,7 @@ class _Expected:
         ends = isinstance(action, (Speech, Robot, Sound, Service, Launch))
         for field in ("done", "failed") if ends else ("done",):
             name = getattr(action, field)
-            if name is None or self.fine(run, action, field, name, actives):
+            if name is None or self.fine(run, (file, at, field), name, actives):
                 continue
             reach = SOON
             if isinstance(action, (Speech, Robot, Sound)):
@@ -281,21 +286,21 @@ def _touches(found: _Expected, run: Run) -> None:
         if screen is not None and screen.touched is not None:
             own: Place = ("state", here.state.no, "screen")
             raiser = Raiser(here.file, own, screen, "touched", screen.touched, SHOWN)
-            if not found.fine(run, screen, "touched", screen.touched, [active]):
+            if not found.fine(run, (here.file, own, "touched"), screen.touched, [active]):
                 found.open(run, raiser, [active])
             continue
-        shared = next(((f, one) for f, one in active.above if one.touched is not None), None)
-        if shared is None:
+        layer = next((one for one in active.above if one.screen.touched is not None), None)
+        if layer is None:
             continue
         if screen is None:
             bare = _bare(run) if bare is None else bare
             if active.path not in bare:
                 continue
-        file, above = shared
+        above = layer.screen
         assert above.touched is not None
-        if not found.fine(run, above, "touched", above.touched, [active]):
-            at: Place = ("always", "screen")
-            raiser = Raiser(file, at, above, "touched", above.touched, HERE)
+        at = (*layer.holder, "screen")
+        if not found.fine(run, (layer.file, at, "touched"), above.touched, [active]):
+            raiser = Raiser(layer.file, at, above, "touched", above.touched, HERE)
             found.open(run, raiser, [active])
 
 

@@ -23,15 +23,19 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from situ.document import names, words
-from situ.document.analysis_active import Active, Layers, Run, shows
+from situ.document.analysis_active import Active, Layer, Layers, Run, shows
 from situ.document.analysis_search import Search
 from situ.document.finding import Place
 from situ.document.mend import written
 from situ.document.problem import Change, Mend
-from situ.document.rbd import Button, Component, Image, Input, List, Movie, Screen, Text
+from situ.document.rbd import Button, Component, Image, Input, List, Movie, Text
 
 HAIR = 0.5
 """Percent of the screen: less than this is no overlap and not off the screen."""
+
+
+Edges = tuple[float, float, float, float]
+"""Left, top, right, bottom, in percent of the screen."""
 
 
 class Box(NamedTuple):
@@ -67,12 +71,9 @@ def search_screens(search: Search, runs: list[Run]) -> None:
         for active in run.actives.values():
             level = active.levels[-1]
             own: Layers = ()
-            if shows(level.state.screen):
-                assert level.state.screen is not None
-                own = ((level.file, level.state.screen),)
-                boxes.place(level.state.screen, ("state", level.state.no))
-            for _, screen in active.above:
-                boxes.place(screen, ("always",))
+            screen = level.state.screen
+            if screen is not None and shows(screen):
+                own = (Layer(level.file, ("state", level.state.no), screen),)
             boxes.judge((*own, *active.above))
         for layers in _kept(run):
             boxes.judge(layers)
@@ -81,12 +82,12 @@ def search_screens(search: Search, runs: list[Run]) -> None:
 
 def _kept(run: Run) -> Iterator[Layers]:
     """The screens that states keep, with the screens of ``always`` above them there."""
-    keeping: dict[tuple[int, ...], list[Active]] = {}
-    above: dict[tuple[int, ...], Layers] = {}
-    own: set[tuple[int, ...]] = set()
+    keeping: dict[tuple[str, ...], list[Active]] = {}
+    above: dict[tuple[str, ...], Layers] = {}
+    own: set[tuple[str, ...]] = set()
     for active in run.actives.values():
         layers = active.above
-        key = tuple(id(screen) for _, screen in layers)
+        key = tuple(layer.file for layer in layers)
         if active.state.screen is not None:
             own.add(key)
         elif layers:
@@ -109,69 +110,68 @@ def _kept(run: Run) -> Iterator[Layers]:
                 if one.path in seen:
                     continue
                 seen.add(one.path)
-                if one.state.screen is None:
+                screen = one.state.screen
+                if screen is None:
                     waiting.append(one)
-                elif shows(one.state.screen):
-                    yield ((one.levels[-1].file, one.state.screen), *above[key])
+                elif shows(screen):
+                    place = ("state", one.state.no)
+                    yield (Layer(one.levels[-1].file, place, screen), *above[key])
 
 
 class _Boxes:
+    """Most components are in nobody's way: they are looked at as bare edges first."""
+
     def __init__(self, search: Search) -> None:
         self._search = search
-        self._places: dict[int, Place] = {}
-        self._made: dict[int, list[Box]] = {}
-        self._judged: set[tuple[int, int]] = set()
-        self._covered: dict[int, tuple[Box, list[Box]]] = {}
-
-    def place(self, screen: Screen, place: Place) -> None:
-        """Where a screen stands in its document."""
-        self._places.setdefault(id(screen), place)
+        self._edges: dict[tuple[str, Place], list[Edges]] = {}
+        self._judged: set[tuple[tuple[str, Place], tuple[str, Place]]] = set()
+        self._off: list[Box] = []
+        self._covered: dict[tuple[str, Place], tuple[Box, list[Box]]] = {}
 
     def judge(self, layers: Layers) -> None:
         """Looks at each screen and each two that lie above each other, once."""
-        for number, (file, screen) in enumerate(layers):
-            for other_file, upper in layers[number:]:
-                key = (id(screen), id(upper))
+        for number, layer in enumerate(layers):
+            for upper in layers[number:]:
+                key = (layer[:2], upper[:2])
                 if key in self._judged:
                     continue
                 self._judged.add(key)
-                lower = self._boxes(file, screen)
-                if upper is not screen:
-                    above = self._boxes(other_file, upper)
-                    for box in lower:
-                        self._look(box, above)
-                    continue
-                for at, box in enumerate(lower):
-                    self._look(box, lower[at + 1 :])
+                lower = self._of(layer)
+                above = self._of(upper)
+                for at, one in enumerate(lower):
+                    self._look(layer, at, one, upper, above, at + 1 if upper is layer else 0)
 
     def tell(self) -> None:
-        for boxes in self._made.values():
-            for box in boxes:
-                if _is_off(box):
-                    self._tell_off(box)
+        for box in self._off:
+            self._tell_off(box)
         for box, uppers in self._covered.values():
             self._tell_covered(box, uppers)
 
-    def _boxes(self, file: str, screen: Screen) -> list[Box]:
-        found = self._made.get(id(screen))
+    def _of(self, layer: Layer) -> list[Edges]:
+        found = self._edges.get(layer[:2])
         if found is None:
-            place = (*self._places[id(screen)], "screen")
-            made = [_box(one, file, (*place, one.id)) for one in screen.components]
-            found = self._made[id(screen)] = made
+            found = self._edges[layer[:2]] = []
+            for one in layer.screen.components:
+                left, top, right, bottom = one.x, one.y, one.x + one.width, one.y + one.height
+                found.append((left, top, right, bottom))
+                if left < -HAIR or top < -HAIR or right > 100 + HAIR or bottom > 100 + HAIR:
+                    box = _box(layer, one)
+                    if _is_off(box):
+                        self._off.append(box)
         return found
 
-    def _look(self, box: Box, uppers: list[Box]) -> None:
-        left, top = box.left + HAIR, box.top + HAIR
-        right, bottom = box.right - HAIR, box.bottom - HAIR
-        for upper in uppers:
-            if (
-                upper[0] < right
-                and upper[2] > left
-                and upper[1] < bottom
-                and upper[3] > top
-                and in_the_way(box, upper)
-            ):
-                self._covered.setdefault(id(box), (box, []))[1].append(upper)
+    def _look(
+        self, layer: Layer, at: int, one: Edges, upper: Layer, above: list[Edges], first: int
+    ) -> None:
+        """Looks at one component and those above it, from a first one on."""
+        left, top, right, bottom = one[0] + HAIR, one[1] + HAIR, one[2] - HAIR, one[3] - HAIR
+        for number in range(first, len(above)):
+            other = above[number]
+            if other[0] < right and other[2] > left and other[1] < bottom and other[3] > top:
+                box = _box(layer, layer.screen.components[at])
+                cover = _box(upper, upper.screen.components[number])
+                if in_the_way(box, cover):
+                    self._covered.setdefault((box.file, box.place), (box, []))[1].append(cover)
 
     def _tell_off(self, box: Box) -> None:
         one = box.component
@@ -238,10 +238,9 @@ class _Boxes:
         return self._search.mend(box.file, said, change)
 
 
-def _box(one: Component, file: str, place: Place) -> Box:
+def _box(layer: Layer, one: Component) -> Box:
     touch = isinstance(one, (Button, Input, List))
     has_words = isinstance(one, Text) and bool(one.text.strip())
-    covers = touch or isinstance(one, (Image, Movie)) or one.fill not in (None, "", "transparent")
     return Box(
         one.x,
         one.y,
@@ -250,10 +249,10 @@ def _box(one: Component, file: str, place: Place) -> Box:
         has_words,
         has_words and _has_own_words(one),
         touch,
-        covers,
+        touch or isinstance(one, (Image, Movie)) or one.fill not in (None, "", "transparent"),
         one,
-        file,
-        place,
+        layer.file,
+        (*layer.holder, "screen", one.id),
     )
 
 
@@ -279,12 +278,19 @@ def in_the_way(lower: Box, upper: Box) -> bool:
 
 
 def _is_off(box: Box) -> bool:
-    if box.touch or box.words:
-        return (
-            box.left < -HAIR or box.top < -HAIR or box.right > 100 + HAIR or box.bottom > 100 + HAIR
+    """Whether one that lies outside in part is off the screen."""
+    return (
+        box.touch
+        or box.words
+        or (
+            box.covers
+            and (
+                box.right <= HAIR
+                or box.bottom <= HAIR
+                or box.left >= 100 - HAIR
+                or box.top >= 100 - HAIR
+            )
         )
-    return box.covers and (
-        box.right <= HAIR or box.bottom <= HAIR or box.left >= 100 - HAIR or box.top >= 100 - HAIR
     )
 
 
