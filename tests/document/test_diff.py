@@ -486,6 +486,7 @@ def _project(**more: Any) -> Project:
         ({"durable": ("a", "b")}, "durable tags b added", True),
         ({"settings": ()}, "setting a gone", True),
         ({"settings": (Setting("a", "B"),)}, "setting a: label “A” → “B”", False),
+        ({"media": "pictures"}, "folder of media none → “pictures”", True),
         ({"adapter": "ros2"}, "adapter “sim” → “ros2”", True),
         ({"mqtt": Mqtt("mqtt://here", {})}, "mqtt x gone, was “event:y”", True),
         ({"applications": {}}, "application a gone", True),
@@ -592,6 +593,16 @@ def test_a_guard_that_reads_the_same_is_told_as_it_stands_in_the_file() -> None:
     changes = compare(_read(text.format(guard)), _read(text.format(f"<all>{guard}</all>")))
     assert [change.text for change in changes] == [
         'state 1, event e: guard t is="1" → all(t is="1")'
+    ]
+
+
+def test_a_number_that_was_not_written_before() -> None:
+    at = 'id="i" x="1" y="1" width="9" height="9"'
+    text = f'<application name="a"><state no="1"><screen><components><text {at}{{}}>Hi</text>'
+    text += "</components></screen></state></application>"
+    before, after = _read(text.format("")), _read(text.format(' size="9"'))
+    assert [change.text for change in compare(before, after)] == [
+        "state 1, text i: text size now 9"
     ]
 
 

@@ -95,6 +95,7 @@ def test_each_verb_does_what_it_says(
         '{"at": NaN, "event": "a"}',
         b'{"at": 1, "event": "\xff"}',
         '{"at": 1, "set": ' + "[" * 20_000,
+        '{"at": 1, "set": {"a": ' + "[" * 20_000 + "]" * 20_000 + "}}",
     ],
 )
 def test_what_is_no_scenario_is_one_line_and_exit_2(

@@ -701,6 +701,36 @@ def test_an_action_that_was_superseded_before_it_began(make: Make, record: Recor
     assert told == "- it waits for an action before it, or has been superseded"
 
 
+def test_an_action_waits_for_the_one_that_runs_and_not_for_one_that_ended(
+    make: Make, record: Record
+) -> None:
+    project = make(
+        '<application name="a"><state no="1"><backgroundactions>'
+        '<robot resource="base" command="turn" wait="true"/>'
+        '<robot resource="head" command="nod" wait="true"/><launch program="game"/>'
+        "</backgroundactions></state></application>"
+    )
+    ends = {"at": 1, "finish": {"action": "robot", "name": "turn"}}
+    told = _ask(
+        project, record(project, ends, {"at": 3, "end": True}), 3, "action", action="launch"
+    )
+    assert told == "- it waits for robot head nod, running since 1 s"
+
+
+def test_an_unnamed_event_on_whose_way_something_would_have_been_raised(
+    make: Make, record: Record
+) -> None:
+    project = make(
+        '<application name="a"><state no="1"><expectedevents><event next="2"><when>'
+        '<data tag="x" is="1"/></when><set tag="y" done="raised">1</set></event>'
+        '<event name="raised" next="3"/></expectedevents></state><state no="2"/>'
+        '<state no="3"/></application>'
+    )
+    told = _ask(project, record(project, {"at": 2, "end": True}), 2, "enter", state="3")
+    assert "of the unnamed event (x is 1) raises it" in told
+    assert "the guard of its unnamed event did not hold: x is 1: it was never set" in told
+
+
 # -- what only the inputs tell --------------------------------------------------------
 
 
@@ -718,6 +748,19 @@ def test_the_clock_is_in_no_trace_but_known_where_the_scenario_is(
     assert "clock.time above 09:00: it was “08:30”, set at 1 s by scenario" in told
     told = _ask(project, record(project, *events, alone=True), 2, "enter", state="2")
     assert "clock.time above 09:00: not told by a trace alone" in told
+
+
+def test_a_situation_that_waits_for_the_clock(make: Make, record: Record) -> None:
+    condition = '<condition><data tag="clock.time" atleast="09:00"/></condition>'
+    script = (
+        '<spds name="s"><observe><data tag="clock.time"/></observe><modules><module name="app" '
+        f'resources="base"/></modules><situation name="day">{condition}</situation>'
+        '<situation name="night"><module name="app" priority="1"/></situation></spds>'
+    )
+    project = make('<application name="app"><state no="1"/></application>', script)
+    lines_ = {"at": 1, "set": {"clock.time": "08:30"}}, {"at": 3, "end": True}
+    told = _ask(project, record(project, *lines_), 2, "situation", to="day")
+    assert "it was “08:30”, set at 1 s by scenario" in told
 
 
 # -- what is refused ---------------------------------------------------------------------

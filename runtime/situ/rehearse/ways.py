@@ -203,11 +203,10 @@ def actions(project: Project, application: str) -> Iterator[tuple[str, Place, Fr
 
 
 def way_words(way: Way) -> str:
-    """``event clickYes of always``, ``the timeout``, ``the unnamed event``."""
-    if way.event is None:
-        said = "the timeout"
-    else:
-        said = f"event {way.event.name}" if way.event.name else "the unnamed event"
-    if way.event is not None and way.event.when is not None and not way.event.name:
-        said += f" ({words.condition(way.event.when)})"
+    """An event in words: ``event clickYes of always``, ``the unnamed event (x is 1)``."""
+    event = way.event
+    assert event is not None
+    said = f"event {event.name}" if event.name else "the unnamed event"
+    if event.when is not None and not event.name:
+        said += f" ({words.condition(event.when)})"
     return f"{said} of always" if way.source == "always" else said

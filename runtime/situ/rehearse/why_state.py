@@ -87,7 +87,8 @@ class Stuck:
     def why_not_taken(self, stay: Stay, way: Way) -> list[Reason]:
         """What kept a way out of a stay from being taken; a way that was taken leads on."""
         if way.to == BACK and stay.backs.get(way.before) is None:
-            said = f"{way_words(way)} leads back, and there was nothing to go back to"
+            what = "the timeout" if way.event is None else way_words(way)
+            said = f"{what} leads back, and there was nothing to go back to"
             return [Reason(code="back", text=said, seq=stay.entered["seq"])]
         if way.timeout is not None:
             return [self._timeout(stay, way)]
