@@ -151,6 +151,10 @@ def test_after_an_idle_timeout_nobody_is_there() -> None:
     second = state(rest=idle(30, "3"), events='<event name="click" next="1"/>', no="2")
     third = state(acts=NAMED, rest=idle(30), no="3")
     assert private(START + second + third, code="private-spoken") != []
+    raised = state(
+        rest='<timeout idle="true">30</timeout>', events=TIMED_OUT.replace("1", "3"), no="2"
+    )
+    assert private(START + raised + third, code="private-spoken") != []
     # Who waits for an answer is still there.
     busy = state(rest='<timeout next="3">5</timeout>', no="2")
     assert private(START + busy + third, code="private-spoken") == []
@@ -315,3 +319,22 @@ def test_the_end_of_a_part_shows_nobody_to_be_there(holder: str, is_told: bool) 
     part = state(events='<event name="seen" next="2"/>') + state(no="2")
     found = private(first + state(acts=NAMED, rest=idle(9), no="2"), part, code="private-spoken")
     assert found == ([("state", "2", "action", "0")] if is_told else [])
+
+
+@pytest.mark.parametrize(
+    ("done", "is_told"),
+    [
+        ('<event name="done.gone" next="3"/>', True),
+        ('<event name="done" next="3"/>', True),
+        ('<event name="done.2" next="3"/><event name="done" next="1"/>', False),
+        ('<event name="done.2" next="3"/>', False),
+        ('<event name="done.gone"/>', False),
+    ],
+)
+def test_who_has_left_a_part_alone_is_not_there_after_it(done: str, is_told: bool) -> None:
+    holder = state(rest='<flow src="a1.rbd.xml"/>', events=done, no="2")
+    third = state(acts=NAMED, rest=idle(9), no="3")
+    asks = state(BUTTON, events=TOUCHED, rest=idle(30, "gone"))
+    part = asks + state(no="2") + state(no="gone")
+    found = private(START + holder + third, part, code="private-spoken")
+    assert found == ([("state", "3", "action", "0")] if is_told else [])

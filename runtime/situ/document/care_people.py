@@ -104,26 +104,35 @@ def _alone(project: Project, along: dict[str, list[Way]]) -> dict[str, set[str]]
     for file, application in files.items():
         if file in project.applications and application.start_no is not None:
             starts[file].add(application.start_no)
-        for state in application.states:
-            timeout = serves(application, state)
-            if timeout is not None and timeout.idle and timeout.next is not None:
-                starts[file].add(timeout.next)
-    found: dict[str, set[str]] = {}
-    waiting = list(files)
-    while waiting:
-        file = waiting.pop(0)
-        application = files[file]
-        numbers = {state.no for state in application.states}
-        free = [way for way in along[file] if way.by not in ("hand", "elsewhere")]
-        found[file] = forward(starts[file] & numbers, free)
-        for state in application.states:
-            part = files.get(state.flow) if state.flow is not None else None
-            if state.flow is None or part is None or part.start_no is None:
-                continue
-            if state.no in found[file] and part.start_no not in starts[state.flow]:
-                starts[state.flow].add(part.start_no)
-                waiting.append(state.flow)
-    return found
+        served = {state.no: serves(application, state) for state in application.states}
+        idle = {no for no, timeout in served.items() if timeout is not None and timeout.idle}
+        starts[file] |= {w.target for w in along[file] if w.by == "time" and w.source in idle}
+    free = {
+        file: [way for way in some if way.by not in ("hand", "elsewhere")]
+        for file, some in along.items()
+    }
+    parts = {file: [s for s in one.states if s.flow in files] for file, one in files.items()}
+    while True:
+        known = sum(map(len, starts.values()))
+        found = {file: forward(starts[file], free[file]) for file in files}
+        for file, holders in parts.items():
+            for holder in holders:
+                assert holder.flow is not None
+                part = files[holder.flow]
+                if holder.no in found[file] and part.start_no is not None:
+                    starts[holder.flow].add(part.start_no)
+                ends = {one.no for one in part.states if one.is_end} & found[holder.flow]
+                starts[file] |= {target for end in ends for target in _after(holder, end)}
+        if known == sum(map(len, starts.values())):
+            return found
+
+
+def _after(holder: State, end: str) -> Iterator[str]:
+    """Where the end of a part leads the state that holds it: by its own event, else by ``done``."""
+    nexts = {event.name: event.next for event in reversed(holder.events)}
+    target = nexts.get(f"done.{end}", nexts.get("done"))
+    if target is not None:
+        yield target
 
 
 def _spoken(search: Search, file: str, state: State) -> None:
