@@ -15,6 +15,7 @@ from situ.decide.inputs import (
     Raise,
     Set,
     Start,
+    Touch,
 )
 from situ.decide.robot import Robot
 
@@ -116,9 +117,13 @@ def test_typing_counts_an_idle_timeout_anew(build: Build, typing: bool) -> None:
     assert robot.due() == (5_000_000 if typing else 3_000_000)
 
 
-def test_typing_where_no_screen_is_shown_means_nothing(build: Build) -> None:
-    robot, _ = started(build, '<state no="1"><timeout next="2">3</timeout></state><state no="2"/>')
-    assert robot.step(Attend(), 2_000_000) == ([], [])
+@pytest.mark.parametrize("given", [Attend(), Touch()])
+def test_what_a_person_does_where_no_screen_is_shown_means_nothing(
+    build: Build, given: Attend | Touch
+) -> None:
+    rbd = '<state no="1"><timeout next="2" idle="true">3</timeout></state><state no="2"/>'
+    robot, _ = started(build, rbd)
+    assert robot.step(given, 2_000_000) == ([], [])
     assert robot.due() == 3_000_000
 
 
@@ -146,6 +151,19 @@ def test_what_is_outstanding_is_what_was_asked_for_and_has_not_ended(build: Buil
     last = {effect.resource: effect for effect in effects if isinstance(effect, Map)}
     assert maps == last
     assert begins == [e for e in effects if isinstance(e, Begin) and e.action != "message"]
+
+
+def test_a_restored_robot_judges_situations_from_what_stood_there(build: Build) -> None:
+    """Of thresholds only those between the value before and the value now are looked at."""
+    spds = """<situation name="hot"><condition><data tag="x" above="30"/></condition></situation>
+      <situation name="warm"><condition><data tag="x" above="20"/></condition></situation>
+      <situation name="cold"/>"""
+    robot, other = Robot(build((), spds)), Robot(build((), spds))
+    robot.step(Start(), 0)
+    robot.step(Set({"x": 25}, "m"), 1)
+    other.restore(robot.snapshot())
+    assert other.step(Set({"x": 15}, "m"), 2) == robot.step(Set({"x": 15}, "m"), 2)
+    assert other.board.look("situation.name") == "cold"
 
 
 def test_what_was_filled_in_when_a_service_began_stays(build: Build) -> None:

@@ -800,3 +800,16 @@ def test_a_write_judges_no_condition_that_does_not_look_at_it(build: Build, othe
     robot._settling.situations._judge = counting  # type: ignore[method-assign]
     robot.step(inputs.Set({"x": 1}, "m"), 1)
     assert judged == [0]
+
+
+@pytest.mark.parametrize("states", [2, 400])
+def test_a_write_is_told_once_however_many_states_wait_for_it(build: Build, states: int) -> None:
+    waits = '<event next="end"><when><data tag="x" is="1"/></when></event>'
+    rbd = "".join(
+        f'<state no="{no}"><expectedevents>{waits}</expectedevents></state>' for no in range(states)
+    )
+    robot = Robot(build(f'{rbd}<state no="end"/>'))
+    robot.step(inputs.Start(), 0)
+    assert len(robot.board.listeners["x"]) == 1
+    events, _ = robot.step(inputs.Set({"x": 1}, "m"), 1)
+    assert [to_fields(event)["kind"] for event in events].count("transition") == 1

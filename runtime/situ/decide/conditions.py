@@ -52,6 +52,9 @@ class Leaf:
 
 Compiled = Callable[[], bool]
 
+Seen = set[str] | None
+"""Gets the tags that are looked at, where somebody listens to them himself."""
+
 
 class Conditions:
     """All conditions of a robot: they share the following of ``for`` from the start."""
@@ -63,11 +66,16 @@ class Conditions:
         self._leaves: list[Leaf] = []
         self._watchers: dict[int, list[Watcher]] = {}
 
-    def compile(self, condition: Condition, watcher: Watcher | None) -> Compiled:
+    def compile(
+        self, condition: Condition, watcher: Watcher | None, tags: set[str] | None = None
+    ) -> Compiled:
         """A callable that judges it now. ``watcher`` hears when its truth may have changed,
         by a write or by time; None: nobody needs to (a guard is judged when its event comes).
+
+        Where ``tags`` are given, those that it looks at are added to them, and ``watcher`` hears
+        of time only: who has many conditions listens to writes once for all of them.
         """
-        return self._all(condition.children, watcher)
+        return self._all(condition.children, watcher, tags)
 
     def start(self) -> None:
         """Time 0: tests with ``for`` that hold before anything was set begin to count."""
@@ -102,23 +110,25 @@ class Conditions:
 
     # -- compiling -----------------------------------------------------------
 
-    def _all(self, children: tuple[Test | Group, ...], watcher: Watcher | None) -> Compiled:
-        parts = [self._one(child, watcher) for child in children]
+    def _all(
+        self, children: tuple[Test | Group, ...], watcher: Watcher | None, seen: Seen
+    ) -> Compiled:
+        parts = [self._one(child, watcher, seen) for child in children]
         if len(parts) == 1:
             return parts[0]
         return lambda: all(part() for part in parts)
 
-    def _one(self, node: Test | Group, watcher: Watcher | None) -> Compiled:
+    def _one(self, node: Test | Group, watcher: Watcher | None, seen: Seen) -> Compiled:
         if isinstance(node, Test):
-            return self._leaf(node, watcher)
+            return self._leaf(node, watcher, seen)
         if node.kind == "all":
-            return self._all(node.children, watcher)
-        parts = [self._one(child, watcher) for child in node.children]
+            return self._all(node.children, watcher, seen)
+        parts = [self._one(child, watcher, seen) for child in node.children]
         if node.kind == "any":
             return lambda: any(part() for part in parts)
         return lambda: not any(part() for part in parts)
 
-    def _leaf(self, source: Test, watcher: Watcher | None) -> Compiled:
+    def _leaf(self, source: Test, watcher: Watcher | None, seen: Seen) -> Compiled:
         leaf = Leaf(len(self._leaves), source)
         self._leaves.append(leaf)
         _, referred = compile_test(source.test, source.value)
@@ -131,7 +141,10 @@ class Conditions:
                     prefixes(leaf.name), lambda tag, cause: self._arm(leaf, self._step.now)
                 )
             self._watchers.setdefault(leaf.number, []).append(watcher)
-            self._board.listen(tags, lambda tag, cause: watcher(cause))
+            if seen is not None:
+                seen.update(tags)
+            else:
+                self._board.listen(tags, lambda tag, cause: watcher(cause))
         return self._judge(leaf)
 
     def _judge(self, leaf: Leaf) -> Compiled:

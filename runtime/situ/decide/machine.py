@@ -79,6 +79,8 @@ class Machine:
         self.actions = Actions(world, self.program, f"action:{number}", self._raise_own)
         self.timeouts = Timeouts(world.step, f"application:{number}")
         self.display = Display(world, self.program, self.actions)
+        looks = {tag for one in self.program.states.values() for tag in one.looks}
+        world.board.listen(sorted(looks), self._written)
         self.restore(MachineState())
 
     def restore(self, state: MachineState) -> None:
@@ -228,9 +230,15 @@ class Machine:
         self._move(taken.next, taken.level, taken.actions, cause, taken.name, UNSET)
 
     def _watch(self, key: int, cause: int | None) -> None:
-        """An unnamed event may have come to hold; those of other states do not matter."""
+        """An unnamed event may have come to hold by time; those of other states do not matter."""
         if self.state.no and key in self.here.waits:
             self.state.stale[key] = cause
+
+    def _written(self, tag: str, cause: int | None) -> None:
+        """A tag was written that unnamed events, of this state perhaps, look at."""
+        if self.state.no:
+            for key in self.here.looks.get(tag, ()):
+                self.state.stale[key] = cause
 
     def _watch_all(self, cause: int | None) -> None:
         self.state.stale = dict.fromkeys(self.here.waits, cause)

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from situ.decide.way import Way
 
 Watcher = Callable[[int, int | None], None]
-"""Told that an unnamed candidate (its key) may have come to hold, and what caused that."""
+"""Told that an unnamed candidate (its key) may have come to hold by time, and what caused that."""
 
 
 Lookup = Callable[[str], Application | None]
@@ -68,13 +68,20 @@ class Candidate:
     """One expected event of a state or of ``always``, ready to be judged.
 
     key: tells it from all others of its application. level: at which it is defined. back: whether
-    it goes back, which needs a state to go back to.
+    it goes back, which needs a state to go back to. tags: of an unnamed one, those that its
+    guard looks at.
     """
 
-    __slots__ = ("actions", "back", "guard", "key", "level", "name", "next", "says")
+    __slots__ = ("actions", "back", "guard", "key", "level", "name", "next", "says", "tags")
 
     def __init__(
-        self, key: int, level: int, source: Event, actions: list[int], guard: Compiled | None
+        self,
+        key: int,
+        level: int,
+        source: Event,
+        actions: list[int],
+        guard: Compiled | None,
+        tags: set[str],
     ) -> None:
         self.key = key
         self.level = level
@@ -84,6 +91,7 @@ class Candidate:
         self.says = [say.text for say in source.says]
         self.actions = actions
         self.guard = guard
+        self.tags = tags
 
 
 class StateProgram:
@@ -92,7 +100,8 @@ class StateProgram:
     no: its path. levels: itself and the states around it, the outermost first.
     actions: keys of its actions on entry. ended: by level, the key of what says that this
     state was its part's end, or None. named (by name), unnamed: candidates in the
-    order in which they are tried; waits: keys of the unnamed; heard: those with phrases.
+    order in which they are tried; waits: keys of the unnamed, looks: the same by the tag that
+    they look at; heard: those with phrases.
     always: the screens of ``always`` above its own, the innermost file's first; ``shared``
     is the same for the same screens, 0 for none.
     timeout (µs), next and idle: of the timeout that serves, defined at level ``timeout_level``.
@@ -101,9 +110,9 @@ class StateProgram:
     """
 
     __slots__ = (
-        "actions", "always", "ended", "goes_back", "heard", "idle", "levels", "may_use", "named",
-        "next", "no", "screen", "shared", "source", "timeout", "timeout_level", "unnamed", "uses",
-        "waits", "ways",
+        "actions", "always", "ended", "goes_back", "heard", "idle", "levels", "looks", "may_use",
+        "named", "next", "no", "screen", "shared", "source", "timeout", "timeout_level", "unnamed",
+        "uses", "waits", "ways",
     )  # fmt: skip
 
     def __init__(self, source: State, around: list[_Around], shared: int) -> None:
@@ -131,6 +140,7 @@ class StateProgram:
         self.heard: list[Candidate] = []
         self.unnamed: list[Candidate] = []
         self.waits: set[int] = set()
+        self.looks: dict[str, list[int]] = {}
         self.uses: set[str] = set()
         self.may_use: set[str] = set()
         self.ways: dict[int, Way | None] = {}
@@ -147,6 +157,8 @@ class StateProgram:
         if candidate.name is None:
             self.unnamed.append(candidate)
             self.waits.add(candidate.key)
+            for tag in candidate.tags:
+                self.looks.setdefault(tag, []).append(candidate.key)
             return
         self.named.setdefault(candidate.name, []).append(candidate)
         if candidate.says:
@@ -240,10 +252,12 @@ class Program:
     def _candidate(self, event: Event, level: int) -> Candidate:
         self._candidates += 1
         key, guard, watcher = self._candidates, None, self._watcher
+        tags: set[str] = set()
         if event.when is not None:
             watch = None if event.name is not None else lambda cause: watcher(key, cause)
-            guard = self._conditions.compile(event.when, watch)
-        return Candidate(key, level, event, [self._key(action) for action in event.actions], guard)
+            guard = self._conditions.compile(event.when, watch, tags)
+        actions = [self._key(action) for action in event.actions]
+        return Candidate(key, level, event, actions, guard, tags)
 
     def _key(self, action: Action) -> int:
         self.actions.append(action)
