@@ -173,7 +173,8 @@ PALE = 'color="#9aa5b8"'
         ('button event="e"', False),
         ('button event="e" fill="yellow"', False),
         ('button event="e" fill="navy"', False),
-        ('button event="e" fill="#f57c00"', True),
+        ('button event="e" fill="#f57c00"', False),
+        ('button event="e" fill="#808080"', True),
         ('input tag="t"', False),
         (f'input tag="t" {PALE}', True),
         ('input tag="t" fill="navy"', True),
@@ -291,6 +292,15 @@ def test_something_is_easy_to_read_on_every_colour(behind: Colour) -> None:
     letters = colour(care.readable((text,)))
     assert letters is not None
     assert contrast(letters, behind) >= care.CONTRAST
+
+
+@given(COLOUR)
+def test_the_page_writes_a_button_as_is_easier_to_read(fill: Colour) -> None:
+    ink, white = colour(care.INK), (255, 255, 255)
+    assert ink is not None
+    dark = luminance(fill) > care.LIGHT
+    chosen, other = (ink, white) if dark else (white, ink)
+    assert contrast(chosen, fill) >= contrast(other, fill) - 0.02
 
 
 # -- the page ----------------------------------------------------------------------

@@ -74,9 +74,9 @@ def private_data(search: Search, along: dict[str, list[Way]]) -> None:
     or the screen kept there from before. ``private-stays``: a screen with private values that a
     person has called up, in a state of an application which nothing but a hand leaves.
 
-    A name is private that a private tag begins. A pin is not shown. In a part, a start state
-    counts where its holder's state does; its ends are left at once, as are states that leave by
-    themselves.
+    A name is private that a private tag begins. A pin is not shown. The start state of a part
+    counts where its holder does, and so does what its end leads to where that end counts. A screen
+    is not kept in states that leave by themselves, nor in the ends of parts.
     """
     project = search.project
     if not project.private:

@@ -71,7 +71,7 @@ of buttons; and of what is behind all, from top to bottom.
 SOFT = 5.5
 """Below this ``size`` the page writes softer (components.js)."""
 
-LIGHT = 0.36
+LIGHT = 0.213
 """On a ``fill`` of more luminance the page writes a button without color dark, else white
 (resources/screen/colours.js).
 """
