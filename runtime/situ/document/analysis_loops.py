@@ -110,8 +110,8 @@ class _Loops:
         that may come from outside, to where it can wait next.
         """
         start = self.ways.application.start_no
-        if start in self.states and start is not None:
-            self._follow(self._entered(_Config("", (), {}), start, ()), [])
+        assert start is not None
+        self._follow(self._entered(_Config("", (), {}), start, ()), [])
         while self.waiting:
             no = self.waiting.pop()
             # Whatever is written while it waits.
@@ -172,8 +172,8 @@ class _Loops:
             raise _Spent
         if not self.left % 200:
             self.search.go_on()
-        state = self.states.get(config.no)
-        if state is None or config.depth < -len(self.states):
+        state = self.states[config.no]
+        if config.depth < -len(self.states):
             return
         if state.flow is not None or (not config.queue and config.no in self.safe):
             self._rest(config.no)
@@ -266,7 +266,7 @@ class _Loops:
                 return
             for source in self.entered_from.get(config.no, ()):
                 yield source, (), config.depth - 1
-        elif to in self.states:
+        else:
             yield to, (*config.known, config.no), config.depth + 1
 
     def _entered(self, config: _Config, no: str, actions: tuple[Action, ...]) -> _Config:

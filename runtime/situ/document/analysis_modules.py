@@ -62,7 +62,7 @@ def _askers(
         application = applications.get(name)
         if application is None:
             found[name] = Asker(frozenset(resources), None)
-        elif name in ways:
+        else:
             asks = requests(*ways[name])
             if asks is None:
                 used = frozenset(used_resources(project, application))

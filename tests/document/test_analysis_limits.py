@@ -1,0 +1,251 @@
+"""Searches that would take too long: what is not known is told so, and nothing else is claimed."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+
+from situ.document import analysis_loops, analysis_modules, analysis_search, codec
+from situ.document.analysis import Cancelled, analyse
+from situ.document.check import check
+from situ.document.problem import Problem
+from situ.document.project import Project
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+
+FILE = "a.rbd.xml"
+SCRIPT = "a.spds.xml"
+
+GUARDS = (
+    '<state no="1"><expectedevents>'
+    '<event name="e" next="2"><when><data tag="x" above="3"/><data tag="x" below="2"/></when>'
+    "</event>"
+    '<event name="e" next="2"><when><data tag="x" is="9"/></when></event>'
+    "</expectedevents></state>"
+    '<state no="2"><expectedevents><event name="e" next="1"/></expectedevents></state>'
+)
+LOOP = (
+    '<state no="1"><expectedevents>'
+    '<event next="2"><when><data tag="x" above="3"/></when></event>'
+    '<event name="e" next="2"/></expectedevents></state>'
+    '<state no="2"><expectedevents>'
+    '<event next="1"><when><data tag="x" above="5"/></when></event>'
+    '<event name="e" next="1"/></expectedevents></state>'
+)
+BELOW = (
+    '<event name="e" next="1"><when><data tag="x" below="2"/></when></event>'
+    '<event name="e" next="1"><when><data tag="x" atmost="3"/><data tag="x" atleast="2"/></when>'
+    "</event>"
+)
+
+
+def application(states: str) -> Application:
+    document, problems = codec.read(f'<application name="a">{states}</application>'.encode(), FILE)
+    assert isinstance(document, Application), problems
+    return document
+
+
+def script(text: str) -> Spds:
+    document, problems = codec.read(f'<spds name="a">{text}</spds>'.encode(), SCRIPT)
+    assert isinstance(document, Spds), problems
+    return document
+
+
+def project(app: str = "", situations: str = "") -> Project:
+    return Project(
+        root="nowhere",
+        name="a",
+        applications={FILE: application(app)} if app else {},
+        spds_file=SCRIPT if situations else None,
+        spds=script(situations) if situations else None,
+    )
+
+
+def found(of: Project, *codes: str) -> list[Problem]:
+    return [problem for problem in check(of) if problem.code in codes]
+
+
+def test_a_search_stops_when_it_is_cancelled() -> None:
+    with pytest.raises(Cancelled):
+        analyse(project(LOOP), lambda: True)
+
+
+def test_what_would_take_too_long_is_undecided_and_never_told_as_impossible(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    known = ("never-holds", "event-never-taken", "shadowed-situation")
+    situations = (
+        '<situation name="one"><condition><data tag="x" above="3"/><data tag="x" below="2"/>'
+        '</condition></situation><situation name="two"><condition><data tag="x" is="1"/>'
+        '</condition></situation><situation name="rest"/>'
+    )
+    whole = project(GUARDS, situations)
+    assert {problem.code for problem in found(whole, *known, "undecided")} == {"never-holds"}
+    monkeypatch.setattr(analysis_search, "ALLOWANCE", 0)
+    places = [problem.place for problem in found(whole, "undecided")]
+    assert ("state", "1", "event", "0", "when") in places
+    assert ("state", "1", "event", "1") in places
+    assert ("situation", "two") in places
+    assert len(places) == len(set(places))
+    assert found(whole, *known) == []
+
+
+def test_a_livelock_is_told_or_undecided_however_little_is_looked_at(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    told = set()
+    for most in range(2, 20):
+        monkeypatch.setattr(analysis_loops, "MOST", most)
+        (problem,) = found(project(LOOP), "livelock", "undecided")
+        told.add(problem.code)
+    assert told == {"livelock", "undecided"}
+
+
+def test_a_long_search_for_livelocks_asks_whether_it_is_cancelled(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked: list[int] = []
+
+    def cancel() -> bool:
+        asked[-1] += 1
+        return False
+
+    for most in (3000, 201):
+        monkeypatch.setattr(analysis_loops, "MOST", most)
+        asked.append(0)
+        analyse(project(LOOP), cancel)
+    assert asked[1] > asked[0]
+
+
+def test_what_surely_comes_first_hides_what_would_go_round() -> None:
+    text = (
+        '<state no="1"><backgroundactions><set tag="x">{}</set>'
+        '<message topic="t" done="sent"/></backgroundactions><expectedevents>'
+        '<event name="sent" next="2"><when><data tag="x" is="1"/></when></event>'
+        '<event name="sent" next="#again"/><event><when><data tag="x" is="7"/></when></event>'
+        "</expectedevents></state>"
+        '<state no="2"><expectedevents><event name="e" next="1"/></expectedevents></state>'
+    )
+    assert found(project(text.format(1)), "livelock", "undecided") == []
+    (problem,) = found(project(text.format(2)), "livelock", "undecided")
+    assert problem.place == ("state", "1", "event", "1")
+
+
+def test_what_only_goes_back_is_no_livelock() -> None:
+    back = '<event next="#back"><when><data tag="x" above="3"/></when></event>'
+    text = (
+        '<state no="1"><expectedevents><event name="e" next="2"/></expectedevents></state>'
+        f'<state no="2"><expectedevents>{back}<event name="e" next="3"/></expectedevents></state>'
+        f'<state no="3"><expectedevents>{back}<event name="e" next="2"/></expectedevents></state>'
+    )
+    assert found(project(text), "livelock", "undecided") == []
+
+
+def test_of_many_situations_that_shadow_another_four_are_named() -> None:
+    situations = "".join(
+        f'<situation name="s{at}"><condition><data tag="x" is="{at}"/></condition></situation>'
+        for at in range(1, 8)
+    )
+    situations += (
+        '<situation name="last"><condition><data tag="x" in="[1, 2, 3, 4, 5, 6, 7]"/></condition>'
+        '</situation><situation name="rest"/>'
+    )
+    (problem,) = found(project(situations=situations), "shadowed-situation")
+    assert problem.place == ("situation", "last")
+    assert '"s1", "s2", "s3", "s4" and 3 more' in problem.message
+
+
+def test_a_tie_that_comes_with_extends_is_told_at_the_situation() -> None:
+    situations = (
+        '<modules><module name="m" resources="head"/><module name="n" resources="head"/></modules>'
+        '<situation name="never"><condition><data tag="x" above="3"/><data tag="x" below="2"/>'
+        '</condition><module name="m" priority="5"/><module name="n" priority="5"/></situation>'
+        '<situation name="rest" extends="never"/>'
+    )
+    assert [p.place for p in found(project(situations=situations), "tie")] == [
+        ("situation", "rest")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("own", "why"),
+    [
+        ('<event name="e" next="1"><when><data tag="x" above="5"/></when></event>', "left first"),
+        (
+            BELOW + '<event name="e" next="1"/>',
+            "whenever it could be",
+        ),
+    ],
+)
+def test_an_event_is_never_taken_where_what_leaves_the_state_is_always_first(
+    own: str, why: str
+) -> None:
+    leaves = '<event next="1"><when><any><data tag="x" above="3"/>'
+    leaves += '<none><data tag="x" exists="true"/></none></any></when></event>'
+    text = (
+        '<state no="1"><expectedevents><event name="e" next="2"/></expectedevents></state>'
+        f'<state no="2"><expectedevents>{leaves}{own}</expectedevents></state>'
+    )
+    observed = '<observe><data tag="x" type="number"/></observe><situation name="rest"/>'
+    problems = found(project(text, observed), "event-never-taken")
+    assert len(problems) == 1
+    assert why in problems[0].message
+
+
+def test_the_second_question_of_a_place_is_not_told_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(analysis_loops, "MOST", 1)
+    monkeypatch.setattr(analysis_search, "ALLOWANCE", 0)
+    always = (
+        '<always><expectedevents><event name="e" next="1"><when><data tag="x" is="1"/></when>'
+        "</event></expectedevents></always>"
+    )
+    problems = found(project(always + '<state no="1"/><state no="2"/>'), "undecided")
+    assert len({p.place for p in problems}) == len(problems)
+
+
+def test_a_module_with_many_resources_above_is_undecided() -> None:
+    many = " ".join(f"r{at}" for at in range(13))
+    situations = (
+        f'<modules><module name="m" resources="{many}"/><module name="n" resources="r1"/></modules>'
+        '<situation name="rest"><module name="m" priority="9"/><module name="n" priority="1"/>'
+        "</situation>"
+    )
+    places = [p.place for p in found(project(situations=situations), "undecided", "never-wins")]
+    assert places == [("situation", "rest", "entry", "1")]
+
+
+def test_whether_a_module_wins_is_undecided_where_too_many_could_ask_before(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(analysis_modules, "MOST", 3)
+    modules = "".join(f'<module name="m{at}" resources="r{at} s"/>' for at in range(3))
+    entries = "".join(f'<module name="m{at}" priority="{9 - at}"/>' for at in range(3))
+    situations = f'<modules>{modules}</modules><situation name="rest">{entries}</situation>'
+    places = [p.place for p in found(project(situations=situations), "undecided", "never-wins")]
+    assert places[-1] == ("situation", "rest", "entry", "2")
+
+
+def test_an_application_without_states_asks_for_nothing() -> None:
+    situations = (
+        '<modules><module name="a" resources="speech"/></modules>'
+        '<situation name="rest"><module name="a" priority="5"/></situation>'
+    )
+    empty = Application("a", None, None, ())
+    whole = project(situations=situations)
+    assert found(replace(whole, applications={FILE: empty}), "tie", "undecided") == []
+
+
+def test_what_has_the_same_name_twice_is_not_mended_by_machine() -> None:
+    text = (
+        '<state no="1"><screen><components>'
+        '<text id="t" x="90" y="10" width="20" height="10">a</text>{}</components></screen>'
+        '<expectedevents><event name="e" next="1"/></expectedevents></state>'
+    )
+    twice = '<text id="t" x="90" y="50" width="20" height="10">a</text>'
+    for more, has_mend in (("", True), (twice, False)):
+        findings = analyse(project(text.format(more))).found[FILE]
+        mends = [one.mend for one in findings if one.code == "off-screen"]
+        assert mends
+        assert all((one is not None) == has_mend for one in mends)
