@@ -482,9 +482,9 @@ def test_a_watcher_that_stalls_finds_the_gap_and_is_whole_again(
     poll = select.poll()
     for descriptor in link.descriptors():
         poll.register(descriptor, select.POLLIN)
-    end = time.monotonic() + DEADLINE
 
     def drive(ready: Callable[[], bool]) -> None:
+        end = time.monotonic() + DEADLINE
         while not ready() and time.monotonic() < end:
             link.turn()
             poll.poll(max(0, link.due() - link.clock()) * 1000)
