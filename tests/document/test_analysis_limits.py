@@ -6,7 +6,8 @@ import pytest
 from msgspec.structs import replace
 
 from situ.document import analysis_loops, analysis_modules, analysis_search, codec
-from situ.document.analysis import Cancelled, analyse
+from situ.document.analysis import Cancelled, Search, analyse
+from situ.document.analysis_search import NOWHERE
 from situ.document.check import check
 from situ.document.problem import Problem
 from situ.document.project import Project
@@ -237,15 +238,11 @@ def test_an_application_without_states_asks_for_nothing() -> None:
     assert found(replace(whole, applications={FILE: empty}), "tie", "undecided") == []
 
 
-def test_what_has_the_same_name_twice_is_not_mended_by_machine() -> None:
-    text = (
-        '<state no="1"><screen><components>'
-        '<text id="t" x="90" y="10" width="20" height="10">a</text>{}</components></screen>'
-        '<expectedevents><event name="e" next="1"/></expectedevents></state>'
-    )
-    twice = '<text id="t" x="90" y="50" width="20" height="10">a</text>'
-    for more, has_mend in (("", True), (twice, False)):
-        findings = analyse(project(text.format(more))).found[FILE]
-        mends = [one.mend for one in findings if one.code == "off-screen"]
-        assert mends
-        assert all((one is not None) == has_mend for one in mends)
+def test_what_two_places_could_mean_is_not_mended_by_machine() -> None:
+    # A second state 1 has an event more than the first, to which its place leads.
+    search = Search(project(LOOP))
+    place = ("state", "1", "event", "2")
+    assert search.path(FILE, place) == NOWHERE
+    assert search.mend(FILE, "Lead to state 1", search.put(FILE, place, "next", "1")) is None
+    there = search.put(FILE, ("state", "1", "event", "1"), "next", "1")
+    assert search.mend(FILE, "Lead to state 1", there) is not None
