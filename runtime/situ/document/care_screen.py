@@ -52,9 +52,9 @@ STAGE = 1.75
 the height, screen.css) taken off.
 """
 
-NARROW, LETTER, FULL = 0.19, 0.45, 0.95
-"""The least widths of characters, beside their size: of ``NARROW_ONES``, of other Latin letters and
-digits, of Chinese and Japanese ones. All others count nothing.
+NARROW, LETTER, FULL = 0.19, 0.5, 0.95
+"""The least widths of characters in the page's fonts, beside their size: of ``NARROW_ONES``, of
+other ``LETTERS`` and digits, of Chinese and Japanese ones. All others count nothing.
 """
 
 CONTRAST = 4.5
@@ -143,7 +143,7 @@ def small_texts(search: Search, file: str, application: Application) -> None:
             mend = puts(search, file, place, component, f"Make the size {SIZE:g}", size=SIZE)
             search.warn(file, "small-text", message, component.aside, place, mend)
         elif isinstance(component, (Text, Button)):
-            most, said = _fitting(search, component)
+            most, said = largest(search, component)
             if most < SIZE:
                 message = (
                     f"So that {words.quoted(said)} fits into it, the letters become "
@@ -153,7 +153,7 @@ def small_texts(search: Search, file: str, application: Application) -> None:
                 search.warn(file, "small-text", message, component.aside, place)
 
 
-def _fitting(search: Search, component: Text | Button) -> tuple[float, str]:
+def largest(search: Search, component: Text | Button) -> tuple[float, str]:
     """The largest size of letters that can lie in a component, and the text that needs it."""
     line = LINE[type(component)]
     high = max(component.height, 0) + PIXEL
