@@ -244,6 +244,8 @@ def test_what_is_written_on_the_way_can_end_a_loop() -> None:
     assert told(one + state("2", two.format("") + rest)) == [loop]
     assert told(one + state("2", two.format('<set tag="x">1</set>') + rest)) == []
     assert told(one + state("2", two.format('<clear tag="x"/>') + rest)) == []
+    for written in ("[9]", '{"a": 9}'):
+        assert told(one + state("2", two.format(f'<set tag="x">{written}</set>') + rest)) == []
     assert told(one + state("2", two.format('<clear tag="y"/>') + rest)) == [loop]
     assert told(one + state("2", two.format('<set tag="x">8</set>') + rest)) == [loop]
     assert told(one + state("2", two.format('<add tag="x">8</add>') + rest)) == [

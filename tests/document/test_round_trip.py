@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import gc
+import itertools
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -14,9 +15,12 @@ from lxml import etree
 from msgspec import Struct
 from msgspec.structs import fields, replace
 
-from situ.document import codec
+from situ.document import check_values, codec, compiled
 from situ.document.aside import Aside
+from situ.document.check import structure
 from situ.document.elements import ROOTS
+from situ.document.project import Project
+from situ.document.reader import MAX_ELEMENTS
 from situ.document.schema import FILES
 from situ.resources import resource
 
@@ -69,6 +73,43 @@ def test_nothing_of_a_file_is_kept_once_it_is_read(
         assert gc.collect() == 0
     finally:
         gc.enable()
+
+
+def test_what_is_remembered_of_earlier_files_changes_nothing(
+    monkeypatch: pytest.MonkeyPatch, rbd: Callable[[str], bytes]
+) -> None:
+    text = '<text {} id="t" width="5" y="7.25731" height="10" {}>a</text>'
+    states = (
+        f"<state no='x y'><screen><components>{text}</components></screen></state>"
+        "<state no='final' final='true'/>"
+    )
+
+    def told(data: bytes) -> tuple[Any, list[str]]:
+        application = read(data)
+        whole = Project(root="nowhere", name="a", applications={"a.xml": application})
+        return application, [problem.message for problem in structure(whole)]
+
+    known = told(rbd(states.format('x="3.0625"', "")))
+    assert len(known[1]) == 1
+    assert told(rbd(states.format('x="3.0625"', ""))) == known
+    for module, name in (
+        (compiled, "_MOST_KNOWN"),
+        (compiled, "_MOST_PLANS"),
+        (check_values, "_MOST_JUDGED"),
+    ):
+        monkeypatch.setattr(module, name, 0)
+    assert told(rbd(states.format("", 'x="3.0625"'))) == known
+    other = rbd(states.replace("x y", "y x").format("", 'x="3.0626"'))
+    first = told(other)
+    assert first == told(other)
+    assert first != known
+
+
+def test_a_comment_may_hold_more_brackets_than_a_file_elements(
+    rbd: Callable[[str], bytes],
+) -> None:
+    comment = f"<!--{'< ' * (MAX_ELEMENTS * 2)}-->"
+    assert read(rbd(comment + "<state no='1'/>")).states[0].aside.before == (comment,)
 
 
 def _riding(value: Any) -> Iterator[str]:
@@ -239,6 +280,32 @@ def test_foreign_namespaces_survive_with_their_prefixes() -> None:
     assert 'b:d="1"/>' in written
     assert '<alone xmlns="urn:alone"/>' in written
     etree.fromstring(written.encode())
+
+
+def test_more_different_values_than_are_remembered_are_read_and_judged_all_the_same() -> None:
+    names = ("id", "x", "y", "width", "height", "size")
+    orders = list(itertools.islice(itertools.permutations(names), 300))
+    rows = []
+    for number in range(5000):
+        given = dict.fromkeys(names, str(number / 8)) | {"id": f"t{number}"}
+        order = orders[number % len(orders)]
+        rows.append("<text " + " ".join(f'{name}="{given[name]}"' for name in order) + "/>")
+    source = (
+        '<application name="a"><state no="1" final="true"><screen><components>'
+        + "\n".join(rows)
+        + "</components></screen></state></application>"
+    )
+    document = read(source.encode())
+    components = document.states[0].screen.components
+    assert [one.x for one in components] == [number / 8 for number in range(5000)]
+    files = {"a.rbd.xml": replace(document, name="a")}
+    assert structure(Project(root="nowhere", name="a", applications=files)) == []
+    wrong = replace(components[-1], width=-1.0)
+    screen = replace(document.states[0].screen, components=(*components[:-1], wrong))
+    states = (replace(document.states[0], screen=screen),)
+    files = {"a.rbd.xml": replace(document, states=states)}
+    (problem,) = structure(Project(root="nowhere", name="a", applications=files))
+    assert problem.place == ("state", "1", "screen", "t4999")
 
 
 def test_what_stands_in_foreign_elements_stays_in_them() -> None:

@@ -104,6 +104,8 @@ def holds(node: Condition | Group | Single, judge: Any) -> bool:
         '<data tag="a" in="{b}"/><data tag="a" is="1"/><data tag="b" is="[2, 3]"/>',
         '<data tag="a" isnot="{a}"/><data tag="a" exists="true"/>',
         '<data tag="a" in="{b}"/><data tag="b" in="{a}"/>',
+        '<data tag="a" in="{b}"/><data tag="a" is="{b}"/>',
+        '<data tag="a" is="[[5]]"/><data tag="a.0" is="[6]"/>',
         """<data tag="a" in="{b}"/><data tag="b" in='[{"x": 1}]'/>""",
     ],
 )
@@ -341,6 +343,13 @@ def test_names_compared_with_each_other_are_decided_exactly(seed: int) -> None:
     node = moment.node(one)
     assert moment.possible(node) is met[True]
     assert moment.possible(moment.opposite(node)) is met[False]
+
+
+def test_a_value_is_no_member_of_itself() -> None:
+    member, same = Single("a", "in", "{b}"), Single("a", "is", "{b}")
+    moment = Moment([Condition((member, same)), Condition((member,))])
+    assert moment.possible(moment.part(member), moment.part(same)) is False
+    assert moment.possible(moment.part(member), moment.opposite(moment.part(same))) is True
 
 
 def histories(pool: list[Any]) -> Iterator[tuple[float, list[tuple[float, Any]]]]:
