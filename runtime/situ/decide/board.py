@@ -85,10 +85,8 @@ class Board:
 
     def listen(self, tags: Iterable[str], listener: Listener) -> None:
         """``listener(tag, cause)`` is called for each write of one of ``tags``, once a write."""
-        for tag in tags:
-            told = self.listeners.setdefault(tag, [])
-            if listener not in told:
-                told.append(listener)
+        for tag in dict.fromkeys(tags):
+            self.listeners.setdefault(tag, []).append(listener)
 
     def tell(self, tag: str, cause: int | None) -> None:
         """Calls the listeners of a tag, once all that one write writes is written."""
