@@ -1,5 +1,5 @@
 # make demo   the whole loop: runtime, simulated robot, editor, an example running
-# make test   all tests
+# make test   all tests; ARGS=tests/x.py only some
 # make check  ruff, mypy, import-linter, then the tests
 # make bench  measures ours beside what else there is; ARGS="-k fsm" only some
 # make soak   the faults, long and often, with figures; SITU_SEED=N chooses other ones
@@ -21,6 +21,10 @@ PYTHON := $(shell for want in "import ensurepip, venv" ""; do \
 endif
 WORKERS ?= auto
 SECONDS ?= 60
+# Tests that take the branches of situ.document, situ.decide and situ.rehearse: all of them, or
+# make test GATE="--cov -o timeout=300" fails.
+COVERED := tests/document tests/decide tests/rehearse tests/examples
+GATE ?=
 
 demo: $(READY)
 	@$(PYTHON) packaging/system_check.py demo
@@ -28,7 +32,12 @@ demo: $(READY)
 
 test: $(READY)
 	@$(PYTHON) packaging/system_check.py test
+ifdef ARGS
 	@$(BIN)/pytest -q -n $(WORKERS) $(ARGS)
+else
+	@$(BIN)/pytest -q -n $(WORKERS) $(COVERED) $(GATE)
+	@$(BIN)/pytest -q -n $(WORKERS) tests $(COVERED:%=--ignore=%)
+endif
 
 check: lint test
 
@@ -52,7 +61,7 @@ format: $(READY)
 	@$(BIN)/ruff format -q .
 
 clean:
-	rm -rf $(VENV) dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis .coverage
 	find app runtime tests packaging -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(READY): pyproject.toml constraints.txt

@@ -195,6 +195,13 @@ def test_three_names_compared_in_a_circle_are_not_guessed() -> None:
     assert possible(circle, '<data tag="a" is="text"/><data tag="b" is="1"/>') is False
 
 
+def test_a_list_or_an_object_that_no_test_names_is_one_of_the_others() -> None:
+    values = Moment([condition('<data tag="a" is="[1]"/>')]).variables.values["a"]
+    assert values.cell([2]) == values.other_list
+    assert values.cell({"x": 1}) == values.other_object
+    assert values.cell([1]) not in (values.other_list, values.other_object)
+
+
 def _known(domains: dict[str, Domain], name: str) -> Domain:
     return domains.get(name, ANY)
 

@@ -25,6 +25,11 @@ def test_a_list_is_told_member_by_member_and_what_is_none_as_it_is_written(
     assert words.predicate(Single("t", "in", value)).endswith(said)
 
 
+def test_an_empty_list_and_an_empty_text_can_be_seen() -> None:
+    assert words.predicate(Single("t", "is", "[ ]")).endswith("[ ]")
+    assert words.predicate(Single("t", "is", "")).endswith("empty")
+
+
 def test_no_condition_is_nothing() -> None:
     assert words.condition(None) == ""
     assert words.condition(Condition((Single("t", "is", "1"),))) == "t is 1"
