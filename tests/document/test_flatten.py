@@ -115,7 +115,8 @@ class Maker:
     def __init__(self, rng: random.Random) -> None:
         self.rng = rng
         self.ids = 0
-        self.back = rng.random() < 0.6
+        self.in_part = False
+        self.back = rng.random() < 0.4
 
     def maybe(self, chance: float, text: str) -> str:
         return text if self.rng.random() < chance else ""
@@ -165,7 +166,7 @@ class Maker:
     def event(self, count: int) -> str:
         if self.rng.random() < 0.15:
             return f"<event{self.next(count)}>{self.when()}</event>"
-        inside = self.maybe(0.4, self.when()) + self.maybe(
+        inside = self.maybe(0.25, self.when()) + self.maybe(
             0.2, f"<say>{self.rng.choice(('yes', 'no', 'Yes!', '{t}'))}</say>"
         )
         inside += self.maybe(0.3, self.quick())
@@ -173,10 +174,16 @@ class Maker:
             to = self.next(count)
         else:
             to, inside = "", inside + self.maybe(0.3, "<repeat/>")
-        return f'<event name="{self.rng.choice(NAMES)}"{to}>{inside}</event>'
+        names = NAMES[:3] if self.rng.random() < 0.6 else NAMES
+        return f'<event name="{self.rng.choice(names)}"{to}>{inside}</event>'
 
-    def events(self, count: int, most: int) -> str:
-        found = "".join(self.event(count) for _ in range(self.rng.randrange(most + 1)))
+    def ended(self, count: int) -> str:
+        """What a state does when its part ends."""
+        name = self.rng.choice(("done", "done", "done.1", "done.2", "done.3"))
+        return f'<event name="{name}"{self.next(count)}/>'
+
+    def events(self, count: int, most: int, more: str = "") -> str:
+        found = more + "".join(self.event(count) for _ in range(self.rng.randrange(most + 1)))
         return f"<expectedevents>{found}</expectedevents>" if found else ""
 
     def timeout(self, count: int) -> str:
@@ -207,20 +214,25 @@ class Maker:
             ) + self.events(count, 2) + "</always>"  # fmt: skip
         for no in range(1, count + 1):
             more = self.maybe(0.15, ' always="false"')
+            events = 0 if self.in_part and no == count and rng.random() < 0.7 else 3
+            ends = ""
             if parts and rng.random() < 0.45:
                 inside = f'<flow src="{rng.choice(parts)}.rbd.xml"/>'
+                ends = self.maybe(0.8, self.ended(count))
             else:
                 actions = self.maybe(0.5, self.visible()) + self.maybe(0.3, self.quick())
                 actions += self.maybe(0.2, self.visible())
                 inside = self.maybe(0.3, self.timeout(count)) + self.maybe(0.4, self.screen())
                 inside += f"<backgroundactions>{actions}</backgroundactions>" if actions else ""
             more += self.maybe(0.1, ' final="true"')
-            text += f'<state no="{no}"{more}>{inside}{self.events(count, 3)}</state>'
+            text += f'<state no="{no}"{more}>{inside}{self.events(count, events, ends)}</state>'
         return text
 
     def project(self) -> Project:
+        self.in_part = True
         q = self.file(())
         p = self.file(("q",))
+        self.in_part = False
         return project(self.file(("p", "q")), self.rng.random() < 0.4, p=p, q=q)
 
     def lines(self) -> list[dict[str, Any]]:
