@@ -5,7 +5,13 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from situ.document import analysis_loops, analysis_modules, analysis_search, codec
+from situ.document import (
+    analysis_loops,
+    analysis_modules,
+    analysis_search,
+    check_application,
+    codec,
+)
 from situ.document.analysis import Cancelled, Search, analyse
 from situ.document.analysis_search import NOWHERE
 from situ.document.check import check
@@ -151,7 +157,8 @@ def test_of_many_situations_that_shadow_another_four_are_named() -> None:
         '<situation name="last"><condition><data tag="x" in="[1, 2, 3, 4, 5, 6, 7]"/></condition>'
         '</situation><situation name="rest"/>'
     )
-    (problem,) = found(project(situations=situations), "shadowed-situation")
+    beside = '<situation name="beside"><condition><data tag="y" is="1"/></condition></situation>'
+    (problem,) = found(project(situations=beside + situations), "shadowed-situation")
     assert problem.place == ("situation", "last")
     assert '"s1", "s2", "s3", "s4" and 3 more' in problem.message
 
@@ -246,3 +253,18 @@ def test_what_two_places_could_mean_is_not_mended_by_machine() -> None:
     assert search.mend(FILE, "Lead to state 1", search.put(FILE, place, "next", "1")) is None
     there = search.put(FILE, ("state", "1", "event", "1"), "next", "1")
     assert search.mend(FILE, "Lead to state 1", there) is not None
+
+
+def test_the_state_nearly_meant_is_looked_for_a_few_times_only(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    events = "".join(f'<event name="e" next="{to}"/>' for to in ("100", "101", "100", "second"))
+    text = (
+        f'<state no="10"><expectedevents>{events}</expectedevents></state>'
+        '<state no="200" name="second"/>'
+    )
+    monkeypatch.setattr(check_application, "MOST_LOOKED_FOR", 1)
+    mends = [problem.mend for problem in found(project(text), "dangling-next")]
+    words = [mend.words if mend is not None else "" for mend in mends]
+    assert ["10" in said for said in words] == [True, False, True, False]
+    assert "200" in words[3]
