@@ -255,7 +255,7 @@ class Maker:
 
 
 @settings(
-    max_examples=60,
+    max_examples=40,
     deadline=None,
     suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
 )
@@ -453,6 +453,13 @@ def test_a_name_that_would_be_several_is_refused() -> None:
     inner = f"<always>{shows('above')}</always>" + state("1", f'<event name="x">{when}</event>')
     with pytest.raises(UsageError, match="several names"):
         flatten(project(outer, p=inner))
+
+
+def test_a_resumed_that_leaves_a_screen_not_yet_shown_is_refused() -> None:
+    always = f"<always>{shows('home')}</always>"
+    outer = always + state("1", go(resumed="5"), shows("one")) + state("5", "", part("p"))
+    with pytest.raises(UsageError, match="resumed leaves state 1 before its screen"):
+        flatten(project(outer, script=True, p=state("1")))
 
 
 def movie(name: str) -> str:
