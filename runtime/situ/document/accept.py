@@ -21,6 +21,8 @@ class Accepts:
     def __init__(self) -> None:
         self._codes: dict[Place, dict[str, bool]] = {}
         self._asides: dict[Place, Aside] = {}
+        self.misplaced: list[tuple[Place, str, Aside]] = []
+        """Where it stands on what only groups others (``<expectedevents>``), by name."""
 
     def note(self, place: Place, aside: Aside) -> None:
         """Takes note of what is accepted at a place."""
@@ -28,6 +30,9 @@ class Accepts:
         if written is not None:
             self._codes[place] = dict.fromkeys(written.split(), False)
             self._asides[place] = aside
+        for name, part in aside.parts:
+            if part.attribute(ACCEPT) is not None:
+                self.misplaced.append((place, name, part))
 
     def silences(self, code: str, place: Place) -> bool:
         """Whether a warning about a place is accepted there, or further out."""

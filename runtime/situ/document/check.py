@@ -99,6 +99,12 @@ def _unused_accepts(project: Project, found: dict[str, Findings]) -> None:
                 "anything in it: take that out"
             )
             findings.warning(UNUSED, said, aside, place, mend)
+        for place, name, aside in findings.accepts.misplaced:
+            said = (
+                f"ed:accept has no effect on <{name}>: put it on the element that holds it, or on "
+                "one inside it"
+            )
+            findings.warning(UNUSED, said, aside, place)
 
 
 def _told(

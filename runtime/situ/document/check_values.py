@@ -140,7 +140,7 @@ def _visit(
 ) -> None:
     look = _LOOKS[id(element)]
     is_root, script = value is document, type(document) is Spds
-    if value.aside.attributes:
+    if value.aside.attributes or value.aside.parts:
         found.accepts.note(place, value.aside)
     for field, said, judged, code in look.rules:
         held = getattr(value, field)
@@ -202,6 +202,9 @@ def _is_sound(look: _Look, value: Any, script: bool) -> bool:
     aside = value.aside
     if aside.attributes and aside.attribute(ACCEPT) is not None:
         return False
+    for _, part in aside.parts:
+        if part.attributes and part.attribute(ACCEPT) is not None:
+            return False
     for field, _, judged, _ in look.rules:
         held = getattr(value, field)
         if held is not None and judged[held] is not None:
