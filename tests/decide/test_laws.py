@@ -333,7 +333,7 @@ class Driver:
                 self.mapped[effect.resource] = effect
             elif isinstance(effect, Begin) and effect.action != "message":
                 self.begun[effect.id] = effect
-            elif isinstance(effect, Cancel):
+            elif isinstance(effect, Cancel) and effect.id not in self.ended:
                 del self.begun[effect.id]
 
     def finish(self, number: int) -> inputs.Finish:

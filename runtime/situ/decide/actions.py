@@ -14,13 +14,12 @@ from msgspec import Struct
 from situ.decide import trace
 from situ.decide.board import reach
 from situ.decide.effects import Begin, Cancel
+from situ.decide.filling import Filling
 from situ.decide.program import Ended, Program, is_optional, name_of, resource_of
 from situ.decide.quick import QUICK, Perform, ready
 from situ.decide.step import FINISH
-from situ.decide.texts import translator
-from situ.decide.values import Template, template
 from situ.decide.world import World
-from situ.document.rbd import Action, Launch, Movie, Param, Repeat, Robot, Service, Sound, Speech
+from situ.document.rbd import Action, Launch, Movie, Repeat, Robot, Service, Sound, Speech
 
 NEW, QUEUED, RUNNING, ENDED, INTERRUPTED = range(5)
 
@@ -93,6 +92,7 @@ class Actions:
         self._owner = owner
         self._raise = raise_event
         self._performers: dict[int, Perform] = {}
+        self._filling = Filling(world, program.name)
 
     # -- what others may know ------------------------------------------------
 
@@ -198,7 +198,7 @@ class Actions:
 
     def _announce(self, running: Running, action: Action, state: str, cause: int | None) -> None:
         """Traces the begin of an action and asks for it to be carried out."""
-        fields = self._fields(action, state, cause)
+        fields = self._filling.fields(action, state, cause)
         seq = self._world.step.trace(
             trace.Action, cause, self._program.name, state, running.action, running.name, **fields
         )
@@ -432,48 +432,6 @@ class Actions:
                 trace.Action, cause, self._program.name, state, "movie", movie.id, src=src
             )
             self._run(Running(number, -1, 0, 0, "movie", movie.id, None, movie.done, None, seq=seq))
-
-    # -- texts ---------------------------------------------------------------
-
-    def _fields(self, action: Action, state: str, cause: int | None) -> dict[str, Any]:
-        """An action's own fields in the trace, filled in now."""
-        if isinstance(action, Speech):
-            board = self._world.board
-            missing: list[str] = []
-            text = translator(self._world.project, board, action.lang)(action.text, missing)
-            for sentence in missing:
-                self._world.step.warn(cause, sentence, self._where(state))
-            language = action.lang if action.lang is not None else board.look("language")
-            lang = language if isinstance(language, str) else None
-            return {"text": self._text(text, state, cause), "lang": lang}
-        if isinstance(action, Sound):
-            return {"src": self._text(action.src, state, cause)}
-        if isinstance(action, Robot):
-            params = self._params(action.params, state, cause)
-            return {"resource": action.resource, "command": action.command, "params": params}
-        if isinstance(action, Service):
-            url = self._text(action.url, state, cause)
-            params = self._params(action.params, state, cause)
-            return {"method": action.method, "url": url, "params": params}
-        assert isinstance(action, Launch)
-        params = self._params(action.params, state, cause)
-        return {"program": action.program, "params": params}
-
-    def _params(self, params: tuple[Param, ...], state: str, cause: int | None) -> dict[str, Any]:
-        look = self._world.board.look
-        return {p.name: self._template(p.text, state, cause).value(look) for p in params}
-
-    def _text(self, text: str, state: str, cause: int | None) -> str:
-        return self._template(text, state, cause).text(self._world.board.look)
-
-    def _template(self, text: str, state: str, cause: int | None) -> Template:
-        filled = template(text)
-        for name in filled.missing(self._world.board.look) if filled.names else ():
-            self._world.step.warn(cause, f"{name} has no value", self._where(state))
-        return filled
-
-    def _where(self, state: str) -> str:
-        return f"{self._program.name}, state {state}"
 
     def _trace_cancelled(self, action: str, name: str | None, cause: int | None) -> int:
         return self._world.step.trace(trace.Cancelled, cause, self._program.name, action, name)
