@@ -155,26 +155,27 @@ class _Reading:
             if pending:
                 self._rest(index).before = tuple(pending)
                 pending.clear()
-            names = tuple(given)
-            plan = rule.plans.get(names)
-            if plan is None:
-                plan = rule.plan(names)
+            if given or rule.required:
+                names = tuple(given)
+                plan = rule.plans.get(names)
                 if plan is None:
-                    plan = self._irregular(rule, given, names, index)
-            if long:
-                self._shorten(rule, given)
-            for key, at, values in plan:
-                value = given[key]
-                if values is not None:
-                    try:
-                        value = values[value]
-                    except ValueError as wrong:
-                        value = self._bad_attribute(rule, key, wrong)
-                if at is not key:
-                    del given[key]
-                given[at] = value
-            if rule.part and given:
-                held.update(given)
+                    plan = rule.plan(names)
+                    if plan is None:
+                        plan = self._irregular(rule, given, names, index)
+                if long:
+                    self._shorten(rule, given)
+                for key, at, values in plan:
+                    value = given[key]
+                    if values is not None:
+                        try:
+                            value = values[value]
+                        except ValueError as wrong:
+                            value = self._bad_attribute(rule, key, wrong)
+                    if at is not key:
+                        del given[key]
+                    given[at] = value
+                if rule.part:
+                    held.update(given)
 
         def end(_name: str) -> None:
             rule, field, many, index, values = stack[-1]
