@@ -268,3 +268,15 @@ def test_the_state_nearly_meant_is_looked_for_a_few_times_only(
     words = [mend.words if mend is not None else "" for mend in mends]
     assert ["10" in said for said in words] == [True, False, True, False]
     assert "200" in words[3]
+
+
+def test_three_loops_of_one_beginning_are_told_and_no_more() -> None:
+    there = "".join(
+        f'<event next="{to}"><when><data tag="x" is="{to}"/></when></event>' for to in range(2, 8)
+    )
+    back = '<event next="1"><when><data tag="x" exists="true"/></when></event>'
+    text = f'<state no="1"><expectedevents>{there}</expectedevents></state>' + "".join(
+        f'<state no="{no}"><expectedevents>{back}</expectedevents></state>' for no in range(2, 8)
+    )
+    places = [problem.place for problem in found(project(text), "livelock")]
+    assert places == [("state", "1", "event", str(at)) for at in range(3)]
