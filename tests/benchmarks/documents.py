@@ -1,7 +1,7 @@
 """Documents of any size for the benchmarks: the same bytes for the same arguments.
 
 They are canonical: what ``codec.write`` makes of them are these bytes again. Nothing is wrong
-with them, and ``check`` says nothing about them.
+with them; ``check`` only says of a thousand menus that it gave up its search for livelocks.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ _HOLDER = """\
   </state>
 """
 
-_TESTS = ('above="{0}"', 'is="{0}"', 'atmost="{0}"', 'in="[{0}, {1}]"', 'isnot="{0}" for="0.5"')
+_TESTS = ('above="{0}"', 'is="{0}"', 'atmost="{0}"', 'in="[{0}, {1}]"', 'below="{1}" for="0.5"')
 
 
 def dialogue(states: int, name: str = "dialogue") -> bytes:
