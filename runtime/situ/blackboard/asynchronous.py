@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Callable, Iterable, Mapping
+from collections.abc import AsyncIterator, Callable, Generator, Iterable, Mapping
 from typing import Any, Generic, TypeVar
 
-from situ.blackboard.blocking import PATIENCE, Followed
+from situ.blackboard.blocking import PATIENCE, Followed, told
 from situ.blackboard.calls import Call, which
+from situ.blackboard.driving import Line
 from situ.blackboard.feeds import Change
-from situ.blackboard.link import Link
 from situ.blackboard.protocol import (
     Addresses,
     AnyReply,
@@ -28,9 +28,10 @@ T = TypeVar("T")
 
 
 class AsyncBoard:
-    """The blackboard in one asyncio loop; ``async with`` it. See ``Board`` for what each does."""
+    """The blackboard in one asyncio loop; ``async with`` it, or ``await`` and ``close`` it where
+    there is no block (in a notebook). See ``Board`` for what each method does."""
 
-    def __init__(self, link: Link, timeout: float = PATIENCE) -> None:
+    def __init__(self, link: Line, timeout: float = PATIENCE) -> None:
         self.link = link
         self._dialog = link.dialog
         self._timeout = timeout
@@ -54,8 +55,15 @@ class AsyncBoard:
             raise
         return self
 
+    def __await__(self) -> Generator[Any, None, AsyncBoard]:
+        return self.__aenter__().__await__()
+
     async def __aexit__(self, *_: object) -> None:
         await self.close()
+
+    def __repr__(self) -> str:
+        state = "closed" if self._dialog.ended else told(self._dialog)
+        return f"<{type(self).__name__} {self.link.endpoint}, {state}>"
 
     # -- what stands on the board --------------------------------------------
 
@@ -162,6 +170,11 @@ class AsyncBoard:
     # -- waiting -------------------------------------------------------------
 
     async def _answer(self, call: Call[T]) -> T:
+        if self._loop is None and not self._dialog.ended:
+            self._dialog.lost(call)
+            raise BlackboardError(
+                "not connected yet: enter it first (async with situ.connect_async(…) as board)"
+            )
         if not await self._until(lambda: call.finished, self._timeout):
             self._dialog.lost(call)
         if isinstance(call.error, Unreachable):
@@ -276,6 +289,9 @@ class AsyncFollowing(Generic[T]):
         self._stop(self._feed)
         self._board._soon()
 
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self._feed!r}>"
+
 
 class AsyncAuthority:
     """As ``Authority``, with ``async with``."""
@@ -297,8 +313,17 @@ class AsyncAuthority:
         return self
 
     async def __aexit__(self, *_: object) -> None:
-        with contextlib.suppress(BlackboardError):
-            await self._board._answer(self._board.link.dialog.abandon(self))
+        given_back = self._board.link.dialog.abandon(self)
+        # Where the connection is away it is held no longer, and there is nothing to wait for.
+        if self._board.connected:
+            with contextlib.suppress(BlackboardError):
+                await self._board._answer(given_back)
+
+    def __repr__(self) -> str:
+        held = "held" if self.held else "not held"
+        return (
+            f"<{type(self).__name__} over {', '.join((*self.resources, *self.optional))}, {held}>"
+        )
 
     @property
     def held(self) -> bool:

@@ -66,6 +66,9 @@ class Watch:
     def __len__(self) -> int:
         return len(self._queue)
 
+    def __repr__(self) -> str:
+        return f"<Watch {self.pattern}, {len(self)} to be taken>"
+
     # -- for the dialog ------------------------------------------------------
 
     def change(self, notice: protocol.Change) -> bool:
@@ -159,6 +162,9 @@ class Messages:
     def __len__(self) -> int:
         return len(self._queue)
 
+    def __repr__(self) -> str:
+        return f"<Messages {self.pattern}, {len(self)} to be taken>"
+
     # -- for the dialog ------------------------------------------------------
 
     def hear(self, message: protocol.Message) -> None:
@@ -192,6 +198,9 @@ class TraceFeed:
 
     def __len__(self) -> int:
         return len(self._queue)
+
+    def __repr__(self) -> str:
+        return f"<TraceFeed from {self.next}, {len(self)} to be taken>"
 
     # -- for the dialog ------------------------------------------------------
 
