@@ -13,8 +13,8 @@ from tests.benchmarks import deciding, documents_read, drawing, live, messages
 from tests.benchmarks.harness import ROUNDS, Bench, Missing, Result, measure, table
 
 BENCHES: tuple[Bench, ...] = (
-    *deciding.BENCHES,
     *documents_read.BENCHES,
+    *deciding.BENCHES,
     *drawing.BENCHES,
     *messages.BENCHES,
     *live.BENCHES,

@@ -57,9 +57,11 @@ def _trips() -> Iterator[Mapping[str, Sample]]:
 @contextlib.contextmanager
 def _trips_beside_redis() -> Iterator[Mapping[str, Sample]]:
     with (
-        _redis() as port,
-        _redis_client(port) as client,
-        _redis_sockets(port) as sockets,
+        # One each: they would answer each other's messages.
+        _redis() as one,
+        _redis() as other,
+        _redis_client(one) as client,
+        _redis_sockets(other) as sockets,
         _ours() as ours,
     ):
         yield {CORE: ours, REDIS: client, REDIS_SOCKETS: sockets}
