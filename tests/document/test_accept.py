@@ -99,14 +99,15 @@ def test_an_accept_that_names_nothing_goes_wholly(tmp_path: Path) -> None:
 
 def test_on_what_only_groups_others_it_has_no_effect_and_says_so(tmp_path: Path) -> None:
     text = HEAD.format("") + (
-        '<state no="1"><backgroundactions/><expectedevents ed:x="1" ed:accept="dead-end"/>'
+        '<state no="1"><screen><components/></screen><backgroundactions ed:x="1"/>'
+        '<expectedevents ed:x="1" ed:accept="dead-end"/>'
         "</state></application>"
     )
     _, problems = found_in(tmp_path, text)
     assert sorted(codes(problems)) == ["accept-unused", "dead-end"]
     (problem,) = [one for one in problems if one.code == "accept-unused"]
     assert "<expectedevents>" in problem.message
-    assert (problem.line, problem.column) == (1, len(HEAD.format("")) + 35)
+    assert (problem.line, problem.column) == (1, text.index("<expectedevents") + 1)
     assert problem.mend is None
 
 
