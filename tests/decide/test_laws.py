@@ -6,6 +6,7 @@ architecture, idea 2 (the same input gives the same bytes; snapshot and restore)
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 from unittest.mock import patch
@@ -327,7 +328,7 @@ class Driver:
         self.begun: dict[int, Begin] = {}
         self.ended: set[int] = set()
 
-    def carry(self, effects: list[AnyEffect]) -> None:
+    def carry(self, effects: Sequence[AnyEffect]) -> None:
         for effect in effects:
             if isinstance(effect, Map):
                 self.mapped[effect.resource] = effect
