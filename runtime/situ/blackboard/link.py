@@ -10,8 +10,10 @@ import time
 from collections.abc import Callable
 
 import zmq
+from msgspec.structs import replace
 
 from situ.blackboard.calls import Person
+from situ.blackboard.curve import Curve
 from situ.blackboard.dialog import Dialog
 from situ.errors import UsageError
 
@@ -41,7 +43,8 @@ class Link:
     (``link.dialog.get("x")`` gives a ``Call``; ``call.then(…)`` is called from a ``turn``)
     is sent with the next ``turn``. One thread at a time.
 
-    Raises UsageError where the endpoint is no address.
+    keys: for a robot that lets in only whom it knows; one that does not answers nothing to
+    a client with keys. Raises UsageError where the endpoint is no address.
     """
 
     def __init__(
@@ -51,19 +54,26 @@ class Link:
         *,
         context: zmq.Context[zmq.Socket[bytes]] | None = None,
         clock: Callable[[], float] = time.monotonic,
+        keys: Curve | None = None,
     ) -> None:
         self.endpoint = endpoint
         self.clock = clock
+        if keys is not None and person.role == "operator":
+            # Who he is there is what his key says.
+            person = replace(person, user=keys.name)
         self.dialog = Dialog(person)
         self._own = context is None
         self._context = zmq.Context() if context is None else context
         self._dealer = self._context.socket(zmq.DEALER)
         self._subscriber = self._context.socket(zmq.SUB)
+        self._told: str | None = None
         self._listening: str | None = None
         self._closed = False
         for socket in (self._dealer, self._subscriber):
             socket.linger = 0
             socket.setsockopt(zmq.RECONNECT_IVL, 50)
+            if keys is not None:
+                keys.put_on(socket)
         # A request is for the core that is there, never for one that comes later.
         self._dealer.setsockopt(zmq.IMMEDIATE, 1)
         self._subscriber.setsockopt(zmq.RCVHWM, HELD)
@@ -110,10 +120,11 @@ class Link:
         """Whether something was sent; only then may the descriptors have missed news."""
         dialog = self.dialog
         some = False
-        if dialog.notifications is not None and dialog.notifications != self._listening:
+        if dialog.notifications is not None and dialog.notifications != self._told:
             if self._listening is not None:
                 self._subscriber.disconnect(self._listening)
-            self._listening = dialog.notifications
+            self._told = dialog.notifications
+            self._listening = reachable(self._told, self.endpoint)
             self._subscriber.connect(self._listening)
         while dialog.subscribing:
             topic, on = dialog.subscribing.popleft()
@@ -138,6 +149,19 @@ class Link:
         self._subscriber.close()
         if self._own:
             self._context.term()
+
+
+def reachable(told: str, endpoint: str) -> str:
+    """An address that a core tells of, for who reached it at ``endpoint``: a core that is bound to
+    all of its machine's addresses can not know by which one it is seen."""
+    scheme, _, place = told.partition("://")
+    host, _, port = place.rpartition(":")
+    if scheme != "tcp" or host not in _EVERY or not endpoint.startswith("tcp://"):
+        return told
+    return f"{endpoint.rpartition(':')[0]}:{port}"
+
+
+_EVERY = ("0.0.0.0", "[::]", "*")
 
 
 def has_come(socket: zmq.Socket[bytes]) -> bool:
