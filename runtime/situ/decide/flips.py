@@ -17,12 +17,6 @@ from situ.document.values import is_number, read
 Key = tuple[str, Any]
 """A kind (``number``, ``string``, ``boolean``) and a value that can be hashed."""
 
-Level = tuple[int, Any]
-"""A place on a scale: -1 below all of it, 0 and a value of it, 1 above all of it."""
-
-LOWEST: Level = (-1, 0)
-HIGHEST: Level = (1, 0)
-
 
 class Flips:
     """The tests of one name; each is added with the number of who is to judge it.
@@ -78,29 +72,33 @@ class Flips:
 
 
 class _Order:
-    """Bounds of one kind: rising tests hold above them, the others below."""
+    """Bounds of one kind, sorted: rising tests hold above them, the others below."""
 
     def __init__(self, kind: str, rising: bool) -> None:
         self._kind = kind
-        self._levels: list[Level] = []
+        self._rising = rising
+        self._bounds: list[Any] = []
         self._numbers: list[int] = []
-        # What is of another kind fulfils none of them.
-        self._outside = LOWEST if rising else HIGHEST
 
     def add(self, bound: Any, number: int) -> None:
-        level = (0, bound)
-        place = bisect_right(self._levels, level)
-        self._levels.insert(place, level)
+        place = bisect_right(self._bounds, bound)
+        self._bounds.insert(place, bound)
         self._numbers.insert(place, number)
 
     def between(self, before: Any, now: Any) -> list[int]:
         """Those whose bound lies between the two values, or at one of them."""
-        low, high = sorted((self._level(before), self._level(now)))
-        return self._numbers[bisect_left(self._levels, low) : bisect_right(self._levels, high)]
-
-    def _level(self, value: Any) -> Level:
-        kind, value = _key(value)
-        return (0, value) if kind == self._kind else self._outside
+        is_before, is_now = _key(before)[0] == self._kind, _key(now)[0] == self._kind
+        if is_before and is_now:
+            low, high = (before, now) if before <= now else (now, before)
+            first = bisect_left(self._bounds, low)
+            return self._numbers[first : bisect_right(self._bounds, high, first)]
+        if not is_before and not is_now:
+            return []
+        # What is of another kind fulfils none of them: it lies below all, or above all.
+        inside = before if is_before else now
+        if self._rising:
+            return self._numbers[: bisect_right(self._bounds, inside)]
+        return self._numbers[bisect_left(self._bounds, inside) :]
 
 
 def _key(value: Any) -> Key:
