@@ -96,7 +96,7 @@ class ApplicationCanvas(Canvas):
                     pipe.update()
         if self.look.level in ("quarter", "tiny"):
             self.viewer.viewport().update()
-        self.minimap.update()
+        self.minimap.redraw()
 
     # -- gestures become edits -----------------------------------------------------------
 

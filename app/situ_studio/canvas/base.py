@@ -138,6 +138,7 @@ class Canvas(QWidget):
         self._moved_timer.stop()
         few = len(links) <= self.few or first or 3 * len(changed) > len(cards)
         self._route(None if few else changed)
+        self.minimap.redraw()
         self._show_minimap()
         self._on_selection()
         if not self._fitted and cards and self.isVisible():
@@ -147,7 +148,7 @@ class Canvas(QWidget):
     def _follow_cards(self) -> None:
         """Cards are being dragged: the pipes follow."""
         self._route(self.graph.moved(self.viewer.touched))
-        self.minimap.update()
+        self.minimap.redraw()
 
     def set_theme(self, theme: Theme) -> None:
         self.look.set_theme(theme)
@@ -155,7 +156,7 @@ class Canvas(QWidget):
             node.view.prepare()
         self.zoom_bar.set_theme(theme)
         self.viewer.viewport().update()
-        self.minimap.update()
+        self.minimap.redraw()
 
     def showEvent(self, event: Any) -> None:
         super().showEvent(event)
@@ -347,6 +348,7 @@ class Canvas(QWidget):
         now = self.selection()
         if now != self._told:
             self._told = now
+            self.minimap.redraw()
             uids = self.selected_uids()
             if len(uids) == 1:
                 accessible.tell_focus(self.viewer, list(self.graph.cards).index(uids[0]))

@@ -4,8 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QRect, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+    QResizeEvent,
+    QTransform,
+)
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidget
 
 from situ_studio import icons
@@ -77,33 +86,47 @@ class MiniMap(QWidget):
         self._look = look
         self._canvas = parent
         self.wanted = True
+        self._picture: tuple[QPixmap, QRectF] | None = None
         self.setFixedSize(120, 66)
         self.setAccessibleName("Overview")
         self.hide()
 
-    def _scale(self) -> tuple[QRectF, float]:
-        area = QRectF()
-        for card in self._canvas.graph.cards.values():
-            area = area.united(QRectF(card.x, card.y, card.width, card.height))
-        area = area.adjusted(-40, -40, 40, 40)
-        scale = min((self.width() - 6) / area.width(), (self.height() - 6) / area.height())
-        return area, scale
+    def redraw(self) -> None:
+        """Cards, their colours or what is selected have changed."""
+        self._picture = None
+        self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        look = self._look
-        painter = QPainter(self)
+    def _area(self) -> QRectF:
+        """What is shown, in the drawing's units."""
+        cards = self._canvas.graph.cards.values()
+        if not cards:
+            return QRectF(0, 0, 1, 1)
+        left, top = min(card.x for card in cards), min(card.y for card in cards)
+        right = max(card.x + card.width for card in cards)
+        bottom = max(card.y + card.height for card in cards)
+        return QRectF(left, top, right - left, bottom - top).adjusted(-40, -40, 40, 40)
+
+    def _place(self, area: QRectF) -> QTransform:
+        """From the drawing's units to this widget's."""
+        scale = min((self.width() - 6) / area.width(), (self.height() - 6) / area.height())
+        place = QTransform.fromTranslate(self.width() / 2, self.height() / 2).scale(scale, scale)
+        return place.translate(-area.center().x(), -area.center().y())
+
+    def _drawn(self) -> tuple[QPixmap, QRectF]:
+        """All but the frame: kept, for the canvas beneath is painted with every move."""
+        if self._picture is not None:
+            return self._picture
+        look, area = self._look, self._area()
+        picture = QPixmap(self.size() * self.devicePixelRatioF())
+        picture.setDevicePixelRatio(self.devicePixelRatioF())
+        picture.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(picture)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(look["line"], 1))
         painter.setBrush(look["panel"])
         painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
-        area, scale = self._scale()
-        painter.translate(
-            (self.width() - area.width() * scale) / 2, (self.height() - area.height() * scale) / 2
-        )
-        painter.scale(scale, scale)
-        painter.translate(-area.topLeft())
-        live = look.live
-        active: frozenset[str] = getattr(live, "active", frozenset())
+        painter.setTransform(self._place(area), combine=True)
+        active: frozenset[str] = getattr(look.live, "active", frozenset())
         for uid, card in self._canvas.graph.cards.items():
             kind = getattr(card, "kind", "")
             color = look[kind] if kind in ("start", "part") else look["far"]
@@ -112,17 +135,26 @@ class MiniMap(QWidget):
             elif self._canvas.graph.nodes[uid].view.isSelected():
                 color = look["accent"]
             painter.fillRect(QRectF(card.x, card.y, card.width, card.height), color)
+        painter.end()
+        self._picture = picture, area
+        return self._picture
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self.redraw()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        picture, area = self._drawn()
+        painter = QPainter(self)
+        painter.drawPixmap(0, 0, picture)
         seen = self._viewer.seen().intersected(area)
-        painter.setPen(QPen(look["accent"], 1 / scale))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawRect(seen)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self._look["accent"], 1))
+        painter.drawRect(self._place(area).mapRect(seen))
 
     def _go(self, event: QMouseEvent) -> None:
-        area, scale = self._scale()
-        left = (self.width() - area.width() * scale) / 2
-        top = (self.height() - area.height() * scale) / 2
-        spot = area.topLeft() + (event.position() - QPointF(left, top)) / scale
-        self._viewer.look_at(spot)
+        _, area = self._drawn()
+        there, _ = self._place(area).inverted()
+        self._viewer.look_at(there.map(event.position()))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._go(event)

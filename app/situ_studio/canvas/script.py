@@ -176,7 +176,7 @@ class ScriptCanvas(Canvas):
             pipe = self.graph.pipe(id)
             if pipe is not None:
                 pipe.update()
-        self.minimap.update()
+        self.minimap.redraw()
 
     # -- gestures become edits -------------------------------------------------------------
 

@@ -445,6 +445,36 @@ def test_resizing_keeps_zoom_and_corner(made: Any) -> None:
     assert canvas.viewer._scene_range.topLeft() == corner
 
 
+def test_the_overview_follows_what_moves_and_what_is_selected_and_a_press_goes_there(
+    made: Any,
+) -> None:
+    canvas, hand = made.canvas, made.hand
+    canvas.resize(620, 580)
+    QApplication.processEvents()
+    canvas.viewer.look_at(QPointF(460, 250))
+    overview = canvas.minimap
+    seen = [overview.grab().toImage()]
+    assert overview.isVisible()
+
+    def changed() -> bool:
+        seen.append(overview.grab().toImage())
+        return bool(seen[-1] != seen[-2])
+
+    hand.click(hand.header("2"))
+    assert changed()
+    hand.drag(hand.header("2"), hand.header("2") + QPointF(0, 200))
+    assert changed()
+    made.undo()
+    assert changed()
+    canvas.set_theme(theme.DARK)
+    assert changed()
+    before = canvas.viewer.seen()
+    QTest.mouseClick(overview, Qt.MouseButton.LeftButton, pos=QPoint(4, 33))
+    assert canvas.viewer.seen().left() < before.left()
+    assert changed()
+    assert not changed()
+
+
 # -- folded pipes -----------------------------------------------------------------------------
 
 
