@@ -85,7 +85,8 @@ KINDS: tuple[Kind, ...] = ("own", "thresholds", "equality", "half")
 
 def situations_robot(kind: Kind, count: int) -> Robot:
     """A robot of ``count`` situations and one that always holds. ``a`` may have the arm in
-    every second one, ``b`` in the others, so that most changes hand the arm over.
+    every second one, ``b`` in the others, so that most changes hand the arm over. ``flips`` have
+    been given once.
     """
     made = [_situation(kind, number, count) for number in range(count)]
     rest = Situation("rest", entries=(Entry("rest", 1),))
@@ -102,6 +103,9 @@ def situations_robot(kind: Kind, count: int) -> Robot:
     robot.step(Start(), 0)
     for name in ("a", "b", "rest"):
         robot.step(Acquire(name, ("arm",)), 1)
+    # The first value flips half of all thresholds; what is measured flips one or two.
+    for given in flips(kind, count):
+        robot.step(given, 1)
     return robot
 
 
