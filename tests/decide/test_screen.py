@@ -299,6 +299,16 @@ def test_a_kept_screen_is_shown_again_after_a_suspension(play: Play) -> None:
     ]
 
 
+def test_a_kept_screen_is_shown_again_where_resumed_leads_on(play: Play) -> None:
+    rbd = state("1", HELLO, '<event name="resumed" next="2"/>') + state("2", "")
+    lines = [{"at": 1, "set": {"busy": True}}, {"at": 2, "set": {"busy": False}}]
+    trace = play(rbd, lines, pauses="screen")
+    assert trace.lines("screen", "enter")[-2:] == [
+        "2 enter app 2 <transition",
+        "2 screen app 2 [hello=Hello] <enter",
+    ]
+
+
 def test_a_screen_that_was_never_shown_is_not_kept(play: Play) -> None:
     other = screen(f'<text id="other" {AT}>Other</text>')
     rbd = (

@@ -462,6 +462,16 @@ def test_a_resumed_that_leaves_a_screen_not_yet_shown_is_refused() -> None:
         flatten(project(outer, script=True, p=state("1")))
 
 
+def test_a_resumed_that_leaves_a_screen_without_always_above_it_is_written() -> None:
+    made = project(
+        state("1", go(resumed="5"), shows("one")) + state("5", "", part("p")),
+        script=True,
+        p=state("1"),
+    )
+    busy = [{"at": at, "set": {"busy": at == 1}} for at in (1, 2)]
+    assert numbers(same(made, [*busy, {"at": 3, "end": True}])) == ["1", "5/1"]
+
+
 def movie(name: str) -> str:
     return f'<screen><components><movie id="{name}" {AT} src="m.webm"/></components></screen>'
 

@@ -408,7 +408,8 @@ class Machine:
         event = step.trace(trace.Event, seq, self.name, RESUMED)
         taken = self._first(self.here.named.get(RESUMED, ()))
         if taken is not None and taken.next is not None:
-            self._take(taken, event)
+            # The screen is not shown again yet: no short way leads on from here.
+            self._move(taken.next, taken.level, taken.actions, event, taken.name, UNSET)
             self._settle_idle()
             return
         if taken is not None:
