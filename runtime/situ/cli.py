@@ -33,6 +33,7 @@ GROUPS = (
     "cli_why",
     "cli_run",
     "cli_board",
+    "cli_keys",
 )
 """The modules of the command line, in the order in which ``situ --help`` lists them."""
 

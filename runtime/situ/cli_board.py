@@ -58,6 +58,11 @@ def _command(
         metavar="ENDPOINT",
         help="the robot's address; tcp://127.0.0.1:5570 unless given",
     )
+    parser.add_argument(
+        "--keys",
+        metavar="DIR",
+        help="the folder with your keys, where the robot lets in only whom it knows",
+    )
     if as_json:
         parser.add_argument("--json", action="store_true", help="for a program to read")
     parser.set_defaults(run=run)
@@ -67,7 +72,7 @@ def _command(
 def _connect(args: argparse.Namespace, role: Role) -> Board:
     from situ.blackboard.client import connect
 
-    return connect(args.at, role=role, timeout=PATIENCE)
+    return connect(args.at, role=role, timeout=PATIENCE, keys=args.keys)
 
 
 def _print(value: Any) -> None:

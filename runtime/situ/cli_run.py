@@ -5,14 +5,17 @@ from __future__ import annotations
 import argparse
 import contextlib
 import logging
-import os
+import math
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from situ.blackboard.services import SERVICES
+
 if TYPE_CHECKING:
     from situ.blackboard.client import AsyncBoard
     from situ.blackboard.journal import DurableTags
+    from situ.blackboard.keys import RobotKeys
     from situ.document.project import Project
     from situ.engine.live import Live
     from situ.engine.recovery import Recovery
@@ -44,6 +47,26 @@ def add(commands: Any) -> None:
         type=_host_and_port,
         metavar="HOST:PORT",
         help="the robot's screen; two ports higher than the endpoint unless given",
+    )
+    parser.add_argument(
+        "--keys",
+        type=Path,
+        metavar="DIR",
+        help="the robot's keys and those that it knows (situ keys); keys in the state folder "
+        "unless given",
+    )
+    parser.add_argument(
+        "--insecure",
+        action="store_true",
+        help="let in everybody who can reach the robot, whether or not there are keys",
+    )
+    parser.add_argument(
+        "--services",
+        type=_services,
+        default=("core", *SERVICES),
+        metavar="NAMES",
+        help="what runs here: core, engine, robot, screen, with commas; all unless given. Without "
+        "core they carry out what the core at --endpoint decides",
     )
     parser.add_argument("--state", type=Path, metavar="DIR", help="where the robot keeps its state")
     parser.add_argument(
@@ -91,6 +114,8 @@ def run(args: argparse.Namespace) -> int:
     from situ.rehearse import scenario
 
     project = load_ready(args.project)
+    if "core" not in args.services:
+        return asyncio.run(_serve(args, project))
     lines = None
     if args.script is not None:
         names = [application.name for application in project.applications.values()]
@@ -121,10 +146,10 @@ class Kept(NamedTuple):
 
 def _kept(args: argparse.Namespace, project: Project, stack: contextlib.ExitStack) -> Kept:
     from situ.blackboard.journal import DurableTags, patterns
-    from situ.engine.folder import StateFolder
+    from situ.engine.folder import StateFolder, state_folder
     from situ.engine.recovery import Recovery
 
-    folder = StateFolder(_state(args.state, project))
+    folder = StateFolder(state_folder(args.state, project))
     stack.callback(folder.close)
     durable = None
     if durable_tags := patterns(project):
@@ -142,8 +167,9 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
 
     from situ.blackboard.backlog import stamped
     from situ.blackboard.client import AsyncBoard, Link, Person
-    from situ.blackboard.server import check_local
+    from situ.blackboard.server import check_reach
     from situ.decide.trace import TraceEvent
+    from situ.engine.folder import state_folder
     from situ.engine.live import Live
     from situ.engine.perform import Performer
     from situ.engine.script import Script
@@ -154,7 +180,9 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         loop.add_signal_handler(number, stopped.set)
     endpoint = project.endpoint if args.endpoint is None else args.endpoint
     screen = args.http or ("127.0.0.1", _higher(endpoint, 2))
-    check_local(f"http://{screen[0]}:{screen[1]}")
+    keys = _keys(args, project)
+    web = f"http://{screen[0]}:{screen[1]}"
+    check_reach(web, keyed=keys is not None, insecure=args.insecure)
     script = None if lines is None else Script(lines, args.speed)
 
     torn: OSError | None = None
@@ -176,14 +204,17 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
                 _log.error("%s: %s; the trace ends here", args.trace, error.strerror)
 
     def performer(submit: Any, tag: Any) -> Performer:
-        state = _state(args.state, project)
-        return Performer(project, submit, tag=tag, screen=screen, state_dir=state)
+        state = state_folder(args.state, project)
+        return Performer(
+            project, submit, tag=tag, screen=screen, state_dir=state, services=args.services
+        )
 
     live = Live(
         project,
         endpoint,
-        args.notify or f"tcp://127.0.0.1:{_higher(endpoint, 1)}",
-        performer,
+        args.notify or _beside(endpoint),
+        performer if len(args.services) > 1 else None,
+        services=[one for one in args.services if one != "core"],
         files=_files(project),
         scripted=script is not None,
         seed=args.seed,
@@ -191,6 +222,8 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         heard=heard,
         durable=kept.durable,
         recovery=kept.recovery,
+        keys=keys,
+        insecure=args.insecure,
     )
     addresses = await live.start()
     try:
@@ -200,7 +233,8 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         if script is None:
             await stopped.wait()
             return _whole(torn)
-        board = AsyncBoard(Link(addresses.requests, Person(role="scenario")))
+        own = None if keys is None else keys.own()
+        board = AsyncBoard(Link(addresses.requests, Person(role="scenario"), keys=own))
         async with board:
             play = asyncio.create_task(_play(script, live, board, args.clients))
             stop = asyncio.create_task(stopped.wait())
@@ -216,6 +250,67 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
     for failure in script.verdict.failures:
         print(f"{args.script}: {failure}", file=sys.stderr)
     return 1 if script.verdict.failures else _whole(torn)
+
+
+async def _serve(args: argparse.Namespace, project: Project) -> int:
+    """Services without the core, until a signal comes."""
+    import asyncio
+    import signal
+
+    from situ.blackboard.asynchronous import AsyncBoard
+    from situ.blackboard.calls import Person
+    from situ.blackboard.link import Link
+    from situ.engine.folder import state_folder
+    from situ.engine.perform import Performer
+    from situ.engine.services import ServicesApart
+
+    loop = asyncio.get_running_loop()
+    stopped = asyncio.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        loop.add_signal_handler(number, stopped.set)
+    endpoint = project.endpoint if args.endpoint is None else args.endpoint
+    screen = args.http or ("127.0.0.1", _higher(endpoint, 2))
+
+    def performer(submit: Any, tag: Any) -> Performer:
+        state = state_folder(args.state, project)
+        return Performer(
+            project, submit, tag=tag, screen=screen, state_dir=state, services=args.services
+        )
+
+    person = Person(role="service", services=args.services)
+    board = AsyncBoard(Link(endpoint, person), math.inf)
+    apart = ServicesApart(board, args.services, performer)
+    start = asyncio.create_task(apart.start())
+    stop = asyncio.create_task(stopped.wait())
+    await asyncio.wait({start, stop}, return_when=asyncio.FIRST_COMPLETED)
+    if not start.done():
+        start.cancel()
+        await asyncio.gather(start, return_exceptions=True)
+        return 0
+    try:
+        print(_ready(args.json, project.name, await start), flush=True)
+        await stop
+    finally:
+        stop.cancel()
+        if start.exception() is None:
+            await apart.stop()
+    return 0
+
+
+def _keys(args: argparse.Namespace, project: Project) -> RobotKeys | None:
+    """The robot's keys; None: everybody may come in."""
+    from situ.blackboard.keys import RobotKeys, has_keys
+    from situ.engine.folder import state_folder
+
+    if args.insecure:
+        _log.warning("--insecure: whoever can reach this robot may do everything with it")
+        return None
+    folder = args.keys or state_folder(args.state, project) / "keys"
+    if args.keys is None and not has_keys(folder):
+        return None
+    # Who came in, and who did not, is always told.
+    logging.getLogger("situ.audit").setLevel(logging.INFO)
+    return RobotKeys(folder)
 
 
 def _write(out: Any, data: bytes) -> None:
@@ -256,15 +351,10 @@ def _files(project: Project) -> dict[str, str]:
     return {path: (root / path).read_text("utf-8") for path in paths if path is not None}
 
 
-def _state(given: Path | None, project: Project) -> Path:
-    """architecture.md, *on disk*."""
-    if given is not None:
-        return given
-    if os.environ.get("STATE_DIRECTORY"):
-        return Path(os.environ["STATE_DIRECTORY"].split(":")[0])
-    home = os.environ.get("XDG_STATE_HOME")
-    base = Path(home) if home else Path.home() / ".local" / "state"
-    return base / "situ" / project.name
+def _beside(endpoint: str) -> str:
+    """One port higher, for the same machines."""
+    host = endpoint.rpartition(":")[0] if endpoint.startswith("tcp://") else "tcp://127.0.0.1"
+    return f"{host}:{_higher(endpoint, 1)}"
 
 
 def _higher(endpoint: str, by: int) -> int:
@@ -278,6 +368,15 @@ def _host_and_port(text: str) -> tuple[str, int]:
     if not colon or not port.isdecimal() or int(port) > 65535:
         raise argparse.ArgumentTypeError("HOST:PORT is needed, as 127.0.0.1:5572")
     return host.strip("[]") or "127.0.0.1", int(port)
+
+
+def _services(text: str) -> tuple[str, ...]:
+    named = [name.strip() for name in text.split(",")]
+    known = ("core", *SERVICES)
+    for name in named:
+        if name not in known:
+            raise argparse.ArgumentTypeError(f"{name!r} is none of {', '.join(known)}")
+    return tuple(name for name in known if name in named)
 
 
 def _count(text: str) -> int:

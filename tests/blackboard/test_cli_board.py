@@ -14,7 +14,7 @@ import pytest
 
 import situ
 from situ import cli
-from situ.blackboard.server import Server, check_local
+from situ.blackboard.server import Server, check_reach
 from situ.errors import UsageError
 
 DEADLINE = 20.0
@@ -181,15 +181,23 @@ def test_a_port_that_is_taken_is_told(
     "address", ["tcp://127.0.0.1:5570", "tcp://127.1.2.3:0", "tcp://[::1]:0", "tcp://localhost:1"]
 )
 def test_loopback_is_open(address: str) -> None:
-    check_local(address)
+    check_reach(address, keyed=False, insecure=False)
 
 
 @pytest.mark.parametrize(
-    "address", ["tcp://192.168.1.2:0", "tcp://robot.example:0", "tcp://[2001:db8::1]:0", "tcp://"]
+    "address", ["tcp://192.168.1.2:0", "tcp://robot.example:0", "tcp://[2001:db8::1]:0"]
 )
 def test_all_else_is_refused_without_keys(address: str) -> None:
+    with pytest.raises(UsageError, match="situ keys new"):
+        check_reach(address, keyed=False, insecure=False)
+    check_reach(address, keyed=True, insecure=False)
+    check_reach(address, keyed=False, insecure=True)
+
+
+@pytest.mark.parametrize("address", ["tcp://", "robot", "tcp://0.0.0.0:70000"])
+def test_what_is_no_address_is_refused_with_keys_too(address: str) -> None:
     with pytest.raises(UsageError):
-        check_local(address)
+        check_reach(address, keyed=True, insecure=False)
 
 
 def test_a_server_that_can_not_bind_leaves_nothing_open() -> None:

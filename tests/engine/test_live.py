@@ -19,6 +19,7 @@ import pytest
 
 import situ
 from situ.blackboard.client import AsyncBoard, Link, Person, connect_async
+from situ.blackboard.curve import KeysOf
 from situ.blackboard.protocol import Addresses
 from situ.decide import inputs
 from situ.decide.effects import AnyEffect, Begin, Map
@@ -56,7 +57,7 @@ class Hasty:
     async def start(self) -> None:
         self._loop = asyncio.get_running_loop()
 
-    def open_door(self, addresses: Addresses) -> None:
+    def open_door(self, addresses: Addresses, keys: KeysOf | None) -> None:
         pass
 
     def perform(self, effect: AnyEffect) -> None:

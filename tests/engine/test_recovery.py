@@ -223,7 +223,7 @@ class Carrying:
     async def start(self) -> None:
         pass
 
-    def open_door(self, addresses: object) -> None:
+    def open_door(self, addresses: object, keys: object) -> None:
         pass
 
     def perform(self, effect: AnyEffect) -> None:

@@ -15,7 +15,9 @@ loss. ``Link`` is that dialog with its sockets for loops of other kinds (Qt).
 from __future__ import annotations
 
 import getpass
+import os
 from collections.abc import Iterable
+from pathlib import Path
 
 from situ.blackboard.asynchronous import AsyncAuthority, AsyncBoard, AsyncFollowing
 from situ.blackboard.blocking import PATIENCE, Authority, Board, Following
@@ -23,6 +25,7 @@ from situ.blackboard.calls import Call, Person
 from situ.blackboard.dialog import Dialog
 from situ.blackboard.driving import Driver
 from situ.blackboard.feeds import Change, Messages, TraceFeed, Watch
+from situ.blackboard.keys import client_keys
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import (
     Entry,
@@ -63,6 +66,7 @@ __all__ = [
     "Welcome",
     "connect",
     "connect_async",
+    "open_link",
     "person",
 ]
 
@@ -98,6 +102,11 @@ def _user() -> str | None:
         return None
 
 
+def open_link(endpoint: str, who: Person, keys: str | os.PathLike[str] | None = None) -> Link:
+    """The sockets of a client, with its keys where it has some (as in ``connect``)."""
+    return Link(endpoint, who, keys=client_keys(endpoint, None if keys is None else Path(keys)))
+
+
 def connect(
     endpoint: str = ENDPOINT,
     module: str | None = None,
@@ -108,11 +117,14 @@ def connect(
     requires: Iterable[Need] = (),
     provides: Iterable[Offer] = (),
     timeout: float = PATIENCE,
+    keys: str | os.PathLike[str] | None = None,
 ) -> Board:
     """A blackboard that is connected; end it with ``close`` or by ``with``.
 
     module: this module's name; None for a person that looks and sets. resources: those
-    it may ask for. timeout: seconds to wait, here and for each later answer.
+    it may ask for. timeout: seconds to wait, here and for each later answer. keys: the folder
+    with this one's keys, for a robot that lets in only whom it knows; ``$SITU_KEYS`` unless
+    given, else ``~/.config/situ/keys`` if it has this robot.
 
     Raises Unreachable when nobody answers, Refused when the core will not have it (the
     name is taken by another module that lives), UsageError for an address that is none.
@@ -125,7 +137,7 @@ def connect(
         requires=requires,
         provides=provides,
     )
-    return Board(Driver(Link(endpoint, who)), timeout)
+    return Board(Driver(open_link(endpoint, who, keys)), timeout)
 
 
 def connect_async(
@@ -138,6 +150,7 @@ def connect_async(
     requires: Iterable[Need] = (),
     provides: Iterable[Offer] = (),
     timeout: float = PATIENCE,
+    keys: str | os.PathLike[str] | None = None,
 ) -> AsyncBoard:
     """As ``connect``, for asyncio: ``async with connect_async(…) as board``."""
     who = person(
@@ -148,4 +161,4 @@ def connect_async(
         requires=requires,
         provides=provides,
     )
-    return AsyncBoard(Link(endpoint, who), timeout)
+    return AsyncBoard(open_link(endpoint, who, keys), timeout)

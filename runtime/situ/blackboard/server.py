@@ -13,7 +13,10 @@ from urllib.parse import urlsplit
 import zmq
 
 from situ.blackboard import protocol
+from situ.blackboard.gate import Gate
+from situ.blackboard.keys import RobotKeys
 from situ.blackboard.link import NOW, has_come
+from situ.blackboard.rights import Identity
 from situ.errors import UsageError
 
 TURN = 500
@@ -22,25 +25,45 @@ TOGETHER = 50
 """Messages that are answered together: what they bring about is written down at once."""
 HELD = 10_000
 """Notices kept for a subscriber that does not read; then it loses some, and finds the gap."""
+SHAKE = 5_000
+"""Milliseconds in which a connection must have shown that it speaks ZeroMQ, with a known key."""
+
+Received = Callable[[bytes, bytes, Identity | None], None]
+"""Is given a peer, what it sends, and with keys who that is."""
 
 
 class Server:
     """Bound sockets; ``requests`` and ``notifications`` are their addresses as bound.
 
-    Raises ``UsageError`` where an address is none, is taken, or is not loopback:
-    without keys a blackboard is open, so it stays on its own machine.
+    keys: only whom they know gets in; without them everybody does, so that an address that
+    other machines can reach is refused, but for ``insecure``. ``gate`` is None without keys.
+
+    Raises ``UsageError`` where an address is none, is taken, or may not be bound.
     """
 
     def __init__(
-        self, requests: str, notifications: str, *, context: zmq.Context[zmq.Socket[bytes]]
+        self,
+        requests: str,
+        notifications: str,
+        *,
+        context: zmq.Context[zmq.Socket[bytes]],
+        keys: RobotKeys | None = None,
+        insecure: bool = False,
     ) -> None:
+        for address in (requests, notifications):
+            check_reach(address, keyed=keys is not None, insecure=insecure)
+        self.gate = Gate(keys, context) if keys is not None else None
         self._router = context.socket(zmq.ROUTER)
         self._publisher = context.socket(zmq.XPUB)
         try:
+            if self.gate is not None:
+                self.gate.guard(self._router, "requests")
+                self.gate.guard(self._publisher, "notifications")
             for socket in (self._router, self._publisher):
                 socket.linger = 200
                 socket.setsockopt(zmq.MAXMSGSIZE, protocol.MAXIMUM)
                 socket.setsockopt(zmq.SNDHWM, HELD)
+                socket.setsockopt(zmq.HANDSHAKE_IVL, SHAKE)
             # Else a reply to who has gone would vanish unseen and a slow one would block.
             self._router.setsockopt(zmq.ROUTER_MANDATORY, 1)
             self.requests = _bind(self._router, requests)
@@ -49,17 +72,21 @@ class Server:
             self.close()
             raise
 
-    def descriptors(self) -> tuple[int, int]:
+    def descriptors(self) -> tuple[int, ...]:
         """To wait on for reading. They tell of a change once, so ``drain`` to the end."""
-        return self._router.fileno(), self._publisher.fileno()
+        guards = self.gate.descriptors() if self.gate is not None else ()
+        return self._router.fileno(), self._publisher.fileno(), *guards
 
-    def drain(self, received: Callable[[bytes, bytes], None], answer: Callable[[], None]) -> bool:
+    def drain(self, received: Received, answer: Callable[[], None]) -> bool:
         """Takes what has come and gives it to ``received``; ``answer`` is to ``send`` what follows,
         once for all that came together (at most ``TOGETHER``). Echoes new subscribers.
 
         True where more may be waiting: then call again soon, the descriptors may not tell.
         """
         taken = 0
+        gate = self.gate
+        if gate is not None:
+            gate.drain()
         for _ in range(TURN):
             if not has_come(self._router):
                 if not taken:
@@ -67,9 +94,14 @@ class Server:
                 taken = 0
                 answer()
                 continue
-            peer, *frames = self._router.recv_multipart(NOW)
             # A request is one frame; of anything else the sessions say what is wrong.
-            received(peer, frames[0] if len(frames) == 1 else b"")
+            if gate is None:
+                peer, *frames = self._router.recv_multipart(NOW)
+                received(peer, frames[0] if len(frames) == 1 else b"", None)
+            else:
+                first, *parts = self._router.recv_multipart(NOW, copy=False)
+                body = parts[0].bytes if len(parts) == 1 else b""
+                received(first.bytes, body, gate.who(parts[-1]))
             taken += 1
             if taken == TOGETHER:
                 taken = 0
@@ -103,6 +135,8 @@ class Server:
                     raise
 
     def close(self) -> None:
+        if self.gate is not None:
+            self.gate.close()
         self._router.close()
         self._publisher.close()
 
@@ -112,7 +146,6 @@ _MORE = NOW | int(zmq.SNDMORE)
 
 
 def _bind(socket: zmq.Socket[bytes], address: str) -> str:
-    check_local(address)
     if address.startswith("tcp://") and address.endswith(":0"):
         address = address[:-1] + "*"
     try:
@@ -122,10 +155,21 @@ def _bind(socket: zmq.Socket[bytes], address: str) -> str:
     return socket.getsockopt_string(zmq.LAST_ENDPOINT)
 
 
-def check_local(address: str) -> None:
-    """Raises ``UsageError`` unless only this machine can reach what is bound there."""
-    if address.startswith(("ipc://", "inproc://")):
+def check_reach(address: str, *, keyed: bool, insecure: bool) -> None:
+    """Raises ``UsageError`` where something may not be bound there: for want of keys, unless that
+    is ``insecure`` on purpose, or because it is no address."""
+    if is_local(address) or keyed or insecure:
         return
+    raise UsageError(
+        f"{address} can be reached from other machines, and a blackboard without keys is open to "
+        "all of them: make keys with situ keys new, bind it to 127.0.0.1, or say --insecure"
+    )
+
+
+def is_local(address: str) -> bool:
+    """Whether only this machine can reach what is bound there; ``UsageError`` if it is none."""
+    if address.startswith(("ipc://", "inproc://")):
+        return True
     parts = urlsplit(address)
     if parts.scheme not in ("tcp", "http") or not parts.hostname:
         raise UsageError(f"{address}: no address; write it as tcp://127.0.0.1:5570")
@@ -133,11 +177,6 @@ def check_local(address: str) -> None:
     if port.lstrip("-").isdigit() and not 0 <= int(port) <= 65535:
         raise UsageError(f"{address}: there is no port {port}; choose one up to 65535, or 0")
     try:
-        local = ipaddress.ip_address(parts.hostname).is_loopback
+        return ipaddress.ip_address(parts.hostname).is_loopback
     except ValueError:
-        local = parts.hostname == "localhost"
-    if not local:
-        raise UsageError(
-            f"{address} can be reached from other machines, and a blackboard without keys "
-            "is open to all of them: bind it to 127.0.0.1"
-        )
+        return parts.hostname == "localhost"

@@ -6,6 +6,7 @@ import fcntl
 import os
 from pathlib import Path
 
+from situ.document.project import Project
 from situ.errors import UsageError
 
 LOCK = "lock"
@@ -39,3 +40,14 @@ class StateFolder:
 
     def close(self) -> None:
         os.close(self._lock)
+
+
+def state_folder(given: Path | None, project: Project) -> Path:
+    """Where a robot that runs the project keeps its state: as given, else as its system says."""
+    if given is not None:
+        return given
+    if os.environ.get("STATE_DIRECTORY"):
+        return Path(os.environ["STATE_DIRECTORY"].split(":")[0])
+    home = os.environ.get("XDG_STATE_HOME")
+    base = Path(home) if home else Path.home() / ".local" / "state"
+    return base / "situ" / project.name

@@ -15,6 +15,7 @@ import zmq
 from aiohttp import WSCloseCode, WSMsgType, web
 
 from situ.blackboard import protocol
+from situ.blackboard.curve import Curve, KeysOf
 from situ.blackboard.link import HELD as NOTICES
 from situ.blackboard.link import NOW, has_come
 
@@ -29,17 +30,28 @@ TOPICS = 10_000
 
 
 class Door:
-    """Lets visitors in, one task each, from ``open`` to ``close``."""
+    """Lets visitors in, one task each, from ``open`` to ``close``.
+
+    With a core that has keys every visitor's sockets bear the keys of his own token, so that the
+    core knows him, and holds him to his rights, as anybody else.
+    """
 
     def __init__(self, log: logging.Logger) -> None:
         self._log = log
         self._core: tuple[str, str] | None = None
+        self._keys: KeysOf | None = None
         self._context: zmq.Context[zmq.Socket[bytes]] | None = None
         self._visitors: set[web.WebSocketResponse] = set()
 
-    def open(self, requests: str, notifications: str) -> None:
-        """Visitors are led to the core at these addresses."""
+    def open(self, requests: str, notifications: str, keys: KeysOf | None = None) -> None:
+        """Visitors are led to the core at these addresses. keys: None where it has none."""
         self._core = requests, notifications
+        self._keys = keys
+
+    @property
+    def keyed(self) -> bool:
+        """Whether a visitor needs a token of his own."""
+        return self._keys is not None
 
     async def close(self) -> None:
         self._core = None
@@ -49,8 +61,15 @@ class Door:
             self._context.term()
             self._context = None
 
-    async def visit(self, request: web.Request) -> web.StreamResponse:
-        """One visitor, who may come in, until he goes."""
+    async def visit(self, request: web.Request, token: str) -> web.StreamResponse:
+        """One visitor until he goes. token: his own; without keys he may come in already."""
+        curve = None
+        if self._keys is not None:
+            curve = self._keys(token)
+            if curve is None:
+                self._log.warning("refused the blackboard to %s without a token", request.remote)
+                return web.Response(status=403, text=_NO_TOKEN)
+            self._log.info("%s is let in from %s", curve.name or "somebody", request.remote)
         if self._core is None:
             return web.Response(status=503, text="The blackboard is not there yet; try again.\n")
         if len(self._visitors) >= MOST:
@@ -60,7 +79,7 @@ class Door:
         socket = web.WebSocketResponse(max_msg_size=LARGEST, heartbeat=BEAT)
         await socket.prepare(request)
         self._visitors.add(socket)
-        relay = _Relay(self._context, *self._core)
+        relay = _Relay(self._context, *self._core, curve)
         told = asyncio.create_task(relay.tell(socket))
         try:
             async for message in socket:
@@ -76,15 +95,27 @@ class Door:
         return socket
 
 
+_NO_TOKEN = (
+    "This robot lets in only whom it knows: a token is needed that situ keys add --token made.\n"
+)
+
+
 class _Relay:
     """The sockets of one visitor. A closed connection ends his session at once."""
 
     def __init__(
-        self, context: zmq.Context[zmq.Socket[bytes]], requests: str, notifications: str
+        self,
+        context: zmq.Context[zmq.Socket[bytes]],
+        requests: str,
+        notifications: str,
+        curve: Curve | None,
     ) -> None:
         self._loop = asyncio.get_running_loop()
         self._dealer = context.socket(zmq.DEALER)
         self._subscriber = context.socket(zmq.SUB)
+        if curve is not None:
+            curve.put_on(self._dealer)
+            curve.put_on(self._subscriber)
         self._dealer.linger = 500
         self._subscriber.linger = 0
         self._subscriber.setsockopt(zmq.RCVHWM, NOTICES)

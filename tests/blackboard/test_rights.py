@@ -1,0 +1,168 @@
+"""Who may do what with which key (docs/security.md)."""
+
+from __future__ import annotations
+
+from typing import Any, get_args
+
+import pytest
+
+from situ.blackboard import protocol
+from situ.blackboard.protocol import AnyRequest, Hello, Request
+from situ.blackboard.rights import ALLOWED, ROBOT, Identity, KeyRole, Rights
+from situ.document.modules import Module, Modules, Provides
+from situ.document.project import Project
+
+PROJECT = Project(
+    root="/",
+    name="lab",
+    modules=Modules(
+        modules=(
+            Module(name="face", provides=(Provides(data="face.visible"),)),
+            Module(name="nod", resources=("head",)),
+        )
+    ),
+)
+RIGHTS = Rights(PROJECT)
+
+VIEWER = Identity("tablet", "viewer")
+FACE = Identity("face", "module", ("gaze.*", "mood"))
+ANN = Identity("ann", "operator")
+ARM = Identity("arm", "service")
+CORE = Identity(ROBOT, "service")
+
+LOOKING = ("heartbeat", "get", "watch", "unwatch", "trace", "documents", "modules", "bye")
+CHANGING = {
+    "set": "module operator service scenario",
+    "publish": "module operator scenario",
+    "use": "operator service scenario",
+    "touch": "operator service scenario",
+    "attend": "operator service scenario",
+    "finish": "operator service scenario",
+    "acquire": "module scenario",
+    "abandon": "module scenario",
+    "command": "module scenario",
+    "disclose": "module",
+    "perform": "service",
+}
+KINDS: dict[str, type[Request]] = {
+    str(kind.__struct_config__.tag): kind for kind in get_args(AnyRequest)
+}
+
+
+@pytest.mark.parametrize("role", get_args(protocol.Role))
+def test_each_role_may_ask_for_what_the_table_says_and_nothing_else(role: protocol.Role) -> None:
+    wanted = {*LOOKING, *(do for do, roles in CHANGING.items() if role in roles.split())}
+    assert {do for do, kind in KINDS.items() if kind in ALLOWED[role]} == wanted
+
+
+def test_a_request_that_no_role_was_given_is_refused() -> None:
+    class Reboot(Request, frozen=True, kw_only=True):
+        pass
+
+    for role in get_args(protocol.Role):
+        why = RIGHTS.request(ANN, role, Reboot(id=1))
+        assert why is not None
+        assert "reboot" in why
+
+
+@pytest.mark.parametrize(
+    ("who", "said"),
+    [
+        (VIEWER, {"role": "viewer"}),
+        (FACE, {"role": "module", "module": "face"}),
+        (FACE, {"role": "viewer"}),
+        (ANN, {"role": "operator"}),
+        (ANN, {"role": "operator", "user": "ann"}),
+        (ANN, {"role": "viewer"}),
+        (ARM, {"role": "service"}),
+        (CORE, {"role": "scenario"}),
+    ],
+)
+def test_who_says_what_his_key_says_is_welcome(who: Identity, said: dict[str, Any]) -> None:
+    assert RIGHTS.greeting(who, Hello(id=1, version=1, **said)) is None
+
+
+@pytest.mark.parametrize(
+    ("who", "said"),
+    [
+        (VIEWER, {"role": "operator"}),
+        (VIEWER, {"role": "module", "module": "tablet"}),
+        (FACE, {"role": "module", "module": "nod"}),
+        (FACE, {"role": "module"}),
+        (FACE, {"role": "operator", "user": "face"}),
+        (ANN, {"role": "operator", "user": "bob"}),
+        (ANN, {"role": "module", "module": "ann"}),
+        (ANN, {"role": "service"}),
+        (ANN, {"role": "scenario"}),
+        (ARM, {"role": "operator"}),
+        (ARM, {"role": "scenario"}),
+        (CORE, {"role": "operator"}),
+    ],
+)
+def test_who_says_more_than_his_key_is_refused(who: Identity, said: dict[str, Any]) -> None:
+    why = RIGHTS.greeting(who, Hello(id=1, version=1, **said))
+    assert why is not None
+    assert who.name in why
+
+
+@pytest.mark.parametrize(
+    "tag", ["face.visible", "gaze.left", "mood", "module/face/head", "module/face/head/x"]
+)
+def test_a_module_sets_what_it_provides_and_what_its_key_says(tag: str) -> None:
+    assert RIGHTS.writes(FACE, tag)
+
+
+@pytest.mark.parametrize(
+    "tag",
+    [
+        "face",
+        "face.hidden",
+        "gaze",
+        "gaze.left.far",
+        "mood.now",
+        "situation",
+        "listen",
+        "clock.time",
+        "robot/head",
+        "module/nod/head",
+        "module/faces/head",
+        "application/desk",
+        "service/records",
+    ],
+)
+def test_a_module_sets_nothing_else(tag: str) -> None:
+    assert not RIGHTS.writes(FACE, tag)
+
+
+@pytest.mark.parametrize(
+    "tag",
+    ["robot/head", "module/nod/head", "application/desk", "situation", "listen", "clock.date"],
+)
+def test_not_even_every_pattern_reaches_what_the_runtime_keeps(tag: str) -> None:
+    assert not RIGHTS.writes(Identity("any", "module", ("**",)), tag)
+
+
+def test_one_tag_too_many_refuses_the_whole_write() -> None:
+    request = protocol.Set(id=1, tags={"mood": 1, "user.name": "Ann"})
+    why = RIGHTS.request(FACE, "module", request)
+    assert why is not None
+    assert "user.name" in why
+    assert RIGHTS.request(FACE, "module", protocol.Set(id=1, tags={"mood": 1})) is None
+
+
+def test_what_a_module_discloses_gives_it_no_rights() -> None:
+    told = Hello(
+        id=1,
+        version=1,
+        module="nod",
+        provides=(protocol.Offer(data="user.name"),),
+    )
+    nod = Identity("nod", "module")
+    assert RIGHTS.greeting(nod, told) is None
+    assert not RIGHTS.writes(nod, "user.name")
+
+
+@pytest.mark.parametrize("role", get_args(KeyRole))
+def test_as_a_viewer_nobody_writes(role: KeyRole) -> None:
+    who = Identity("any", role, ("**",))
+    assert RIGHTS.request(who, "viewer", protocol.Set(id=1, tags={"mood": 1})) is not None
