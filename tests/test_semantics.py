@@ -10,10 +10,10 @@ import pytest
 
 TESTS = Path(__file__).parent
 PAGE = TESTS.parent / "docs" / "semantics.md"
-FOLDERS = ("decide", "document", "rehearse")
+FOLDERS = ("blackboard", "decide", "document", "engine", "rehearse")
 FILES = sorted(file for folder in FOLDERS for file in TESTS.glob(f"{folder}/test_*.py"))
 CITED = set(
-    re.findall(r"`((?:decide|document|rehearse)/\w+\.py::\w+)`", PAGE.read_text(encoding="utf-8"))
+    re.findall(rf"`((?:{'|'.join(FOLDERS)})/\w+\.py::\w+)`", PAGE.read_text(encoding="utf-8"))
 )
 OF_RULES = [file for file in FILES if file.parent.name == "decide"] + [
     TESTS / "rehearse" / "test_scenario.py",

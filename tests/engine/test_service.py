@@ -28,12 +28,33 @@ class Records:
         self.address = ""
         self.asked = asyncio.Event()
         self.left = asyncio.Event()
+        self.tries = 0
+        self.told: list[tuple[str, str | None]] = []
+        self.sends_on_to = ""
 
     async def echo(self, request: web.Request) -> web.Response:
         body = await request.json() if request.can_read_body else None
         return web.json_response(
             {"method": request.method, "query": dict(request.query), "body": body}
         )
+
+    async def form(self, request: web.Request) -> web.Response:
+        return web.json_response({"type": request.content_type, "form": dict(await request.post())})
+
+    async def told_key(self, request: web.Request) -> web.Response:
+        """Keeps what it was told, and repeats it."""
+        self.told.append((request.path_qs, request.headers.get("X-Key")))
+        return web.json_response({"key": request.headers.get("X-Key")})
+
+    async def on(self, request: web.Request) -> web.Response:
+        self.told.append((request.path_qs, request.headers.get("X-Key")))
+        return web.Response(status=307, headers={"Location": self.sends_on_to})
+
+    async def busy(self, request: web.Request) -> web.Response:
+        self.tries += 1
+        if self.tries <= int(request.match_info["times"]):
+            return web.Response(status=503)
+        return web.json_response(self.tries)
 
     async def behave(self, request: web.Request) -> web.StreamResponse:
         how = request.match_info["how"]
@@ -49,6 +70,8 @@ class Records:
             "empty": web.Response(status=204),
             "page": web.Response(text="<html>", content_type="text/html"),
             "plain": web.Response(text="fine"),
+            "number": web.json_response(3),
+            "string": web.json_response("fine"),
             "nan": web.Response(text='{"x": NaN}', content_type="application/json"),
             "deep": web.Response(text="[" * 150 + "]" * 150, content_type="application/json"),
             "deeper": web.Response(text="[" * 90_000, content_type="application/json"),
@@ -65,6 +88,10 @@ async def records() -> AsyncIterator[Records]:
     served = Records()
     app = web.Application()
     app.router.add_route("*", "/echo", served.echo)
+    app.router.add_route("*", "/form", served.form)
+    app.router.add_route("*", "/key/{which}", served.told_key)
+    app.router.add_route("*", "/on/{which}", served.on)
+    app.router.add_route("*", "/busy/{times}", served.busy)
     app.router.add_route("*", "/{how}", served.behave)
     runner = web.AppRunner(app, access_log=None, shutdown_timeout=0.1, handler_cancellation=True)
     await runner.setup()
@@ -107,6 +134,8 @@ def test_other_methods_send_a_json_object(situation: Any, method: str) -> None:
     [
         ("/empty", None),
         ("/plain", "fine"),
+        ("/number", 3),
+        ("/string", "fine"),
         ("/moved", {"method": "GET", "query": {}, "body": None}),
     ],
 )
@@ -168,7 +197,6 @@ def test_a_cancelled_service_hangs_up_and_answers_nothing(situation: Any) -> Non
         ("", "is no address"),
         ("http://[::1", "is no address"),
         ("http://host:99999/", "is no address"),
-        ("board:map/places", "not built yet"),
         ("media:missing.json", "no file missing.json"),
         ("media:../situ.toml", "no file ../situ.toml"),
         ("media:%2e%2e/situ.toml", "no file"),
@@ -176,7 +204,10 @@ def test_a_cancelled_service_hangs_up_and_answers_nothing(situation: Any) -> Non
         ("media:broken.json", "is no JSON"),
     ],
 )
-def test_what_can_not_be_asked_fails_in_plain_words(situation: Any, url: str, words: str) -> None:
+def test_what_can_not_be_asked_fails_in_plain_words(
+    situation: Any, monkeypatch: pytest.MonkeyPatch, url: str, words: str
+) -> None:
+    monkeypatch.setattr(service, "AGAIN", ())
     (situation.media.parent / "situ.toml").write_text("[project]", "utf-8")
     (situation.media / "link.json").symlink_to(situation.media.parent / "situ.toml")
     (situation.media / "broken.json").write_text("{", "utf-8")
@@ -217,3 +248,168 @@ def test_a_proxy_of_the_environment_does_not_stand_before_this_machine(
     monkeypatch.delenv("NO_PROXY", raising=False)
     monkeypatch.delenv("no_proxy", raising=False)
     assert ask(situation, "/echo").ok
+
+
+# -- what is tried again -------------------------------------------------------
+
+
+@pytest.mark.parametrize("method", ["GET", "PUT", "DELETE", "OPTIONS"])
+def test_what_may_be_asked_twice_is_tried_again_after_a_while(situation: Any, method: str) -> None:
+    async def scenario() -> None:
+        async with records() as served, situation.side() as side:
+            side.performer.perform(begin(served.address + "/busy/2", method))
+            for wait in service.AGAIN[:2]:
+                assert await side.clock.asked_for_time() == pytest.approx(wait)
+                await side.clock.advance(wait)
+            finish = await side.answers.finish(7)
+            assert (finish.ok, finish.result) == (True, 3)
+
+    asyncio.run(scenario())
+
+
+def test_it_is_not_tried_for_ever(situation: Any) -> None:
+    async def scenario() -> None:
+        async with records() as served, situation.side() as side:
+            side.performer.perform(begin(served.address + "/busy/99"))
+            for wait in service.AGAIN:
+                await side.clock.asked_for_time()
+                await side.clock.advance(wait)
+            finish = await side.answers.finish(7)
+            assert (finish.ok, finish.status) == (False, 503)
+            assert served.tries == len(service.AGAIN) + 1
+
+    asyncio.run(scenario())
+
+
+def test_nobody_there_is_tried_again_too(situation: Any) -> None:
+    async def scenario() -> None:
+        async with situation.side() as side:
+            side.performer.perform(begin("http://127.0.0.1:1/find"))
+            for wait in service.AGAIN:
+                await side.clock.asked_for_time()
+                await side.clock.advance(wait)
+            finish = await side.answers.finish(7)
+            assert "can not be reached" in str(finish.error)
+
+    asyncio.run(scenario())
+
+
+@pytest.mark.parametrize("method", ["POST", "PATCH"])
+def test_what_may_not_be_asked_twice_is_asked_once(situation: Any, method: str) -> None:
+    async def scenario() -> None:
+        async with records() as served, situation.side() as side:
+            side.performer.perform(begin(served.address + "/busy/1", method))
+            finish = await side.answers.finish(7)
+            assert (finish.ok, finish.status, served.tries) == (False, 503, 1)
+
+    asyncio.run(scenario())
+
+
+# -- secrets -----------------------------------------------------------------
+
+KEY = "a-very-long-key"
+
+
+def secrets(situation: Any, text: str, mode: int = 0o600) -> None:
+    file = situation.state / "secrets.toml"
+    file.write_text(text, "utf-8")
+    file.chmod(mode)
+
+
+def listed(url: str) -> str:
+    return f'[[service]]\nurl = "{url}"\nheaders = {{ X-Key = "{KEY}" }}\n'
+
+
+def test_a_service_is_told_its_secret_and_no_answer_repeats_it(situation: Any) -> None:
+    async def scenario() -> None:
+        async with records() as served, situation.side() as side:
+            more = f'query = {{ pass = "{KEY}" }}\n'
+            secrets(situation, listed(served.address + "/key/*") + more)
+            side.performer.perform(begin(served.address + "/key/a", x=1))
+            finish = await side.answers.finish(7)
+            assert served.told == [(f"/key/a?x=1&pass={KEY}", KEY)]
+            assert (finish.ok, finish.result) == (True, {"key": "•••"})
+
+    asyncio.run(scenario())
+
+
+def test_another_address_is_not_told_the_secret(situation: Any) -> None:
+    async def scenario() -> None:
+        async with records() as served, situation.side() as side:
+            secrets(situation, listed(served.address + "/key/mine"))
+            side.performer.perform(begin(served.address + "/key/yours"))
+            await side.answers.finish(7)
+            assert served.told == [("/key/yours", None)]
+
+    asyncio.run(scenario())
+
+
+@pytest.mark.parametrize("listens", ["other", "same"])
+def test_who_is_sent_on_takes_the_secret_only_where_it_belongs(
+    situation: Any, listens: str
+) -> None:
+    async def scenario() -> None:
+        async with records() as first, records() as second, situation.side() as side:
+            secrets(situation, listed(first.address + "/**"))
+            first.sends_on_to = (second if listens == "other" else first).address + "/key/a"
+            side.performer.perform(begin(first.address + "/on/a", "POST"))
+            finish = await side.answers.finish(7)
+            assert finish.ok
+            assert first.told[0] == ("/on/a", KEY)
+            if listens == "other":
+                assert second.told == [("/key/a", None)]
+            else:
+                assert first.told[1] == ("/key/a", KEY)
+
+    asyncio.run(scenario())
+
+
+def test_a_form_is_sent_where_the_service_is_said_to_want_one(situation: Any) -> None:
+    async def scenario() -> None:
+        async with records() as served, situation.side() as side:
+            kind = "application/x-www-form-urlencoded"
+            secrets(
+                situation,
+                f'[[service]]\nurl = "{served.address}/form"\n'
+                f'headers = {{ Content-Type = "{kind}" }}\n',
+            )
+            side.performer.perform(begin(served.address + "/form", "POST", x="A & B", n=2.0))
+            finish = await side.answers.finish(7)
+            assert finish.result == {"type": kind, "form": {"x": "A & B", "n": "2"}}
+
+    asyncio.run(scenario())
+
+
+@pytest.mark.parametrize(
+    ("text", "mode", "words"),
+    [
+        (f'[[service]]\nurl = "x"\nkey = "{KEY}"\n', 0o600, "unknown field"),
+        (f'[[service]\nurl = "{KEY}"\n', 0o600, "no TOML at line 1"),
+        (listed("https://api.example/**"), 0o640, "chmod 600"),
+        (listed("https://api.example/**"), 0o604, "chmod 600"),
+    ],
+)
+def test_secrets_that_can_not_be_used_fail_the_service_without_being_told(
+    situation: Any, caplog: pytest.LogCaptureFixture, text: str, mode: int, words: str
+) -> None:
+    secrets(situation, text, mode)
+    finish = ask(situation, "/echo")
+    assert not finish.ok
+    assert words in str(finish.error)
+    assert KEY not in str(finish.error) + caplog.text
+
+
+def test_no_log_has_the_secret(situation: Any, caplog: pytest.LogCaptureFixture) -> None:
+    async def scenario() -> None:
+        async with records() as served, situation.side() as side:
+            more = f'query = {{ pass = "{KEY}" }}\n'
+            secrets(situation, listed(served.address + "/**") + more)
+            for path in ("/key/a", "/broken", "/page"):
+                side.performer.perform(begin(served.address + path))
+                finish = await side.answers.finish(7)
+                side.answers.inputs.clear()
+                assert KEY not in str(finish)
+
+    with caplog.at_level("DEBUG"):
+        asyncio.run(scenario())
+    assert KEY not in caplog.text

@@ -29,6 +29,7 @@ from situ.engine.clock import Clock
 from situ.engine.media import MediaFolder
 from situ.engine.robots import Adapter, Surroundings, find
 from situ.engine.screen.server import ScreenServer
+from situ.engine.secrets import Secrets
 
 ALL = ("engine", "robot", "screen")
 """What ``situ run --services`` may name besides the core."""
@@ -90,9 +91,10 @@ class Performer:
         self._captions = not self._audible if captions is None else captions
         self._program = shutil.which("espeak-ng") if program is None else program or None
         self._media = MediaFolder(project)
-        self._asker = Services(self._media, self._log, timeout)
+        self._timeout = timeout
         self._launcher = Launcher(state_dir, self._log)
         self._loop: asyncio.AbstractEventLoop | None = None
+        self._asker: Services | None = None
         self._speaker: Speaker | None = None
         self._player: Player | None = None
         self._adapter: Adapter | None = None
@@ -109,6 +111,8 @@ class Performer:
         self._loop = asyncio.get_running_loop()
         clock: Clock = self._clock or self._loop
         if "engine" in self._services:
+            told = Secrets(self._state_dir)
+            self._asker = Services(self._media, clock, self._log, self._timeout, told)
             self._speaker = Speaker(self._program, self._audible, clock, self._log)
             self._player = Player(self._audible, clock, self._log)
         if "screen" in self._services:
@@ -154,7 +158,9 @@ class Performer:
         if self._adapter is not None:
             await self._adapter.close()
             self._adapter = None
-        await self._asker.close()
+        if self._asker is not None:
+            await self._asker.close()
+            self._asker = None
         if self._screen is not None:
             await self._screen.close()
             self._screen = None
@@ -238,6 +244,7 @@ class Performer:
     async def _ask(self, effect: Begin) -> None:
         fields = effect.fields
         params = fields.get("params")
+        assert self._asker is not None
         result, status = await self._asker.ask(
             str(fields.get("url", "")),
             str(fields.get("method") or "GET"),

@@ -1,6 +1,7 @@
 """Services: a request over http, or a file of the project's media (``media:quiz.json``).
 
-GET, HEAD and DELETE send the params as a query, all other methods as a JSON object.
+GET, HEAD, OPTIONS and DELETE send the params as a query, all other methods as a JSON object;
+as a form where the robot's ``secrets.toml`` gives the service that ``Content-Type``.
 The answer's JSON is the result; an empty answer is null, ``text/plain`` a string.
 """
 
@@ -10,30 +11,49 @@ import asyncio
 import logging
 import re
 from typing import Any
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote, urlencode, urlsplit
 
 import httpx
 import msgspec
 
 from situ.blackboard.protocol import too_deep
 from situ.engine.actions import ActionFailed
+from situ.engine.clock import Clock, pause
 from situ.engine.media import MediaFolder
+from situ.engine.secrets import HIDDEN, Secrets, Told
 
 LIMIT = 4 * 1024 * 1024
 """Bytes that an answer may have."""
 
-_IN_QUERY = ("GET", "HEAD", "DELETE")
+REDIRECTS = 5
+AGAIN = (0.25, 1.0, 4.0)
+"""Seconds before each further try, of what may be asked twice."""
+
+_IN_QUERY = ("GET", "HEAD", "OPTIONS", "DELETE")
 _METHODS = (*_IN_QUERY, "POST", "PUT", "PATCH")
+_REPEATABLE = ("GET", "HEAD", "OPTIONS", "PUT", "DELETE")
+_BUSY = (502, 503, 504)
+_FORM = "application/x-www-form-urlencoded"
 _LOOPBACK = ("all://127.0.0.1", "all://localhost", "all://[::1]")
 
 
 class Services:
-    """Asks services. timeout: seconds that one answer may take, all in all."""
+    """Asks services. timeout: seconds that one answer may take, all in all, with what is tried
+    again and where it is sent on to. secrets: what it tells to whom."""
 
-    def __init__(self, media: MediaFolder, log: logging.Logger, timeout: float = 30.0) -> None:
+    def __init__(
+        self,
+        media: MediaFolder,
+        clock: Clock,
+        log: logging.Logger,
+        timeout: float = 30.0,
+        secrets: Secrets | None = None,
+    ) -> None:
         self._media = media
+        self._clock = clock
         self._log = log
         self._timeout = timeout
+        self._secrets = secrets or Secrets(None)
         self._client: httpx.AsyncClient | None = None
 
     async def close(self) -> None:
@@ -48,8 +68,6 @@ class Services:
         """
         if url.startswith("media:"):
             return self._read(url.removeprefix("media:")), None
-        if url.startswith("board:"):
-            raise ActionFailed(f"{url}: services of modules are not built yet; use http or media")
         return await self._request(url, method.upper(), params)
 
     def _read(self, path: str) -> Any:
@@ -70,44 +88,78 @@ class Services:
         if method not in _METHODS:
             raise ActionFailed(f"{method} is no method that services know")
         if self._client is None:
-            # A proxy from the environment never stands between a robot and itself.
-            self._client = httpx.AsyncClient(
-                follow_redirects=True,
-                max_redirects=5,
-                timeout=self._timeout,
-                mounts=dict.fromkeys(_LOOPBACK),
-                headers={"Accept": "application/json"},
-            )
+            self._client = _client(self._timeout)
+        told = self._secrets.web(url)
         try:
-            more: dict[str, Any] = {}
-            if method in _IN_QUERY:
-                if params:
-                    # httpx would replace a query that stands in the url already.
-                    given = httpx.URL(url).params
-                    more["params"] = given.merge({k: _text(v) for k, v in params.items()})
-            else:
-                more["content"] = msgspec.json.encode(params)
-                more["headers"] = {"Content-Type": "application/json"}
-            async with (
-                asyncio.timeout(self._timeout),
-                self._client.stream(method, url, **more) as response,
-            ):
-                return await self._answer(response, shown), response.status_code
-        except (TimeoutError, httpx.TimeoutException) as error:
-            raise ActionFailed(f"{shown} did not answer within {self._timeout:g} s") from error
-        except httpx.ConnectError as error:
-            raise ActionFailed(f"{shown} can not be reached") from error
-        except httpx.TooManyRedirects as error:
-            raise ActionFailed(f"{shown} sends from one address to the next") from error
+            async with asyncio.timeout(self._timeout):
+                return await self._tried(self._client, url, method, params, told, shown)
+        except (TimeoutError, httpx.TimeoutException):
+            raise ActionFailed(f"{shown} did not answer within {self._timeout:g} s") from None
+        except httpx.ConnectError:
+            raise ActionFailed(f"{shown} can not be reached") from None
         except (httpx.HTTPError, httpx.InvalidURL, httpx.StreamError, UnicodeError) as error:
-            raise ActionFailed(f"{shown}: {_words(error)}") from error
+            raise ActionFailed(told.hide(f"{shown}: {_words(error)}")) from None
 
-    async def _answer(self, response: httpx.Response, shown: str) -> Any:
+    async def _tried(
+        self,
+        client: httpx.AsyncClient,
+        url: str,
+        method: str,
+        params: dict[str, Any],
+        told: Told,
+        shown: str,
+    ) -> tuple[Any, int]:
+        """Asks, and once more after a while where nobody was there and twice is as good as once."""
+        for wait in (*AGAIN, None) if method in _REPEATABLE else (None,):
+            try:
+                request = _asking(client, url, method, params, told)
+                return await self._exchange(client, request, shown)
+            except (httpx.NetworkError, httpx.RemoteProtocolError):
+                if wait is None:
+                    raise
+            except ActionFailed as failed:
+                if wait is None or failed.status not in _BUSY:
+                    raise
+            await pause(self._clock, wait)
+        raise AssertionError("the last try gives or raises")
+
+    async def _exchange(
+        self, client: httpx.AsyncClient, request: httpx.Request, shown: str
+    ) -> tuple[Any, int]:
+        """The answer, where the service sends on by whom it sends on to.
+
+        A secret goes only where it belongs: each address is told what ``secrets.toml`` has
+        for that very address.
+        """
+        told = self._secrets.web(str(request.url))
+        for _ in range(REDIRECTS + 1):
+            response = await client.send(request, stream=True)
+            try:
+                following = response.next_request
+                if following is None:
+                    return await self._answer(response, told, shown), response.status_code
+            finally:
+                await response.aclose()
+            request, told = self._sent_on(following, told)
+        raise ActionFailed(f"{shown} sends from one address to the next")
+
+    def _sent_on(self, request: httpx.Request, before: Told) -> tuple[httpx.Request, Told]:
+        for name in before.headers:
+            if name.lower() != "content-type":
+                request.headers.pop(name, None)
+        told = self._secrets.web(str(request.url))
+        request.headers.update(
+            {name: v for name, v in told.headers.items() if name.lower() != "content-type"}
+        )
+        if told.query:
+            request.url = request.url.copy_merge_params(told.query)
+        return request, told
+
+    async def _answer(self, response: httpx.Response, told: Told, shown: str) -> Any:
         status = response.status_code
         if not response.is_success:
-            raise ActionFailed(
-                f"{shown} answered {status} {response.reason_phrase}".strip(), status
-            )
+            reason = told.hide(f"{shown} answered {status} {response.reason_phrase}".strip())
+            raise ActionFailed(reason, status)
         body = bytearray()
         async for chunk in response.aiter_bytes():
             body += chunk
@@ -115,6 +167,9 @@ class Services:
                 raise ActionFailed(f"{shown} answered with more than {LIMIT >> 20} MB", status)
         if not body.strip():
             return None
+        for word in told.words():
+            # Some services repeat what they were told; the trace must not.
+            body = body.replace(word.encode(), HIDDEN.encode())
         if response.headers.get("content-type", "").startswith("text/plain"):
             return body.decode("utf-8", "replace")
         try:
@@ -123,11 +178,45 @@ class Services:
             raise ActionFailed(f"{shown} answered with something that is {error}", status) from None
 
 
+def _client(timeout: float) -> httpx.AsyncClient:
+    for name in ("httpx", "httpcore"):
+        # Their lines have whole addresses and headers.
+        logging.getLogger(name).setLevel(logging.WARNING)
+    return httpx.AsyncClient(
+        timeout=timeout,
+        # A proxy from the environment never stands between a robot and itself.
+        mounts=dict.fromkeys(_LOOPBACK),
+        headers={"Accept": "application/json"},
+    )
+
+
+def _asking(
+    client: httpx.AsyncClient, url: str, method: str, params: dict[str, Any], told: Told
+) -> httpx.Request:
+    """The request, the params where its method has them, and what the service is told."""
+    headers = httpx.Headers(told.headers)
+    # httpx would replace a query that stands in the url already.
+    query = httpx.URL(url).params
+    content = None
+    if method in _IN_QUERY:
+        query = query.merge({name: _text(value) for name, value in params.items()})
+    else:
+        kind = headers.setdefault("Content-Type", "application/json")
+        if kind.split(";")[0].strip().lower() == _FORM:
+            content = urlencode({name: _text(value) for name, value in params.items()}).encode()
+        else:
+            content = msgspec.json.encode(params)
+    query = query.merge(told.query)
+    return client.build_request(
+        method, url, params=query if query else None, content=content, headers=headers
+    )
+
+
 def _value(body: bytes) -> Any:
     """What may stand on the blackboard. Raises ValueError: what the body is instead."""
     try:
         value = msgspec.json.decode(body)
-        if too_deep(value):
+        if too_deep([value]):
             raise RecursionError
     except RecursionError:
         raise ValueError("nested too deep") from None
