@@ -1,0 +1,385 @@
+"""The robot in memory (``situ.testing``)."""
+
+from __future__ import annotations
+
+import asyncio
+import inspect
+import math
+import threading
+from collections.abc import Callable, Coroutine, Iterable, Mapping
+from functools import partial
+from typing import Any, TypeVar
+
+import msgspec
+
+from situ.blackboard.blocking import PATIENCE
+from situ.blackboard.client import AsyncBoard, Board, Need, Offer, Person, person
+from situ.blackboard.core import SECOND, Core, Outgoing
+from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Role
+from situ.blackboard.session import Sessions
+from situ.decide import inputs
+from situ.decide.robot import Robot as Decider
+from situ.decide.trace import TraceEvent
+from situ.document.project import Project
+from situ.errors import BlackboardError, Refused
+from situ.testing.memory import MemoryDriver, MemoryLine
+from situ.testing.shared_time import COMPUTING, Loop, SharedTime
+
+T = TypeVar("T")
+
+
+class Robot:
+    """A core with its sessions, and virtual time that a test moves.
+
+    What the test does has its consequences before the call returns: every module that was
+    started has computed until it waits again. Time passes only by ``pass_time``, ``until``,
+    ``lose``, and where the test's own thread waits on a board of its own.
+
+    trace: every event so far, as in a trace file.
+    """
+
+    def __init__(self, project: Project, seed: int = 0, auto_finish: float | None = None) -> None:
+        self.project = project
+        self.trace: list[dict[str, Any]] = []
+        self.time = SharedTime(self.exchange, self._due, self._untold, self._tell)
+        self._options = seed, auto_finish
+        self._lines: dict[object, MemoryLine] = {}
+        self._begun = 0
+        self._connections = 0
+        self._telling = threading.Lock()
+        self._threads: list[threading.Thread] = []
+        self._ends: list[Callable[[], None]] = []
+        self._failures: list[BaseException] = []
+        self._begin()
+
+    # -- modules -------------------------------------------------------------
+
+    def connect(
+        self,
+        module: str | None = None,
+        resources: Iterable[str] = (),
+        *,
+        role: Role | None = None,
+        description: str = "",
+        requires: Iterable[Need] = (),
+        provides: Iterable[Offer] = (),
+        timeout: float = PATIENCE,
+    ) -> Board:
+        """As ``situ.connect``; timeout counts in the robot's time."""
+        line = self._line(
+            person(
+                module,
+                resources,
+                role=role,
+                description=description,
+                requires=requires,
+                provides=provides,
+            ),
+            looped=False,
+        )
+        return Board(MemoryDriver(line, self.time), timeout)
+
+    def connect_async(
+        self,
+        module: str | None = None,
+        resources: Iterable[str] = (),
+        *,
+        role: Role | None = None,
+        description: str = "",
+        requires: Iterable[Need] = (),
+        provides: Iterable[Offer] = (),
+        timeout: float = PATIENCE,
+    ) -> AsyncBoard:
+        """As ``situ.connect_async``, for what ``start`` or ``run`` runs."""
+        line = self._line(
+            person(
+                module,
+                resources,
+                role=role,
+                description=description,
+                requires=requires,
+                provides=provides,
+            ),
+            looped=True,
+        )
+        return AsyncBoard(line, timeout)
+
+    def start(self, program: Callable[..., Any], board: Board | AsyncBoard, *more: Any) -> None:
+        """Runs ``program(board, *more)`` beside the test, in a thread of its own, until it ends or
+        the robot is closed; a coroutine function in a loop of its own, within ``async with
+        board``. What it raises is raised in the test."""
+        main = (
+            partial(self._looped, program, board, *more)
+            if isinstance(board, AsyncBoard)
+            else partial(self._threaded, program, board, *more)
+        )
+        started = threading.Event()
+
+        def run() -> None:
+            self.time.join()
+            started.set()
+            try:
+                main()
+            except BaseException as error:
+                if not self.time.over:
+                    self._failures.append(error)
+            finally:
+                self.time.leave()
+
+        name = board.__class__.__name__
+        thread = threading.Thread(target=run, name=f"{program.__name__} of {name}", daemon=True)
+        self._threads.append(thread)
+        thread.start()
+        started.wait(COMPUTING)
+        self._settle()
+
+    def run(self, test: Coroutine[Any, Any, T]) -> T:
+        """Runs a test that awaits. In it time passes with ``await asyncio.sleep(…)``."""
+        with asyncio.Runner(loop_factory=lambda: Loop(self.time)) as runner:
+            return runner.run(test)
+
+    # -- the world -----------------------------------------------------------
+
+    def set(self, tag: str | Mapping[str, Any], value: Any = None) -> None:
+        """What sensors would write: one tag, or all of a mapping at once; None deletes."""
+        self.give(inputs.Set(dict(tag) if isinstance(tag, Mapping) else {tag: value}, "scenario"))
+
+    def publish(self, event: str, application: str | None = None) -> None:
+        """An event for an application, or (None) for every one."""
+        self.give(inputs.Raise(event, application))
+
+    def give(self, given: inputs.AnyInput) -> None:
+        """Any other input of ``situ.decide.inputs``. Raises Refused where it is refused."""
+        with self.time.lock:
+            refused = self._sessions.submit(given, self._moment())
+            self._deliver(self._sessions.take())
+        if refused is not None:
+            raise Refused(refused)
+        self._settle()
+
+    def pass_time(self, seconds: float) -> None:
+        """Lets so much time pass, doing all that falls due."""
+        self._wait(lambda: False, seconds)
+
+    def until(self, ready: Callable[[], bool], within: float) -> None:
+        """Lets time pass until ``ready()``, at most ``within`` seconds; then AssertionError."""
+        if not self._wait(ready, within):
+            raise AssertionError(f"it did not come about within {within:g} s of the robot's time")
+
+    def lose(self, module: str) -> None:
+        """Cuts the module's connection, and passes the time after which core and module know."""
+        with self.time.lock:
+            for line in self._of(module):
+                line.lose()
+        self.pass_time(LEASE + HEARTBEAT)
+
+    def regain(self, module: str) -> None:
+        """The module's connection is there again; within a heartbeat so is the module."""
+        with self.time.lock:
+            for line in self._of(module):
+                del self._lines[line.peer]
+                line.regain()
+                self._lines[line.peer] = line
+        self.pass_time(HEARTBEAT)
+
+    def restart(self) -> None:
+        """The robot is switched off and on: its blackboard begins anew, its clients come back."""
+        with self.time.lock:
+            self._begin()
+        self.pass_time(HEARTBEAT)
+
+    # -- what came of it -----------------------------------------------------
+
+    @property
+    def now(self) -> float:
+        """Seconds since the start."""
+        return self.time.now
+
+    @property
+    def situation(self) -> str | None:
+        """The current situation."""
+        named = [event["to"] for event in self.trace if event["kind"] == "situation"]
+        return named[-1] if named else None
+
+    def command(self, resource: str) -> Any:
+        """What moves a resource now: the valid command of who holds it; None: it stands still."""
+        return self.value(f"robot/{resource}")
+
+    def holder(self, resource: str) -> str | None:
+        """Who has authority over it."""
+        return self._core.holders.get(resource)
+
+    def value(self, name: str) -> Any:
+        """What stands at a tag, or a name that reaches into one; None where it is missing."""
+        return self._core.board.look(name)
+
+    def events(self, **fields: Any) -> list[dict[str, Any]]:
+        """Those of ``trace`` that have these fields."""
+        return [event for event in self.trace if fields.items() <= event.items()]
+
+    def close(self) -> None:
+        """Ends all modules. Raises what one of them raised; may be called twice."""
+        if self.time.over:
+            return
+        self.time.end()
+        for end in self._ends:
+            end()
+        for thread in self._threads:
+            thread.join(COMPUTING)
+        left = [thread.name for thread in self._threads if thread.is_alive()]
+        for line in list(self._lines.values()):
+            line.close()
+        if left:
+            raise BlackboardError(f"{', '.join(left)} did not end with the robot")
+        self._raise()
+
+    def __enter__(self) -> Robot:
+        return self
+
+    def __exit__(self, failed: type[BaseException] | None, *_: object) -> None:
+        try:
+            self.close()
+        except BaseException:
+            # What the test itself found goes before.
+            if failed is None:
+                raise
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.project.name} at {self.now:g} s>"
+
+    # -- waiting -------------------------------------------------------------
+
+    def _wait(self, ready: Callable[[], bool], seconds: float) -> bool:
+        if asyncio._get_running_loop() is not None:
+            raise BlackboardError("in a coroutine time passes with: await asyncio.sleep(seconds)")
+        came = self.time.until(lambda: bool(self._failures) or ready(), seconds)
+        self._settle()
+        return came
+
+    def _settle(self) -> None:
+        self.time.settle()
+        self._raise()
+
+    def _raise(self) -> None:
+        if self._failures:
+            raise self._failures.pop(0)
+
+    def _threaded(self, program: Callable[..., Any], board: Board, *more: Any) -> None:
+        if inspect.iscoroutinefunction(program):
+            raise BlackboardError(f"{program.__name__} awaits: give it a board of connect_async")
+        with board:
+            program(board, *more)
+
+    def _looped(self, program: Callable[..., Any], board: AsyncBoard, *more: Any) -> None:
+        async def main() -> None:
+            loop, task = asyncio.get_running_loop(), asyncio.current_task()
+            assert task is not None
+            self._ends.append(lambda: _cancel(loop, task))
+            async with board:
+                await program(board, *more)
+
+        try:
+            with asyncio.Runner(loop_factory=lambda: Loop(self.time)) as runner:
+                runner.run(main())
+        except asyncio.CancelledError:
+            if not self.time.over:
+                raise
+
+    # -- the core and its lines; all of it with the lock ---------------------
+
+    def exchange(self) -> None:
+        moment = self._moment()
+        if (due := self._sessions.due()) is not None and due <= moment:
+            self._sessions.advance(moment)
+            self._deliver(self._sessions.take())
+        busy = True
+        while busy:
+            busy = False
+            for line in self._kept():
+                busy |= line.work()
+
+    def take(self, line: MemoryLine, body: bytes) -> None:
+        self._sessions.receive(line.peer, body, self._moment())
+        self._deliver(self._sessions.take())
+
+    def closed(self, line: MemoryLine) -> None:
+        with self.time.lock:
+            self._lines.pop(line.peer, None)
+
+    def _begin(self) -> None:
+        """A core that has just been started."""
+        self._begun = self._micros()
+        seed, auto_finish = self._options
+        self._core = Core(Decider(self.project), self.project, heard=self._heard)
+        self._sessions = Sessions(self._core, Addresses("memory", "memory"))
+        self._sessions.start(seed, auto_finish)
+        self._deliver(self._sessions.take())
+
+    def _line(self, who: Person, looped: bool) -> MemoryLine:
+        self._connections += 1
+        line = MemoryLine(who, self, self._connections, looped)
+        with self.time.lock:
+            self._lines[line.peer] = line
+        return line
+
+    def _of(self, module: str) -> list[MemoryLine]:
+        found = [one for one in self._lines.values() if one.dialog.person.module == module]
+        if not found:
+            raise BlackboardError(f"no module {module} was connected in this test")
+        return found
+
+    def _kept(self) -> list[MemoryLine]:
+        return [line for line in self._lines.values() if not line.looped]
+
+    def _deliver(self, out: Outgoing) -> None:
+        for frame in out.notices:
+            for line in self._lines.values():
+                line.hear(frame)
+        for peer, body in out.replies:
+            if peer in self._lines:
+                self._lines[peer].put(False, body)
+
+    def _heard(self, events: list[TraceEvent], moment: float) -> None:
+        self.trace += [msgspec.to_builtins(event) for event in events]
+
+    def _due(self) -> float:
+        due = self._sessions.due()
+        core = math.inf if due is None else (due + self._begun) / SECOND
+        return min([core, *(line.due() for line in self._kept())])
+
+    def _called(self) -> list[Any]:
+        """What has something for its callback."""
+        following = (one for line in self._kept() for one in line.dialog.following())
+        return [one for one in following if one.callback is not None and len(one)]
+
+    def _untold(self) -> bool:
+        return not self._telling.locked() and bool(self._called())
+
+    def _tell(self) -> None:
+        """Calls callbacks, one at a time."""
+        if not self._telling.acquire(blocking=False):
+            return
+        try:
+            with self.time.lock:
+                told = [
+                    (one.callback, item) for one in self._called() for item in iter(one.take, None)
+                ]
+            for callback, item in told:
+                try:
+                    callback(item)
+                except Exception as error:
+                    self._failures.append(error)
+        finally:
+            self._telling.release()
+
+    def _micros(self) -> int:
+        return round(self.time.now * SECOND)
+
+    def _moment(self) -> int:
+        """The core's time, in µs since its start."""
+        return self._micros() - self._begun
+
+
+def _cancel(loop: asyncio.AbstractEventLoop, task: asyncio.Task[Any]) -> None:
+    if not loop.is_closed():
+        loop.call_soon_threadsafe(task.cancel)
