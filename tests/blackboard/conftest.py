@@ -117,7 +117,7 @@ def hand(lab: Project) -> Hand:
 
 @pytest.fixture
 def make_hand(lab: Project) -> Callable[..., Hand]:
-    return lambda **options: Hand(lab, **options)
+    return lambda project=lab, **options: Hand(project, **options)
 
 
 class Running:

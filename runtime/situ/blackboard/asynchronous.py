@@ -20,8 +20,10 @@ from situ.blackboard.protocol import (
     ModuleStates,
     Need,
     Offer,
+    Outstanding,
     Request,
 )
+from situ.blackboard.services import Carried
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
@@ -116,6 +118,21 @@ class AsyncBoard:
         heard = self._dialog.messages(pattern, callback)
         self._soon()
         return AsyncFollowing(self, heard, self._dialog.unlisten, lambda: heard.ready, lambda: None)
+
+    def perform(
+        self, http: str | None, callback: Callable[[Outstanding | Carried], None]
+    ) -> AsyncFollowing[Outstanding | Carried]:
+        """What a service (role ``service``) is to carry out. Not awaited, as ``watch``."""
+        effects = self._dialog.perform(self._dialog.person.services, http, callback)
+        self._soon()
+        return AsyncFollowing(self, effects, lambda _: None, lambda: effects.ready, lambda: None)
+
+    def tell(self, request: Callable[[int], Request], *, again: bool = True) -> Call[AnyReply]:
+        """Any request of the protocol; not awaited. again: as of ``Call``; it waits for the next
+        connection then, where there is none."""
+        call = self._dialog.give(request, again)
+        self._soon()
+        return call
 
     async def publish(self, event: str, application: str | None = None) -> None:
         await self._answer(self._dialog.publish(event, application))

@@ -24,6 +24,7 @@ class Person(Struct, frozen=True, kw_only=True):
     description: str = ""
     requires: tuple[protocol.Need, ...] = ()
     provides: tuple[protocol.Offer, ...] = ()
+    services: tuple[str, ...] = ()
 
 
 class Call(Generic[T]):

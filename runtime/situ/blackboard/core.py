@@ -5,6 +5,7 @@ No I/O. One of these is the core of a running robot; sessions stand round it.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Mapping
 from typing import Protocol
 
@@ -14,15 +15,15 @@ from situ.blackboard import protocol
 from situ.blackboard.backlog import Backlog, stamped
 from situ.blackboard.history import AnySessionEvent, Past
 from situ.blackboard.presence import Disclosed
+from situ.blackboard.services import Carried, carried_by
 from situ.blackboard.watching import Watching
 from situ.decide import inputs, trace
 from situ.decide.board import Board
-from situ.decide.effects import AnyEffect, Begin, Cancel, Changed, Map, Refuse
+from situ.decide.effects import AnyEffect, Begin, Changed, Refuse
 from situ.document.project import Project
 
 SECOND = 1_000_000
 
-Carried = Map | Begin | Cancel
 Heard = Callable[[list[trace.TraceEvent], float], None]
 """Is told each step's trace events, with the UNIX time."""
 
@@ -38,6 +39,8 @@ class Decider(Protocol):
     ) -> tuple[list[trace.TraceEvent], list[AnyEffect]]: ...
 
     def due(self) -> int | None: ...
+
+    def outstanding(self) -> list[Carried]: ...
 
 
 class Durability(Protocol):
@@ -86,8 +89,10 @@ class Core:
     moment: its time in µs. epoch: UNIX time of 0 µs by the clock that ``now`` (µs) is read
     from; both differ from ``moment`` only where a scenario gives the time. files: path to
     text of the project's files. modules: those connected; holders: resource to module.
-    tracing: how many follow the trace. heard: as ``Heard``, None: nobody is told.
-    remembers: whether what happens is put into ``Outgoing.past``.
+    tracing: how many follow the trace. performing: how many carry out each service elsewhere;
+    effects: how many effects each service was given, by whomever it is carried out. heard: as
+    ``Heard``, None: nobody is told. remembers: whether what happens is put into
+    ``Outgoing.past``.
     """
 
     def __init__(
@@ -108,6 +113,8 @@ class Core:
         self.modules: dict[str, Disclosed] = {}
         self.holders: dict[str, str | None] = {}
         self.tracing = 0
+        self.performing: Counter[str] = Counter()
+        self.effects: Counter[str] = Counter()
         self.moment = 0
         self.now = 0
         self.epoch = epoch
@@ -161,9 +168,14 @@ class Core:
                 refused = effect.message
             else:
                 out.effects.append(effect)
+                self._hand_on(effect)
                 if isinstance(effect, Begin) and effect.action == "message":
                     out.notices.append(_message(effect))
         return refused
+
+    def outstanding(self) -> list[Carried]:
+        """What is to be carried out by who has carried out nothing yet."""
+        return self._robot.outstanding()
 
     def holds(self, module: str | None) -> tuple[str, ...]:
         """The resources that the module holds, sorted."""
@@ -201,6 +213,14 @@ class Core:
         out = self._out
         self._out = Outgoing()
         return out
+
+    def _hand_on(self, effect: Carried) -> None:
+        for service in carried_by(effect):
+            self.effects[service] += 1
+            if self.performing[service]:
+                number = self.effects[service]
+                body = protocol.Effect(service=service, number=number, does=effect)
+                self._out.notices.append(protocol.notice(protocol.effect_topic(service), body))
 
     def _traced(self, events: list[trace.TraceEvent]) -> None:
         at = self.epoch + self.now / SECOND

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 from situ.blackboard import protocol
 from situ.blackboard.calls import Call, Person
-from situ.blackboard.feeds import Messages, TraceFeed, Watch
+from situ.blackboard.feeds import Effects, Messages, TraceFeed, Watch
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Malformed, Request
 from situ.blackboard.subscriptions import Subscriptions
 from situ.errors import BlackboardError, Refused, Unreachable
@@ -64,12 +64,13 @@ class Dialog:
         self.unlisten = self._subscriptions.unlisten
         self.trace = self._subscriptions.trace
         self.untrace = self._subscriptions.untrace
+        self.perform = self._subscriptions.perform
 
     # -- for its driver ------------------------------------------------------
 
     def due(self) -> float:
         """When ``tick`` is to be called next; in the past before the first time."""
-        return self._next
+        return min(self._next, self._heard + LEASE) if self.connected else self._next
 
     def tick(self, now: float) -> None:
         """Says that we live; says hello while there is no session."""
@@ -164,6 +165,7 @@ class Dialog:
             requires=who.requires,
             provides=who.provides,
             session=self.welcome.session if self.welcome is not None else None,
+            services=who.services,
         )
         # What could not be sent in the meantime is stale; this hello goes for it.
         self.outgoing.clear()
@@ -182,7 +184,11 @@ class Dialog:
         waiting, self._waiting = self._waiting, []
         self._subscriptions.renewed(restarted)
         for call in waiting:
-            self._send(call)
+            if restarted and isinstance(call.request, protocol.Finish):
+                # The action has ended with its robot; by now its id may be another's.
+                call.fail(self.unreachable())
+            else:
+                self._send(call)
         self._tell()
 
     def _turned_away(self, refused: protocol.Refused, now: float) -> None:
@@ -346,9 +352,11 @@ class Dialog:
         )
         return self.ask(request, _nothing, again=True)
 
-    def give(self, request: Callable[[int], Request]) -> Call[protocol.AnyReply]:
-        """Any other request, made with the id that it must carry."""
-        return self.ask(request(self.next_id()), _same, again=False)
+    def give(
+        self, request: Callable[[int], Request], again: bool = False
+    ) -> Call[protocol.AnyReply]:
+        """Any other request, made with the id that it must carry. again: as of ``Call``."""
+        return self.ask(request(self.next_id()), _same, again)
 
     def bye(self) -> Call[None]:
         """Ends the session at once; nothing can be asked any longer."""
@@ -356,10 +364,10 @@ class Dialog:
         self.ended = True
         return call
 
-    def following(self) -> list[Watch | Messages | TraceFeed]:
-        """All that is watched, listened to and traced."""
-        subscriptions = self._subscriptions
-        return [*subscriptions.watches, *subscriptions.messages, *subscriptions.feeds]
+    def following(self) -> list[Watch | Messages | TraceFeed | Effects]:
+        """All that is watched, listened to, traced and carried out."""
+        one = self._subscriptions
+        return [*one.watches, *one.messages, *one.feeds, *one.effects]
 
     # -- authority -----------------------------------------------------------
 

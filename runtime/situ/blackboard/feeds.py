@@ -7,13 +7,14 @@ of, only the last is kept in the end, and the trace waits at the core.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import msgspec
 from msgspec import Struct
 
 from situ.blackboard import protocol
+from situ.blackboard.services import Carried
 from situ.document import names
 from situ.errors import Refused
 
@@ -170,6 +171,74 @@ class Messages:
     def hear(self, message: protocol.Message) -> None:
         if names.matches(self.pattern, protocol.one_line(message.topic)):
             self._queue.append(message)
+
+
+class Effects:
+    """What services are to carry out: first ``Outstanding``, all of it, then each effect.
+
+    ``Outstanding`` comes again after every loss, of an effect or of the connection: what is in
+    it may have been carried out already, what is not has ended.
+    """
+
+    def __init__(
+        self,
+        services: tuple[str, ...],
+        http: str | None,
+        callback: Callable[[protocol.Outstanding | Carried], None] | None = None,
+    ) -> None:
+        self.services = services
+        self.http = http
+        self.callback = callback
+        self.ready = False
+        self.asking = False
+        self.ended = False
+        self._queue: deque[protocol.Outstanding | Carried] = deque()
+        self._early: list[protocol.Effect] = []
+        self._next: dict[str, int] = {}
+        self._told: dict[str, int] = {}
+
+    def take(self) -> protocol.Outstanding | Carried | None:
+        """What is to be done next; None where there is nothing yet."""
+        return self._queue.popleft() if self._queue else None
+
+    def __len__(self) -> int:
+        return len(self._queue)
+
+    # -- for the dialog ------------------------------------------------------
+
+    def hear(self, notice: protocol.Effect) -> bool:
+        """False where effects before this one were lost: then all must be asked for."""
+        if not self.ready:
+            if self.asking:
+                self._early.append(notice)
+            return True
+        awaited = self._next[notice.service]
+        if notice.number < awaited:
+            return True
+        if notice.number > awaited:
+            self.ready = False
+            return False
+        self._next[notice.service] = awaited + 1
+        self._queue.append(notice.does)
+        return True
+
+    def stands(self, reply: protocol.Outstanding) -> None:
+        """The answer to ``perform``; what came meanwhile follows."""
+        self.asking, self.ready = False, True
+        self._next = dict(reply.next)
+        self._told = {}
+        # What waits is in it, or has ended.
+        self._queue.clear()
+        self._queue.append(reply)
+        early, self._early = self._early, []
+        for notice in early:
+            self.hear(notice)
+
+    def behind(self, effects: Mapping[str, int]) -> bool:
+        """Whether one of those counted at the last heartbeat already never came."""
+        late = any(self._next[service] <= told for service, told in self._told.items())
+        self._told = dict(effects)
+        return late
 
 
 class TraceFeed:

@@ -26,6 +26,7 @@ class Opened(SessionEvent, frozen=True):
     module: str | None
     writer: str
     disclosed: Disclosed | None
+    services: tuple[str, ...] = ()
 
 
 class Ended(SessionEvent, frozen=True):
@@ -44,13 +45,17 @@ class Traced(SessionEvent, frozen=True):
     pass
 
 
+class Performing(SessionEvent, frozen=True):
+    """A service is told what to carry out from here on."""
+
+
 class Told(SessionEvent, frozen=True):
     """A module disclosed more of itself."""
 
     disclosed: Disclosed
 
 
-AnySessionEvent = Opened | Ended | Watched | Unwatched | Traced | Told
+AnySessionEvent = Opened | Ended | Watched | Unwatched | Traced | Performing | Told
 
 Past = tuple[int, AnyInput | AnySessionEvent | None]
 """The robot's moment, and what happened then; None: time alone brought something about."""
@@ -65,10 +70,13 @@ class Standing(Struct):
     writer: str
     patterns: tuple[str, ...]
     tracing: bool
+    services: tuple[str, ...] = ()
+    performing: bool = False
 
 
 class SessionsState(Struct):
-    """All that a core's sessions know. changes: as ``Watching`` counts them."""
+    """All that a core's sessions know. changes: as ``Watching`` counts them; effects: as ``Core``
+    does."""
 
     runtime: str
     sessions: list[Standing]
@@ -76,3 +84,4 @@ class SessionsState(Struct):
     holders: dict[str, str | None]
     changes: dict[str, int]
     moment: int
+    effects: dict[str, int] = {}

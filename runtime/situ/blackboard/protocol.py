@@ -17,8 +17,9 @@ from __future__ import annotations
 from typing import Any, Literal
 
 import msgspec
-from msgspec import UNSET, Struct, field
+from msgspec import UNSET, Struct, UnsetType, field
 
+from situ.blackboard.services import Carried
 from situ.errors import BlackboardError
 
 VERSION = 1
@@ -32,8 +33,9 @@ MAXIMUM = 16_000_000
 DEPTH = 100
 """Levels of lists and objects in a value; what is deeper could not be worked with."""
 
-Role = Literal["viewer", "module", "operator", "scenario"]
-"""viewer looks; module and operator also write; scenario plays a script (``situ run --script``)."""
+Role = Literal["viewer", "module", "operator", "scenario", "service"]
+"""viewer looks; module and operator also write; scenario plays a script (``situ run --script``);
+service carries out what the core decides (``situ run --services``)."""
 
 
 class Malformed(BlackboardError):
@@ -82,6 +84,7 @@ class Hello(Request, frozen=True, kw_only=True):
 
     user: who operates, for the role ``operator``: writes are ``operator:USER``'s.
     session: the one it had before; taken up again while its lease runs.
+    services: what it carries out (``situ.blackboard.services``), for the role ``service`` only.
     """
 
     version: int
@@ -93,6 +96,7 @@ class Hello(Request, frozen=True, kw_only=True):
     requires: tuple[Need, ...] = ()
     provides: tuple[Offer, ...] = ()
     session: str | None = None
+    services: tuple[str, ...] = ()
 
 
 class Heartbeat(Request, frozen=True, kw_only=True):
@@ -103,11 +107,12 @@ class Set(Request, frozen=True, kw_only=True):
     """One write of several tags; null deletes.
 
     versions: compare-and-set; nothing is written unless each tag stands at this
-    version, 0 for one that is missing.
+    version, 0 for one that is missing. writer: who found out, from the role ``service``.
     """
 
     tags: dict[str, Any]
     versions: dict[str, int] | None = None
+    writer: str | None = None
 
 
 class Get(Request, frozen=True, kw_only=True):
@@ -171,8 +176,21 @@ class Touch(Request, frozen=True, kw_only=True):
     """A touch on no component."""
 
 
+class Attend(Request, frozen=True, kw_only=True):
+    """A person types on the screen shown."""
+
+
+class Perform(Request, frozen=True, kw_only=True):
+    """From now on the effects for this service are noticed; the reply has what is outstanding.
+
+    http: where the screen is served, from the service ``screen``.
+    """
+
+    http: str | None = None
+
+
 class Finish(Request, frozen=True, kw_only=True):
-    """An action ended (``situ.decide.inputs.Finish``)."""
+    """An action ended (``situ.decide.inputs.Finish``). status null: there was none."""
 
     action: str | None = None
     name: str | None = None
@@ -180,7 +198,7 @@ class Finish(Request, frozen=True, kw_only=True):
     ok: bool = True
     result: Any = None
     error: str | None = None
-    status: int | None = None
+    status: int | UnsetType | None = UNSET
     action_id: int | None = None
 
 
@@ -228,6 +246,8 @@ AnyRequest = (
     | Command
     | Use
     | Touch
+    | Attend
+    | Perform
     | Finish
     | Trace
     | Documents
@@ -244,16 +264,27 @@ class Reply(Struct, frozen=True, kw_only=True, tag_field="re", tag=str.lower):
 
 
 Code = Literal[
-    "session", "version", "name", "role", "clock", "malformed", "conflict", "invalid", "refused"
+    "session",
+    "version",
+    "name",
+    "role",
+    "denied",
+    "limit",
+    "clock",
+    "malformed",
+    "conflict",
+    "invalid",
+    "refused",
 ]
 
 
 class Refused(Reply, frozen=True, kw_only=True):
     """Nothing was done.
 
-    code: ``session`` (say hello first), ``version``, ``name`` (taken), ``role``, ``clock``
-    (a time from no scenario), ``malformed``, ``conflict`` (compare-and-set), ``invalid``
-    (a tag or pattern that is none) or ``refused`` (by the priority management).
+    code: ``session`` (say hello first), ``version``, ``name`` (taken), ``role``,
+    ``denied`` (by the rights of the key), ``limit`` (too many), ``clock`` (a time from no
+    scenario), ``malformed``, ``conflict`` (compare-and-set), ``invalid`` (a tag or pattern that
+    is none) or ``refused`` (by the priority management).
     message: one line: what, why, what to do.
     """
 
@@ -293,12 +324,14 @@ class Alive(Reply, frozen=True, kw_only=True):
 
     changes: for each pattern that this session watches, how many changes fitted it since
     the core began to count. seq: the last trace event's. holds: this module's resources.
+    effects: for each of this client's services the number of the last effect.
     """
 
     time: int
     seq: int
     changes: dict[str, int]
     holds: tuple[str, ...]
+    effects: dict[str, int] | UnsetType = UNSET
 
 
 class Done(Reply, frozen=True, kw_only=True):
@@ -350,6 +383,14 @@ class Traced(Reply, frozen=True, kw_only=True):
     last: int
 
 
+class Outstanding(Reply, frozen=True, kw_only=True):
+    """To perform: all that must be carried out to be where the robot is, by who has carried out
+    nothing. next: for each service the number of the next effect."""
+
+    effects: tuple[Carried, ...]
+    next: dict[str, int]
+
+
 class Files(Reply, frozen=True, kw_only=True):
     """To documents: path relative to the project, to the text of the file."""
 
@@ -394,6 +435,7 @@ AnyReply = (
     | Snapshot
     | Granted
     | Traced
+    | Outstanding
     | Files
     | ModuleStates
 )
@@ -411,6 +453,8 @@ REPLIES: dict[type[Request], type[Reply]] = {
     Command: Done,
     Use: Done,
     Touch: Done,
+    Attend: Done,
+    Perform: Outstanding,
     Finish: Done,
     Trace: Traced,
     Documents: Files,
@@ -460,6 +504,14 @@ class Message(Notice, frozen=True, kw_only=True):
     application: str
 
 
+class Effect(Notice, frozen=True, kw_only=True):
+    """Topic ``x:SERVICE``: to be carried out. number: counts up by one for each service."""
+
+    service: str
+    number: int
+    does: Carried
+
+
 class Echo(Notice, frozen=True, kw_only=True):
     """Topic ``echo:TOKEN``, sent once when somebody subscribes to it: all that he subscribed
     to before is heard from here on."""
@@ -469,7 +521,7 @@ class End(Notice, frozen=True, kw_only=True):
     """Topic ``end``: the runtime stops."""
 
 
-AnyNotice = Change | Authority | Events | Message | Echo | End
+AnyNotice = Change | Authority | Events | Message | Effect | Echo | End
 
 # -- topics ------------------------------------------------------------------
 
@@ -502,6 +554,10 @@ def _beginning(pattern: str) -> bytes:
 
 def authority_topic(resource: str) -> bytes:
     return b"a:%s\n" % resource.encode()
+
+
+def effect_topic(service: str) -> bytes:
+    return b"x:%s\n" % service.encode()
 
 
 def message_topic(topic: str) -> bytes:

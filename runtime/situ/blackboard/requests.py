@@ -9,7 +9,9 @@ from msgspec import UNSET, Raw, Struct
 
 from situ.blackboard import presence, protocol
 from situ.blackboard.core import Core
-from situ.blackboard.history import Told, Traced, Unwatched, Watched
+from situ.blackboard.history import Performing, Told, Traced, Unwatched, Watched
+from situ.blackboard.rights import Identity
+from situ.blackboard.services import carried_by
 from situ.blackboard.watching import Watching
 from situ.decide import inputs
 from situ.decide.board import Board
@@ -19,10 +21,17 @@ PAGE = 500
 """Trace events in one reply."""
 LONGEST = 500
 """Characters of a tag, a name or a pattern; nobody means longer ones."""
+TAGS = 100_000
+"""Tags on the board, deleted ones too, for their versions count on."""
+PATTERNS = 1_000
+"""Patterns that one session watches."""
 
 
 class Session(Struct):
-    """One client. heard: µs, when it was last heard of."""
+    """One client. heard: µs, when it was last heard of. performing: whether it is told what its
+    services are to carry out; heeded: whether its answers count, which they do not where a
+    scenario says what ends and what is measured. http: where its screen is. identity: by whose
+    key it came, None without keys."""
 
     id: str
     peer: Hashable
@@ -32,6 +41,11 @@ class Session(Struct):
     heard: int
     patterns: set[str] = set()
     tracing: bool = False
+    services: tuple[str, ...] = ()
+    performing: bool = False
+    heeded: bool = True
+    http: str | None = None
+    identity: Identity | None = None
 
     def watch(self, patterns: Iterable[str], watching: Watching) -> None:
         """patterns: none that it watches already."""
@@ -65,11 +79,12 @@ def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> pro
         seq=core.backlog.last,
         changes=core.watching.changes(session.patterns),
         holds=core.holds(session.module),
+        effects={s: core.effects[s] for s in session.services} if session.services else UNSET,
     )
 
 
 def _set(core: Core, session: Session, request: protocol.Set) -> protocol.Reply:
-    _may_write(session)
+    writer = _writer(core, session, request)
     for tag in request.tags:
         if len(tag) > LONGEST:
             raise No("invalid", f"{tag[:LONGEST]!r} and so on is too long for a tag")
@@ -82,11 +97,17 @@ def _set(core: Core, session: Session, request: protocol.Set) -> protocol.Reply:
                 "conflict",
                 f"{tag} is at version {found}, not {wanted}: get it and try again",
             )
+    if len(board.state) + len(request.tags) > TAGS:
+        new = sum(tag not in board.state for tag in request.tags)
+        if new and len(board.state) + new > TAGS:
+            raise No("limit", f"there are {len(board.state)} tags already: use fewer names")
     full = core.unkeepable(request.tags)
     if full is not None:
         raise No("refused", full)
+    if not session.heeded:
+        return protocol.Written(id=request.id, versions={})
     before = {tag: _version(board, tag) for tag in request.tags}
-    _do(core, inputs.Set(request.tags, session.writer))
+    _do(core, inputs.Set(request.tags, writer))
     after = {tag: _version(board, tag) for tag in request.tags}
     versions = {tag: version for tag, version in after.items() if version != before[tag]}
     return protocol.Written(id=request.id, versions=versions)
@@ -115,6 +136,8 @@ def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Re
     for pattern in request.patterns:
         _check(names.is_pattern, pattern)
     begun = tuple(dict.fromkeys(p for p in request.patterns if p not in session.patterns))
+    if len(session.patterns) + len(begun) > PATTERNS:
+        raise No("limit", f"more than {PATTERNS} patterns: watch wider ones, as face.* or **")
     if begun:
         session.watch(begun, core.watching)
         core.remember(Watched(session.id, begun))
@@ -142,6 +165,8 @@ def _unwatch(core: Core, session: Session, request: protocol.Unwatch) -> protoco
 
 def _publish(core: Core, session: Session, request: protocol.Publish) -> protocol.Reply:
     _may_write(session)
+    if session.services:
+        raise No("role", "a service raises no events: connect as a module or an operator")
     if not request.event.strip():
         raise No("invalid", "an event has a name")
     if len(request.event) > LONGEST:
@@ -176,19 +201,45 @@ def _command(core: Core, session: Session, request: protocol.Command) -> protoco
 
 
 def _use(core: Core, session: Session, request: protocol.Use) -> protocol.Reply:
-    _may_write(session)
+    _has_a_screen(session)
     _do(core, inputs.Use(request.component, request.value))
     return protocol.Done(id=request.id)
 
 
 def _touch(core: Core, session: Session, request: protocol.Touch) -> protocol.Reply:
-    _may_write(session)
+    _has_a_screen(session)
     _do(core, inputs.Touch())
     return protocol.Done(id=request.id)
 
 
+def _attend(core: Core, session: Session, request: protocol.Attend) -> protocol.Reply:
+    _has_a_screen(session)
+    _do(core, inputs.Attend())
+    return protocol.Done(id=request.id)
+
+
+def _perform(core: Core, session: Session, request: protocol.Perform) -> protocol.Reply:
+    if not session.services:
+        raise No("role", "only a service carries out effects: say so in hello")
+    if request.http is not None and "screen" not in session.services:
+        raise No("role", "only the service screen says where the screen is")
+    session.http = request.http
+    if not session.performing:
+        session.performing = True
+        core.performing.update(session.services)
+        core.remember(Performing(session.id))
+    mine = set(session.services)
+    return protocol.Outstanding(
+        id=request.id,
+        effects=tuple(e for e in core.outstanding() if mine.intersection(carried_by(e))),
+        next={service: core.effects[service] + 1 for service in session.services},
+    )
+
+
 def _finish(core: Core, session: Session, request: protocol.Finish) -> protocol.Reply:
     _may_write(session)
+    if not session.heeded:
+        return protocol.Done(id=request.id)
     _do(
         core,
         inputs.Finish(
@@ -198,7 +249,7 @@ def _finish(core: Core, session: Session, request: protocol.Finish) -> protocol.
             ok=request.ok,
             result=request.result,
             error=request.error,
-            status=UNSET if request.status is None else request.status,
+            status=request.status,
             id=request.action_id,
         ),
     )
@@ -260,6 +311,29 @@ def _may_write(session: Session) -> None:
         raise No("role", "a viewer changes nothing: connect as a module or an operator")
 
 
+def _has_a_screen(session: Session) -> None:
+    _may_write(session)
+    if session.services and "screen" not in session.services:
+        raise No("role", "this service has no screen that anybody could use")
+
+
+def _writer(core: Core, session: Session, request: protocol.Set) -> str:
+    """In whose name it is written."""
+    _may_write(session)
+    if not session.services:
+        if request.writer is not None:
+            raise No("role", "only a service writes in another's name: leave out writer")
+        return session.writer
+    names = {"robot": core.project.adapter, "screen": "screen"}
+    able = [names[service] for service in session.services if service in names]
+    if request.writer not in able:
+        raise No(
+            "role", f"this service writes as {' or '.join(able) or 'nobody'}: say so in writer"
+        )
+    assert request.writer is not None
+    return request.writer
+
+
 def _acting(session: Session, named: str | None) -> str:
     """The module that a request is for."""
     if session.role == "scenario":
@@ -299,6 +373,8 @@ _ANSWERS: dict[type[protocol.Request], Callable[[Core, Session, Any], protocol.R
     protocol.Command: _command,
     protocol.Use: _use,
     protocol.Touch: _touch,
+    protocol.Attend: _attend,
+    protocol.Perform: _perform,
     protocol.Finish: _finish,
     protocol.Trace: _trace,
     protocol.Documents: _documents,

@@ -7,15 +7,19 @@ connection; nothing here knows ZeroMQ.
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping
 from typing import Any
+
+from msgspec.structs import replace
 
 from situ.blackboard import protocol
 from situ.blackboard.core import SECOND, Core, Outgoing
+from situ.blackboard.guard import Guard
 from situ.blackboard.history import (
     Ended,
     Opened,
     Past,
+    Performing,
     SessionEvent,
     SessionsState,
     Standing,
@@ -26,11 +30,16 @@ from situ.blackboard.history import (
 )
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Malformed
 from situ.blackboard.requests import LONGEST, No, Session, answer
+from situ.blackboard.rights import Identity
+from situ.blackboard.services import SERVICES, may_repeat
 from situ.decide import inputs
+from situ.decide.effects import Begin
 from situ.document import names
 
 _LEASE = int(LEASE * SECOND)
 _LATE = int(HEARTBEAT * SECOND)
+MOST = 1_000
+"""Sessions at once; who leaks connections must not take the robot down."""
 
 
 class Sessions:
@@ -43,14 +52,28 @@ class Sessions:
     With ``scripted`` the robot's time is the scenario's: it moves only with the ``at`` of
     the scenario's requests and with ``Core.move``; leases still run by the time given.
 
+    own: the services that are carried out here; all others may be by clients.
+
+    guard: holds every session to the key that its messages come with; None: there are no keys.
+
     ``state`` and ``restore`` take all of it over into another process.
     """
 
-    def __init__(self, core: Core, addresses: Addresses, *, scripted: bool = False) -> None:
+    def __init__(
+        self,
+        core: Core,
+        addresses: Addresses,
+        *,
+        scripted: bool = False,
+        own: Collection[str] = (),
+        guard: Guard | None = None,
+    ) -> None:
         self.runtime = secrets.token_hex(8)
         self._core = core
         self._addresses = addresses
         self._scripted = scripted
+        self._guard = guard
+        self._own = frozenset(own)
         self._sessions: dict[Hashable, Session] = {}
         # No lease ends before: every message only puts one off.
         self._look: int | None = None
@@ -80,11 +103,13 @@ class Sessions:
             )
         )
 
-    def receive(self, peer: Hashable, body: bytes, now: int) -> None:
-        """A message of a peer; it is always answered."""
+    def receive(
+        self, peer: Hashable, body: bytes, now: int, identity: Identity | None = None
+    ) -> None:
+        """A message of a peer, by whose key it came; it is always answered."""
         self._move(now)
         try:
-            reply = self._answer(peer, body)
+            reply = self._answer(peer, body, identity)
         except Exception as fault:
             # A fault of ours: whoever asked is not left waiting, and the driver is told.
             message = f"a fault in situ itself ({type(fault).__name__}); please report it"
@@ -135,13 +160,23 @@ class Sessions:
         return SessionsState(
             runtime=self.runtime,
             sessions=[
-                Standing(s.id, s.role, s.module, s.writer, tuple(sorted(s.patterns)), s.tracing)
+                Standing(
+                    s.id,
+                    s.role,
+                    s.module,
+                    s.writer,
+                    tuple(sorted(s.patterns)),
+                    s.tracing,
+                    s.services,
+                    s.performing,
+                )
                 for s in self._sessions.values()
             ],
             modules=core.modules,
             holders=core.holders,
             changes=core.watching.state(),
             moment=core.moment,
+            effects=dict(core.effects),
         )
 
     def restore(self, state: SessionsState, past: Iterable[Past], now: int) -> None:
@@ -155,6 +190,7 @@ class Sessions:
         core.moment = state.moment
         core.modules.update(state.modules)
         core.holders.update(state.holders)
+        core.effects.update(state.effects)
         for one in state.sessions:
             self._stand(one)
         core.watching.restore(state.changes)
@@ -180,16 +216,24 @@ class Sessions:
             writer=one.writer,
             heard=0,
             tracing=one.tracing,
+            services=one.services,
+            performing=one.performing,
         )
         session.watch(one.patterns, self._core.watching)
         self._core.tracing += one.tracing
+        if one.performing:
+            self._core.performing.update(one.services)
         self._sessions[session.peer] = session
 
     def _find(self, id: str) -> Session:
         return next(session for session in self._sessions.values() if session.id == id)
 
     def _opened(self, event: Opened) -> None:
-        self._stand(Standing(event.session, event.role, event.module, event.writer, (), False))
+        self._stand(
+            Standing(
+                event.session, event.role, event.module, event.writer, (), False, event.services
+            )
+        )
         if event.module is not None and event.disclosed is not None:
             self._core.modules[event.module] = event.disclosed
 
@@ -206,6 +250,11 @@ class Sessions:
         self._find(event.session).tracing = True
         self._core.tracing += 1
 
+    def _performing(self, event: Performing) -> None:
+        session = self._find(event.session)
+        session.performing = True
+        self._core.performing.update(session.services)
+
     def _told(self, event: Told) -> None:
         module = self._find(event.session).module
         assert module is not None
@@ -218,27 +267,40 @@ class Sessions:
 
     # -- requests ------------------------------------------------------------
 
-    def _answer(self, peer: Hashable, body: bytes) -> protocol.Reply:
-        number: int | None = None
+    def _answer(self, peer: Hashable, body: bytes, identity: Identity | None) -> protocol.Reply:
         session = self._sessions.get(peer)
+        if session is not None and session.identity != identity:
+            # The name of the connection is another's now, or the key is not what it was.
+            self._end(session)
+            session = None
         if session is not None:
             session.heard = self._core.now
         try:
             request = protocol.read_request(body)
-            number = request.id
-            if isinstance(request, protocol.Hello):
-                return self._hello(peer, request)
-            if session is None:
-                raise No("session", "there is no session of this connection: say hello first")
-            self._time(session, request)
-            if isinstance(request, protocol.Bye) and request.module is None:
-                self._end(session)
-                return protocol.Done(id=number)
-            return answer(self._core, session, request)
         except Malformed as error:
             return protocol.Refused(id=error.id, code="malformed", message=str(error))
+        try:
+            if isinstance(request, protocol.Hello):
+                return self._hello(peer, request, identity)
+            if session is None:
+                raise No("session", "there is no session of this connection: say hello first")
+            if self._guard is None:
+                return self._do(session, request)
+            who = self._guard.check(identity, session.role, request)
+            reply = self._do(session, request)
+            self._guard.done(who, session.role, request)
+            return reply
         except No as no:
-            return protocol.Refused(id=number, code=no.code, message=str(no))
+            if self._guard is not None:
+                self._guard.refused(identity, request, no)
+            return protocol.Refused(id=request.id, code=no.code, message=str(no))
+
+    def _do(self, session: Session, request: protocol.Request) -> protocol.Reply:
+        self._time(session, request)
+        if isinstance(request, protocol.Bye) and request.module is None:
+            self._end(session)
+            return protocol.Done(id=request.id)
+        return answer(self._core, session, request)
 
     def _time(self, session: Session, request: protocol.Request) -> None:
         if request.at is None:
@@ -250,17 +312,23 @@ class Sessions:
             raise No("clock", f"{past} s is past; it is {now} s already")
         self._core.move(request.at)
 
-    def _hello(self, peer: Hashable, hello: protocol.Hello) -> protocol.Reply:
+    def _hello(
+        self, peer: Hashable, hello: protocol.Hello, identity: Identity | None
+    ) -> protocol.Reply:
         if hello.version != protocol.VERSION:
             raise No(
                 "version",
                 f"version {hello.version} of the protocol is not spoken here, "
                 f"only {protocol.VERSION}",
             )
-        session = self._resumed(peer, hello)
+        if self._guard is not None:
+            hello = self._guard.greet(identity, hello)
+        session = self._resumed(peer, hello, identity)
         resumed = session is not None
         if session is None:
             self._check_hello(hello)
+            if len(self._sessions) >= MOST:
+                raise No("limit", f"{MOST} clients are connected already: end some of them")
             session = Session(
                 id=secrets.token_hex(8),
                 peer=peer,
@@ -268,7 +336,10 @@ class Sessions:
                 module=hello.module,
                 writer=_writer(hello),
                 heard=self._core.now,
+                services=hello.services,
+                heeded=not (hello.services and self._scripted),
             )
+            session.identity = identity
             self._sessions[peer] = session
             if self._look is None:
                 self._look = session.heard + _LEASE
@@ -280,6 +351,7 @@ class Sessions:
                     session.module,
                     session.writer,
                     said if session.module is not None else None,
+                    session.services,
                 )
             )
             if session.module is not None:
@@ -294,12 +366,14 @@ class Sessions:
             heartbeat=protocol.HEARTBEAT,
             lease=LEASE,
             project=self._core.project.name,
-            addresses=self._addresses,
+            addresses=self._where(),
             time=self._core.moment,
             seq=self._core.backlog.last,
         )
 
-    def _resumed(self, peer: Hashable, hello: protocol.Hello) -> Session | None:
+    def _resumed(
+        self, peer: Hashable, hello: protocol.Hello, identity: Identity | None
+    ) -> Session | None:
         """The living session that the client had before, now on this connection."""
         session = self._sessions.get(peer)
         if session is None and hello.session is not None:
@@ -307,10 +381,11 @@ class Sessions:
             session = next((one for one in alive if one.id == hello.session), None)
         if session is None:
             return None
-        if session.module != hello.module or session.role != hello.role:
+        said = (hello.module, hello.role, hello.services, _writer(hello))
+        if (session.module, session.role, session.services, session.writer) != said:
             raise No("name", "this connection has another session already: say bye first")
         del self._sessions[session.peer]
-        session.peer, session.heard = peer, self._core.now
+        session.peer, session.heard, session.identity = peer, self._core.now, identity
         self._sessions[peer] = session
         return session
 
@@ -319,6 +394,9 @@ class Sessions:
             raise No("role", "a scenario is played only by situ run --script")
         if (hello.module is not None) != (hello.role == "module"):
             raise No("role", "a module gives its name, and only a module does")
+        if bool(hello.services) != (hello.role == "service"):
+            raise No("role", "a service says what it carries out, and only a service does")
+        self._check_services(hello.services)
         if hello.module is None:
             return
         name = hello.module
@@ -334,18 +412,49 @@ class Sessions:
                 f"a module {name} is connected already: end it, or choose another name",
             )
 
+    def _check_services(self, services: Iterable[str]) -> None:
+        for service in services:
+            if service not in SERVICES:
+                raise No("name", f"{service[:LONGEST]!r} is no service: {', '.join(SERVICES)}")
+            if service in self._own:
+                raise No(
+                    "name", f"{service} is carried out in the core's own process: leave it out"
+                )
+            if any(service in session.services for session in self._sessions.values()):
+                raise No(
+                    "name", f"{service} is carried out by another program already: end that first"
+                )
+
+    def _where(self) -> Addresses:
+        """The addresses, with the screen's where another process serves it."""
+        shown = (s.http for s in self._sessions.values() if s.http is not None)
+        http = next(shown, None)
+        return self._addresses if http is None else replace(self._addresses, http=http)
+
     def _end(self, session: Session) -> None:
         self._forget(session)
         self._core.remember(Ended(session.id))
         if session.module is not None:
             self._core.step(inputs.Lost(session.module))
+        if session.performing and "engine" in session.services:
+            for effect in self._core.outstanding():
+                if isinstance(effect, Begin) and not may_repeat(effect):
+                    self._core.step(lost(effect, "the service engine was lost"))
 
     def _forget(self, session: Session) -> None:
         del self._sessions[session.peer]
         session.unwatch(tuple(session.patterns), self._core.watching)
         self._core.tracing -= session.tracing
+        if session.performing:
+            self._core.performing.subtract(session.services)
         if session.module is not None:
             del self._core.modules[session.module]
+
+
+def lost(begun: Begin, why: str) -> inputs.Finish:
+    """The end of what nobody knows whether it was done; why: what happened to who did it."""
+    error = f"{why} while {begun.name or begun.action} was under way"
+    return inputs.Finish(id=begun.id, ok=False, error=f"{error}; whether it was done is not known")
 
 
 def _writer(hello: protocol.Hello) -> str:
@@ -361,5 +470,6 @@ _AGAIN: dict[type[SessionEvent], Callable[[Sessions, Any], None]] = {
     Watched: Sessions._watched,
     Unwatched: Sessions._unwatched,
     Traced: Sessions._traced,
+    Performing: Sessions._performing,
     Told: Sessions._told,
 }

@@ -15,7 +15,8 @@ from typing import Any, Protocol, TypeVar
 
 from situ.blackboard import protocol
 from situ.blackboard.calls import Call
-from situ.blackboard.feeds import Change, Messages, TraceFeed, Watch
+from situ.blackboard.feeds import Change, Effects, Messages, TraceFeed, Watch
+from situ.blackboard.services import Carried
 from situ.errors import Refused
 
 T = TypeVar("T")
@@ -36,7 +37,7 @@ class Talk(Protocol):
 
 
 class Subscriptions:
-    """Watches, messages and trace feeds of one client.
+    """Watches, messages, trace feeds and effects of one client.
 
     topics: (topic, on or off), to be subscribed to in this order.
     """
@@ -46,12 +47,13 @@ class Subscriptions:
         self.watches: list[Watch] = []
         self.messages: list[Messages] = []
         self.feeds: list[TraceFeed] = []
+        self.effects: list[Effects] = []
         self._talk = talk
         # Nobody else may ask for the same echo: only the first would get it.
         self._token = secrets.token_hex(6)
         # Topic to who waits for it, the heartbeat at which it was asked for, and whether the
         # connection for notices stood already.
-        self._echo: dict[bytes, tuple[list[Watch | Messages], int, bool]] = {}
+        self._echo: dict[bytes, tuple[list[Watch | Messages | Effects], int, bool]] = {}
         self._beats = 0
         self._up = False
         self._by_tag: dict[str, tuple[Watch, ...]] = {}
@@ -71,6 +73,10 @@ class Subscriptions:
         elif isinstance(notice, protocol.Message):
             for messages in self.messages:
                 messages.hear(notice)
+        elif isinstance(notice, protocol.Effect):
+            for effects in self.effects:
+                if not effects.hear(notice):
+                    self._sync([effects])
         elif isinstance(notice, protocol.Echo):
             self._echoed(frame[: frame.index(b"\n")])
 
@@ -102,7 +108,10 @@ class Subscriptions:
                 del self._echo[topic]
                 self.topics.append((topic, False))
                 self._ask_echo(asked)
-        lost = [w for w in self.watches if w.ready and w.behind(alive.changes.get(w.pattern, 0))]
+        lost: list[Watch | Messages | Effects] = [
+            w for w in self.watches if w.ready and w.behind(alive.changes.get(w.pattern, 0))
+        ]
+        lost += [e for e in self.effects if e.ready and e.behind(alive.effects or {})]
         self._sync([*lost, *(one for one in self._heard() if not one.ready)])
         for feed in self.feeds:
             if feed.behind(alive.seq):
@@ -142,10 +151,10 @@ class Subscriptions:
             request = protocol.Unwatch(id=self._talk.next_id(), patterns=(watch.pattern,))
             self._talk.ask(request, _nothing, again=False)
 
-    def _heard(self) -> list[Watch | Messages]:
-        return [*self.watches, *self.messages]
+    def _heard(self) -> list[Watch | Messages | Effects]:
+        return [*self.watches, *self.messages, *self.effects]
 
-    def _sync(self, feeds: Iterable[Watch | Messages]) -> None:
+    def _sync(self, feeds: Iterable[Watch | Messages | Effects]) -> None:
         """Asks for snapshots, when it is sure that changes are heard by then."""
         asked = [one for one in feeds if not one.asking]
         if not asked:
@@ -154,7 +163,7 @@ class Subscriptions:
             one.ready, one.asking = False, True
         self._ask_echo(asked)
 
-    def _ask_echo(self, asked: list[Watch | Messages]) -> None:
+    def _ask_echo(self, asked: list[Watch | Messages | Effects]) -> None:
         topic = protocol.ECHO + f"{self._token}:{self._talk.next_id()}".encode()
         self._echo[topic] = asked, self._beats, self._up
         self.topics.append((topic, True))
@@ -175,9 +184,15 @@ class Subscriptions:
                 # Nothing stands anywhere that could be asked for.
                 one.ready, one.asking = True, False
         watches = [one for one in asked if isinstance(one, Watch)]
+        if any(not watch.ended for watch in watches):
+            self._ask_snapshot(watches)
+        for one in asked:
+            # Last: how something is carried out may depend on what is watched.
+            if isinstance(one, Effects):
+                self._ask_outstanding(one)
+
+    def _ask_snapshot(self, watches: list[Watch]) -> None:
         patterns = tuple(dict.fromkeys(w.pattern for w in watches if not w.ended))
-        if not patterns:
-            return
 
         def read(reply: protocol.Snapshot) -> None:
             for watch in watches:
@@ -210,6 +225,32 @@ class Subscriptions:
         self.messages.remove(messages)
         if all(one.pattern != messages.pattern for one in self.messages):
             self.topics.append((protocol.messages_topic(messages.pattern), False))
+
+    # -- effects -------------------------------------------------------------
+
+    def perform(
+        self,
+        services: Iterable[str],
+        http: str | None,
+        callback: Callable[[protocol.Outstanding | Carried], None] | None = None,
+    ) -> Effects:
+        """What these services (those told in hello) are to carry out, from now on."""
+        effects = Effects(tuple(services), http, callback)
+        self.topics.extend((protocol.effect_topic(one), True) for one in effects.services)
+        self.effects.append(effects)
+        if self._talk.connected:
+            self._sync([effects])
+        return effects
+
+    def _ask_outstanding(self, effects: Effects) -> None:
+        request = protocol.Perform(id=self._talk.next_id(), http=effects.http)
+        call = self._talk.ask(request, effects.stands, again=False)
+
+        def ended() -> None:
+            if call.error is not None:
+                effects.asking = False
+
+        call.then(ended)
 
     # -- trace ---------------------------------------------------------------
 

@@ -22,7 +22,7 @@ from msgspec import Struct
 from situ.decide import inputs
 from situ.decide.board import Board, Entry
 from situ.decide.conditions import ConditionsState
-from situ.decide.effects import AnyEffect, Map
+from situ.decide.effects import AnyEffect, Begin, Map
 from situ.decide.intake import ACCEPT, Intake
 from situ.decide.machine import Machine, MachineState
 from situ.decide.presence import Presence, PresenceState
@@ -163,14 +163,14 @@ class Robot:
 
     # -- the state as a value ------------------------------------------------
 
-    def outstanding(self) -> list[AnyEffect]:
+    def outstanding(self) -> list[Map | Begin]:
         """What a driver that has carried out nothing yet must carry out to be where this robot
         is, after a ``restore`` say: the present value of each resource, with those of its actions
         that have not ended, then the services and launches that have not, as they began.
         """
         running = {number for m in self._machines for number in m.actions.state.running}
         priorities = self._world.priorities
-        found: list[AnyEffect] = []
+        found: list[Map | Begin] = []
         for resource, value in sorted(priorities.state.robot.items()):
             ids = priorities.state.actions[resource]
             if resource == "screen":

@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import time
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Collection, Coroutine
 from typing import Any, Protocol
 
 import zmq
@@ -17,10 +17,15 @@ from msgspec.structs import replace
 
 from situ.blackboard.backlog import Backlog
 from situ.blackboard.core import Core, Held
+from situ.blackboard.curve import KeysOf
+from situ.blackboard.guard import Guard
 from situ.blackboard.journal import DurableTags
+from situ.blackboard.keys import RobotKeys
 from situ.blackboard.protocol import Addresses
+from situ.blackboard.rights import Identity, Rights
 from situ.blackboard.server import Server
-from situ.blackboard.session import Sessions
+from situ.blackboard.services import SERVICES, carried_by, may_repeat
+from situ.blackboard.session import Sessions, lost
 from situ.decide import inputs
 from situ.decide.effects import AnyEffect, Begin, Changed
 from situ.decide.priorities import RUNTIME
@@ -29,7 +34,7 @@ from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent
 from situ.document.project import Project
 from situ.engine.clock import time_of_day
-from situ.engine.recovery import Recovery, may_repeat
+from situ.engine.recovery import Recovery
 
 CLOSING = 2.0
 """Seconds that the performer has to end what it does."""
@@ -48,7 +53,7 @@ class Performing(Protocol):
 
     async def start(self) -> None: ...
 
-    def open_door(self, addresses: Addresses) -> None: ...
+    def open_door(self, addresses: Addresses, keys: KeysOf | None) -> None: ...
 
     def perform(self, effect: AnyEffect) -> None: ...
 
@@ -63,8 +68,13 @@ class Live:
     events with the UNIX time. files: as in ``Core``. wall: UNIX time, which may jump; used for
     the time of day and ``time`` in the trace only.
 
+    services: those that the performer carries out; where there is one. The others are left to
+    clients.
+
     scripted: a scenario client gives the time (``Sessions``); what actions and adapters
     answer is then left out, for the scenario says what ends and what is measured.
+
+    keys, insecure: as in ``Server``.
 
     durable: keeps durable tags; ``stop`` closes it. recovery: keeps what is needed to go on
     after the process was killed; where it has found such a run, this one goes on from there
@@ -78,6 +88,7 @@ class Live:
         notify: str,
         performer: Callable[[Submit, Callable[[str], Any]], Performing] | None = None,
         *,
+        services: Collection[str] = SERVICES,
         files: dict[str, str] | None = None,
         scripted: bool = False,
         seed: int = 0,
@@ -86,10 +97,13 @@ class Live:
         wall: Callable[[], float] = time.time,
         durable: DurableTags | None = None,
         recovery: Recovery | None = None,
+        keys: RobotKeys | None = None,
+        insecure: bool = False,
     ) -> None:
         self._project = project
         self._bind = endpoint, notify
         self._make = performer
+        self._services = frozenset(services) if performer is not None else frozenset()
         self._files = files
         self._scripted = scripted
         self._seed = seed
@@ -98,6 +112,8 @@ class Live:
         self._wall = wall
         self._durable = durable
         self._recovery = recovery
+        self._keys = keys
+        self._insecure = insecure
         self._performer: Performing | None = None
         self._timers: dict[str, asyncio.TimerHandle] = {}
         self._started = 0.0
@@ -112,7 +128,9 @@ class Live:
         self._loop = asyncio.get_running_loop()
         self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
         try:
-            self._server = Server(*self._bind, context=self._context)
+            self._server = Server(
+                *self._bind, context=self._context, keys=self._keys, insecure=self._insecure
+            )
         except BaseException:
             self._context.term()
             raise
@@ -135,7 +153,7 @@ class Live:
             http=self._performer.screen_url if self._performer is not None else None,
         )
         if self._performer is not None:
-            self._performer.open_door(addresses)
+            self._performer.open_door(addresses, self._keys.door if self._keys else None)
         if not self._goes_on(project, addresses):
             self._begins(project, addresses)
         self._flush()
@@ -197,28 +215,27 @@ class Live:
             backlog=Backlog(begin=seq),
             durability=self._durable,
         )
-        self._sessions = Sessions(self._core, addresses, scripted=self._scripted)
+        gate = self._server.gate
+        guard = None if gate is None else Guard(Rights(project), gate.audit)
+        self._sessions = Sessions(
+            self._core, addresses, scripted=self._scripted, own=self._services, guard=guard
+        )
 
     def _look(self, name: str) -> Any:
         return self._robot.board.look(name)
 
     def _begin_again(self) -> None:
-        """What was being carried out: again, where twice is as good as once."""
-        lost = []
+        """What was being carried out here: again, where twice is as good as once."""
+        gone = []
         for effect in self._robot.outstanding():
+            if not self._services.intersection(carried_by(effect)):
+                continue
             if isinstance(effect, Begin) and not may_repeat(effect):
-                lost.append(effect)
+                gone.append(effect)
             elif self._performer is not None:
                 self._performer.perform(effect)
-        for effect in lost:
-            error = (
-                f"the robot's core was killed while {effect.name or effect.action} was under way"
-            )
-            self._core.step(
-                inputs.Finish(
-                    id=effect.id, ok=False, error=f"{error}; whether it was done is not known"
-                )
-            )
+        for effect in gone:
+            self._core.step(lost(effect, "the robot's core was killed"))
 
     # -- what outlives the process -------------------------------------------
 
@@ -298,9 +315,9 @@ class Live:
             self._at("drain", self._loop.time(), self._drain)
         self._wait()
 
-    def _received(self, peer: bytes, body: bytes) -> None:
+    def _received(self, peer: bytes, body: bytes, identity: Identity | None) -> None:
         try:
-            self._sessions.receive(peer, body, self._now())
+            self._sessions.receive(peer, body, self._now(), identity)
         except Exception:
             # The others are served on; the descriptors would not tell of them again.
             _log.exception("a request could not be carried out")

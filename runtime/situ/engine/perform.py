@@ -16,7 +16,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from situ.blackboard.curve import KeysOf
 from situ.blackboard.protocol import Addresses
+from situ.blackboard.services import SERVICES
 from situ.decide.effects import AnyEffect, Begin, Cancel, Map
 from situ.decide.inputs import AnyInput, Finish, Set
 from situ.document.project import Project
@@ -30,10 +32,6 @@ from situ.engine.media import MediaFolder
 from situ.engine.robots import Adapter, Surroundings, find
 from situ.engine.screen.server import ScreenServer
 from situ.engine.secrets import Secrets
-
-ALL = ("engine", "robot", "screen")
-"""What ``situ run --services`` may name besides the core."""
-
 
 Act = Callable[[], Coroutine[Any, Any, None]]
 
@@ -50,7 +48,7 @@ class Performer:
     tag(name) reads the blackboard (``language``, ``speech.volume``, ``speech.rate``).
     screen: host and port, 0 for a free one. state_dir: the runtime's folder, with
     ``launch.toml`` and the screen's key; None: nothing may be launched, the key is new
-    each time. services: those of ``ALL`` that are carried out here; effects for the
+    each time. services: those that are carried out here; effects for the
     others are left alone. poses: whether the simulated robot reports where it is.
     sound: whether somebody can hear; None finds out. captions: whether the screen
     keeps a line for what is being said; None: where there is no sound.
@@ -66,7 +64,7 @@ class Performer:
         tag: Callable[[str], Any] = _nothing,
         screen: tuple[str, int] = ("127.0.0.1", 0),
         state_dir: Path | None = None,
-        services: Collection[str] = ALL,
+        services: Collection[str] = SERVICES,
         poses: bool = True,
         sound: bool | None = None,
         captions: bool | None = None,
@@ -136,17 +134,31 @@ class Performer:
                 await self.close()
                 raise
 
-    def open_door(self, addresses: Addresses) -> None:
+    def open_door(self, addresses: Addresses, keys: KeysOf | None = None) -> None:
         """The core is there: the screen's server leads to it at ``/board``."""
         if self._screen is not None:
-            self._screen.door.open(addresses.requests, addresses.notifications)
+            self._screen.door.open(addresses.requests, addresses.notifications, keys)
+
+    def hold(self) -> None:
+        """The robot stops and holds, with all that it has."""
+        if self._adapter is not None:
+            for resource in sorted(self._adapter.resources):
+                self.perform(Map(resource, None, None))
+
+    def caption(self, said: Any) -> None:
+        """What is being said where the engine is another process; None: nothing."""
+        if self._screen is not None:
+            text = said.get("text") if isinstance(said, dict) else said
+            if isinstance(text, str):
+                lang = said.get("lang") if isinstance(said, dict) else None
+                self._screen.caption(text, str(lang or self._language()))
+            else:
+                self._screen.caption(None)
 
     async def close(self) -> None:
         """Stops everything: silences, holds the robot, ends programs, closes the screen."""
-        if self._adapter is not None:
-            # First of all it stands still, whatever else takes its time.
-            for resource in sorted(self._adapter.resources):
-                self.perform(Map(resource, None, None))
+        # First of all it stands still, whatever else takes its time.
+        self.hold()
         for task in self._tasks.values():
             self._end(task)
         self._tasks.clear()

@@ -25,7 +25,6 @@ from msgspec import Struct
 import situ
 from situ.blackboard.backlog import Backlog, Line
 from situ.blackboard.history import AnySessionEvent, Past, SessionsState
-from situ.decide.effects import Begin
 from situ.decide.inputs import AnyInput
 from situ.decide.robot import Robot
 from situ.document.project import Project
@@ -210,11 +209,6 @@ def identity(project: Project) -> str:
     return hashlib.sha256(situ.__version__.encode() + b"\n" + value).hexdigest()
 
 
-def may_repeat(begun: Begin) -> bool:
-    """Whether it does no harm if it was done already, or in part."""
-    return begun.action != "service" or str(begun.fields.get("method") or "GET").upper() in _SAFE
-
-
 def _boot() -> str:
     """Another one after each start of the machine; empty where the system has none."""
     try:
@@ -223,7 +217,6 @@ def _boot() -> str:
         return ""
 
 
-_SAFE = ("GET", "HEAD")
 _CAN_NOT = (OSError, TypeError, ValueError, OverflowError, msgspec.MsgspecError)
 """A disk that does not take it, a value that has no bytes (an integer of more than 64 bits)."""
 _encode = msgspec.msgpack.Encoder().encode

@@ -128,7 +128,7 @@ def _finish(number: int, at: int, does: inputs.Finish) -> protocol.Request:
         ok=does.ok,
         result=does.result,
         error=does.error,
-        status=does.status if isinstance(does.status, int) else None,
+        status=does.status,
     )
 
 

@@ -1,0 +1,34 @@
+"""Which service carries out an effect: ``engine``, ``robot`` and ``screen`` beside the core.
+
+They may live in the core's process or in others, on other machines too (docs/architecture.md,
+*Services apart*).
+"""
+
+from __future__ import annotations
+
+from situ.decide.effects import Begin, Cancel, Map
+
+SERVICES = ("engine", "robot", "screen")
+
+Carried = Map | Begin | Cancel
+"""The effects that are carried out outside of the core."""
+
+
+def carried_by(effect: Carried) -> tuple[str, ...]:
+    """The services that an effect is for. A message is the blackboard's own; a cancel is for
+    whoever carries that action out."""
+    if isinstance(effect, Map):
+        return _BY_RESOURCE.get(effect.resource, _ROBOT)
+    if isinstance(effect, Cancel):
+        return SERVICES
+    return _ENGINE if effect.action != "message" else ()
+
+
+def may_repeat(begun: Begin) -> bool:
+    """Whether it does no harm if it was done already, or in part."""
+    return begun.action != "service" or str(begun.fields.get("method") or "GET").upper() in _SAFE
+
+
+_ENGINE, _ROBOT = ("engine",), ("robot",)
+_BY_RESOURCE = {"speech": _ENGINE, "screen": ("screen",)}
+_SAFE = ("GET", "HEAD")
