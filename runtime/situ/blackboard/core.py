@@ -6,7 +6,7 @@ No I/O. One of these is the core of a running robot; sessions stand round it.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import Protocol
 
 from msgspec import Raw, Struct
@@ -40,7 +40,7 @@ class Decider(Protocol):
 
     def due(self) -> int | None: ...
 
-    def outstanding(self) -> list[Carried]: ...
+    def outstanding(self) -> Sequence[Carried]: ...
 
 
 class Durability(Protocol):
@@ -173,7 +173,7 @@ class Core:
                     out.notices.append(_message(effect))
         return refused
 
-    def outstanding(self) -> list[Carried]:
+    def outstanding(self) -> Sequence[Carried]:
         """What is to be carried out by who has carried out nothing yet."""
         return self._robot.outstanding()
 
