@@ -16,6 +16,7 @@ from situ.blackboard import protocol
 from situ.blackboard.gate import Gate
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.link import NOW, has_come
+from situ.blackboard.outbox import Outbox
 from situ.blackboard.rights import Identity
 from situ.errors import UsageError
 
@@ -24,7 +25,8 @@ TURN = 500
 TOGETHER = 50
 """Messages that are answered together: what they bring about is written down at once."""
 HELD = 10_000
-"""Notices kept for a subscriber that does not read; then it loses some, and finds the gap."""
+"""Notices kept for a subscriber that does not read; then it loses some, and finds the gap. Large
+ones are bounded by their bytes (``Outbox``)."""
 SHAKE = 5_000
 """Milliseconds in which a connection must have shown that it speaks ZeroMQ, with a known key."""
 
@@ -68,6 +70,8 @@ class Server:
             self._router.setsockopt(zmq.ROUTER_MANDATORY, 1)
             self.requests = _bind(self._router, requests)
             self.notifications = _bind(self._publisher, notifications)
+            self._replies = Outbox(self._router, self.requests)
+            self._notices = Outbox(self._publisher, self.notifications)
         except BaseException:
             self.close()
             raise
@@ -125,11 +129,10 @@ class Server:
         Sending can hide that something came in: ``drain`` afterwards.
         """
         for notice in notices:
-            self._publisher.send(notice, NOW)
+            self._notices.send(notice)
         for peer, body in replies:
             try:
-                self._router.send(peer, _MORE)
-                self._router.send(body, NOW)
+                self._replies.send(body, peer)
             except zmq.ZMQError as error:
                 if error.errno not in (zmq.EAGAIN, zmq.EHOSTUNREACH):
                     raise
@@ -142,7 +145,6 @@ class Server:
 
 
 _ECHO = protocol.encode(protocol.Echo())
-_MORE = NOW | int(zmq.SNDMORE)
 
 
 def _bind(socket: zmq.Socket[bytes], address: str) -> str:
