@@ -139,6 +139,7 @@ class Running:
         ready = json.loads(said.get(timeout=DEADLINE))
         self.endpoint: str = ready["requests"]
         self.notifications: str = ready["notifications"]
+        self.http: str | None = ready["http"]
 
     def kill(self) -> None:
         """kill -9, as when the robot's computer loses power."""

@@ -14,7 +14,6 @@ import pytest
 from msgspec import Struct
 
 from situ.blackboard import protocol
-from situ.rehearse.expect import fits
 
 ROOT = Path(__file__).parent.parent
 DOCUMENT = (ROOT.parent / "docs" / "protocol.md").read_text("utf-8")
@@ -90,13 +89,6 @@ def test_the_document_has_a_row_for_every_message_with_all_its_fields(base: type
 def test_the_document_names_every_code() -> None:
     for code in get_args(protocol.Code):
         assert f"`{code}`" in DOCUMENT, code
-
-
-def test_a_conversation_goes_as_its_vectors_say(hand: Any) -> None:
-    for step in vectors("conversation"):
-        hand.at(step["at"])
-        reply = json.loads(hand.raw(step["peer"], json.dumps(step["send"]).encode()))
-        assert fits(step["reply"], reply), f"{step['send']} was answered {reply}"
 
 
 def test_mutated_requests_are_always_answered(make_hand: Callable[..., Any]) -> None:
