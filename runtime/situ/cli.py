@@ -28,6 +28,7 @@ GROUPS = (
     "cli_check",
     "cli_export",
     "cli_diff",
+    "cli_texts",
     "cli_simulate",
     "cli_test",
     "cli_why",

@@ -7,7 +7,6 @@ what to do, and where a machine can do it, a mend. docs/problems.md has every co
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Iterable
 from itertools import takewhile
 
@@ -15,7 +14,7 @@ from situ.document import names, projectfile
 from situ.document.accept import ACCEPT
 from situ.document.analysis import analyse
 from situ.document.care import search_care
-from situ.document.check_application import check_application, texts, used_resources
+from situ.document.check_application import check_application, used_resources
 from situ.document.check_script import check_modules, check_script
 from situ.document.datatypes import shown
 from situ.document.finding import Disk, Files, Findings
@@ -27,10 +26,9 @@ from situ.document.problem import Change, Mend, Problem, Severity
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Declaration, Entry, Spds
+from situ.document.texts_shown import shown_texts
 
 UNUSED = "accept-unused"
-
-_SPOKEN = re.compile(r"[^\W\d_]")
 
 
 def check(
@@ -242,20 +240,15 @@ def _languages(found: Findings, application: Application, project: Project) -> N
         if known is None:
             continue
         told: set[str] = set()
-        for text, aside, place in texts(application):
-            if text in known or text in told or not _is_spoken(text):
+        for one in shown_texts(application):
+            if one.text in known or one.text in told or not one.is_to_translate:
                 continue
-            told.add(text)
+            told.add(one.text)
             said = (
-                f"No text in {language} for {shown(text)}: it stays as it is written; translate "
-                f"it in texts/{language}.po"
+                f"No text in {language} for {shown(one.text)}: it stays as it is written; "
+                f"translate it in texts/{language}.po (situ texts adds what is not there yet)"
             )
-            found.warning("missing-text", said, aside, place)
-
-
-def _is_spoken(text: str) -> bool:
-    """Whether there is a letter in a text outside its references."""
-    return any(_SPOKEN.search(literal) for literal, _ in names.split(text))
+            found.warning("missing-text", said, one.aside, one.place)
 
 
 def _project(
@@ -276,8 +269,8 @@ def _project(
     for language in project.languages[1:]:
         if language not in project.texts:
             said = (
-                f"There is no texts/{language}.po, so texts stay as they are written: add it, or "
-                "take the language out"
+                f"There is no texts/{language}.po, so texts stay as they are written: make it with "
+                "situ texts, or take the language out"
             )
             told.append(("warning", "missing-texts", said, "project", "languages", language))
     durable = [pattern for pattern in project.durable if names.is_pattern(pattern)]

@@ -388,30 +388,3 @@ def another(name: str, known: Collection[str]) -> str:
 
 def _is_file(src: str) -> bool:
     return bool(src.strip()) and not _ELSEWHERE.match(src) and not names.references(src)
-
-
-def texts(application: Application) -> Iterator[tuple[str, Aside, Place]]:
-    """Every text that a person hears, reads or says, as written, with its place."""
-    screens: list[tuple[Screen | None, Place]] = []
-    events: list[tuple[Event, Place]] = []
-    if application.always is not None:
-        screens.append((application.always.screen, ("always", "screen")))
-        events += [
-            (e, ("always", "event", str(i))) for i, e in enumerate(application.always.events)
-        ]
-    for state in application.states:
-        place: Place = ("state", state.no)
-        screens.append((state.screen, (*place, "screen")))
-        events += [(e, (*place, "event", str(i))) for i, e in enumerate(state.events)]
-        for index, action in enumerate(state.actions):
-            if isinstance(action, Speech) and action.lang is None:
-                yield action.text, action.aside, (*place, "action", str(index))
-    for screen, at in screens:
-        for component in screen.components if screen is not None else ():
-            written = (
-                component.label if isinstance(component, List) else getattr(component, "text", "")
-            )
-            yield written, component.aside, (*at, component.id)
-    for event, at in events:
-        for index, say in enumerate(event.says):
-            yield say.text, say.aside, (*at, "say", str(index))

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from typing import Any
 
 import polib
 
@@ -18,9 +19,22 @@ _LINE = re.compile(r"line (\d+)")
 
 def read(data: bytes, file: str) -> tuple[dict[str, str], list[Problem]]:
     """Texts as written to their translations; empty, unsure and retired ones are left out."""
+    entries, problems = parse(data, file)
+    return {
+        entry.msgid: entry.msgstr
+        for entry in entries
+        if entry.msgstr and not entry.obsolete and not entry.fuzzy
+    }, problems
 
-    def bad(message: str, line: int = 1) -> tuple[dict[str, str], list[Problem]]:
-        return {}, [Problem(file=file, line=line, column=1, code="malformed-po", message=message)]
+
+def parse(data: bytes, file: str) -> tuple[Any, list[Problem]]:
+    """The file as polib has it, one that writes each text on one line; an empty one, and why,
+    where it is none.
+    """
+
+    def bad(message: str, line: int = 1) -> tuple[Any, list[Problem]]:
+        said = Problem(file=file, line=line, column=1, code="malformed-po", message=message)
+        return polib.POFile(wrapwidth=0), [said]
 
     if len(data) > MAX_BYTES:
         return bad(f"The file is larger than {MAX_BYTES // 1_000_000} MB")
@@ -33,18 +47,23 @@ def read(data: bytes, file: str) -> tuple[dict[str, str], list[Problem]]:
         # polib takes a text of one line for the name of a file.
         text += "\n#\n"
     try:
-        entries = polib.pofile(text)
+        return polib.pofile(_Lines(text.replace("\r\n", "\n")), wrapwidth=0), []
     except (OSError, ValueError, AttributeError, IndexError, UnicodeError) as wrong:
         match = _LINE.search(str(wrong))
         return bad(
             'This line is none of a .po file: write msgid "…" and msgstr "…"',
             int(match[1]) if match else 1,
         )
-    return {
-        entry.msgid: entry.msgstr
-        for entry in entries
-        if entry.msgstr and not entry.obsolete and not entry.fuzzy
-    }, []
+
+
+class _Lines(str):
+    """A text whose lines end with a line feed only.
+
+    Others that Unicode knows (U+2028, U+0085) stand inside of texts; polib would cut there.
+    """
+
+    def splitlines(self, keepends: bool = False) -> list[str]:
+        return self.split("\n")
 
 
 def heard_as(phrase: str) -> str:

@@ -1,0 +1,72 @@
+"""Which texts of a project people read, hear and say: those that ``texts/LANG.po`` translates.
+
+The same that the robot looks up there (``situ.decide.texts``): what a screen shows, speeches,
+and the phrases of events.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from msgspec import Struct
+
+from situ.document import names
+from situ.document.aside import Aside
+from situ.document.finding import Place
+from situ.document.rbd import Application, Button, Event, List, Screen, Speech, Text
+
+_SPOKEN = re.compile(r"[^\W\d_]")
+
+
+class ShownText(Struct, frozen=True):
+    """A text as written, and where.
+
+    where: the place in designers' words: ``state 3 garden: button yes``.
+    lang: the language that a speech asks for, whatever the tag ``language`` says.
+    """
+
+    text: str
+    where: str
+    aside: Aside
+    place: Place
+    lang: str | None = None
+
+    @property
+    def is_to_translate(self) -> bool:
+        """Whether there is a letter in it outside its references, and no language asked for."""
+        return self.lang is None and any(
+            _SPOKEN.search(literal) for literal, _ in names.split(self.text)
+        )
+
+
+def shown_texts(application: Application) -> Iterator[ShownText]:
+    """Those of ``always``, then those of one state after the other: screen, speeches, phrases."""
+    if (always := application.always) is not None:
+        yield from _screen(always.screen, "always", ("always",))
+        yield from _phrases(always.events, "always", ("always",))
+    for state in application.states:
+        where, place = " ".join(f"state {state.no} {state.name or ''}".split()), ("state", state.no)
+        yield from _screen(state.screen, where, place)
+        for index, action in enumerate(state.actions):
+            if isinstance(action, Speech):
+                at = (*place, "action", str(index))
+                yield ShownText(action.text, f"{where}: speech", action.aside, at, action.lang)
+        yield from _phrases(state.events, where, place)
+
+
+def _screen(screen: Screen | None, where: str, place: Place) -> Iterator[ShownText]:
+    for component in screen.components if screen is not None else ():
+        if isinstance(component, (Text, Button, List)):
+            written = component.label if isinstance(component, List) else component.text
+            named = f"{where}: {component.element} {component.id}"
+            yield ShownText(written, named, component.aside, (*place, "screen", component.id))
+
+
+def _phrases(events: tuple[Event, ...], where: str, place: Place) -> Iterator[ShownText]:
+    for at, event in enumerate(events):
+        named = f"{where}: phrase of {event.name}"
+        for index, say in enumerate(event.says):
+            yield ShownText(
+                say.text, named, say.aside, (*place, "event", str(at), "say", str(index))
+            )
