@@ -12,10 +12,11 @@ from typing import Protocol
 from msgspec import Raw, Struct
 
 from situ.blackboard import protocol
+from situ.blackboard.asking import Asking
 from situ.blackboard.backlog import Backlog, stamped
 from situ.blackboard.history import AnySessionEvent, Past
 from situ.blackboard.presence import Disclosed
-from situ.blackboard.services import Carried, carried_by
+from situ.blackboard.services import Carried, asked_of, carried_by
 from situ.blackboard.watching import Watching
 from situ.decide import inputs, trace
 from situ.decide.board import Board
@@ -90,7 +91,8 @@ class Core:
     from; both differ from ``moment`` only where a scenario gives the time. files: path to
     text of the project's files. modules: those connected; holders: resource to module.
     tracing: how many follow the trace. performing: how many carry out each service elsewhere;
-    effects: how many effects each service was given, by whomever it is carried out. heard: as
+    effects: how many effects each service was given, by whomever it is carried out. asking: what
+    modules are asked. heard: as
     ``Heard``, None: nobody is told. remembers: whether what happens is put into
     ``Outgoing.past``.
     """
@@ -115,6 +117,7 @@ class Core:
         self.tracing = 0
         self.performing: Counter[str] = Counter()
         self.effects: Counter[str] = Counter()
+        self.asking = Asking(self._is_asked)
         self.moment = 0
         self.now = 0
         self.epoch = epoch
@@ -171,11 +174,26 @@ class Core:
                 self._hand_on(effect)
                 if isinstance(effect, Begin) and effect.action == "message":
                     out.notices.append(_message(effect))
+                elif isinstance(effect, Begin) and asked_of(effect) is not None:
+                    self.asking.begin(effect, self.now, self.modules)
+        if self.asking and any(type(event) in _ENDS for event in events):
+            self.asking.keep(self._robot.outstanding())
         return refused
 
     def outstanding(self) -> Sequence[Carried]:
         """What is to be carried out by who has carried out nothing yet."""
         return self._robot.outstanding()
+
+    def ask_again(self) -> None:
+        """After a restore: what modules were being asked."""
+        self.asking.clear()
+        for effect in self._robot.outstanding():
+            if isinstance(effect, Begin) and asked_of(effect) is not None:
+                self.asking.begin(effect, self.now, self.modules)
+
+    def _is_asked(self, module: str) -> None:
+        body = protocol.Asked(count=self.asking.counts[module])
+        self._out.notices.append(protocol.notice(protocol.asked_topic(module), body))
 
     def holds(self, module: str | None) -> tuple[str, ...]:
         """The resources that the module holds, sorted."""
@@ -239,6 +257,9 @@ class Core:
             lines = tuple(Raw(stamped(event, at)) for event in events)
             body = protocol.Events(events=lines)
             self._out.notices.append(protocol.notice(protocol.TRACE, body))
+
+
+_ENDS = (trace.Finished, trace.Cancelled)
 
 
 def _change(effect: Changed) -> bytes:

@@ -202,6 +202,24 @@ class Finish(Request, frozen=True, kw_only=True):
     action_id: int | None = None
 
 
+class Serve(Request, frozen=True, kw_only=True):
+    """What this module answers when applications ask; the reply has what they ask now.
+
+    requests: all of them; asked for another one, it fails at once.
+    """
+
+    requests: tuple[str, ...]
+
+
+class Answer(Request, frozen=True, kw_only=True):
+    """The answer to the ``Question`` of the id ``asked``; passed over where nobody waits for it."""
+
+    asked: int
+    ok: bool = True
+    result: Any = None
+    error: str | None = None
+
+
 class Trace(Request, frozen=True, kw_only=True):
     """From now on trace events are noticed; the reply has those from ``since`` on.
 
@@ -249,6 +267,8 @@ AnyRequest = (
     | Attend
     | Perform
     | Finish
+    | Serve
+    | Answer
     | Trace
     | Documents
     | Modules
@@ -324,7 +344,8 @@ class Alive(Reply, frozen=True, kw_only=True):
 
     changes: for each pattern that this session watches, how many changes fitted it since
     the core began to count. seq: the last trace event's. holds: this module's resources.
-    effects: for each of this client's services the number of the last effect.
+    effects: for each of this client's services the number of the last effect. asked: for a
+    module, how often what is asked of it has changed.
     """
 
     time: int
@@ -332,6 +353,7 @@ class Alive(Reply, frozen=True, kw_only=True):
     changes: dict[str, int]
     holds: tuple[str, ...]
     effects: dict[str, int] | UnsetType = UNSET
+    asked: int | UnsetType = UNSET
 
 
 class Done(Reply, frozen=True, kw_only=True):
@@ -391,6 +413,22 @@ class Outstanding(Reply, frozen=True, kw_only=True):
     next: dict[str, int]
 
 
+class Question(Struct, frozen=True):
+    """What an application asks of a module: a service ``board:module/request``."""
+
+    id: int
+    request: str
+    params: dict[str, Any]
+    application: str
+
+
+class Questions(Reply, frozen=True, kw_only=True):
+    """To serve: all that is asked of the module now, in order; count as ``asked`` in Alive."""
+
+    questions: tuple[Question, ...]
+    count: int
+
+
 class Files(Reply, frozen=True, kw_only=True):
     """To documents: path relative to the project, to the text of the file."""
 
@@ -436,6 +474,7 @@ AnyReply = (
     | Granted
     | Traced
     | Outstanding
+    | Questions
     | Files
     | ModuleStates
 )
@@ -456,6 +495,8 @@ REPLIES: dict[type[Request], type[Reply]] = {
     Attend: Done,
     Perform: Outstanding,
     Finish: Done,
+    Serve: Questions,
+    Answer: Done,
     Trace: Traced,
     Documents: Files,
     Modules: ModuleStates,
@@ -512,6 +553,12 @@ class Effect(Notice, frozen=True, kw_only=True):
     does: Carried
 
 
+class Asked(Notice, frozen=True, kw_only=True):
+    """Topic ``q:MODULE``: what is asked of the module has changed, so many times by now."""
+
+    count: int
+
+
 class Echo(Notice, frozen=True, kw_only=True):
     """Topic ``echo:TOKEN``, sent once when somebody subscribes to it: all that he subscribed
     to before is heard from here on."""
@@ -521,7 +568,7 @@ class End(Notice, frozen=True, kw_only=True):
     """Topic ``end``: the runtime stops."""
 
 
-AnyNotice = Change | Authority | Events | Message | Effect | Echo | End
+AnyNotice = Change | Authority | Events | Message | Effect | Asked | Echo | End
 
 # -- topics ------------------------------------------------------------------
 
@@ -558,6 +605,10 @@ def authority_topic(resource: str) -> bytes:
 
 def effect_topic(service: str) -> bytes:
     return b"x:%s\n" % service.encode()
+
+
+def asked_topic(module: str) -> bytes:
+    return b"q:%s\n" % module.encode()
 
 
 def message_topic(topic: str) -> bytes:

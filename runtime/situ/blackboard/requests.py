@@ -8,6 +8,7 @@ from typing import Any
 from msgspec import UNSET, Raw, Struct
 
 from situ.blackboard import presence, protocol
+from situ.blackboard.asking import one_line
 from situ.blackboard.core import Core
 from situ.blackboard.history import Performing, Told, Traced, Unwatched, Watched
 from situ.blackboard.rights import Identity
@@ -80,6 +81,7 @@ def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> pro
         changes=core.watching.changes(session.patterns),
         holds=core.holds(session.module),
         effects={s: core.effects[s] for s in session.services} if session.services else UNSET,
+        asked=core.asking.counts[session.module] if session.module is not None else UNSET,
     )
 
 
@@ -256,6 +258,34 @@ def _finish(core: Core, session: Session, request: protocol.Finish) -> protocol.
     return protocol.Done(id=request.id)
 
 
+def _serve(core: Core, session: Session, request: protocol.Serve) -> protocol.Reply:
+    if session.module is None:
+        raise No("role", "only a module is asked: connect with its name")
+    for name in request.requests:
+        if not name or len(name) > LONGEST:
+            raise No("invalid", f"{name[:LONGEST]!r} is no name of a request")
+    questions = core.asking.serve(session.module, request.requests, core.now)
+    count = core.asking.counts[session.module]
+    return protocol.Questions(id=request.id, questions=questions, count=count)
+
+
+def _answer(core: Core, session: Session, request: protocol.Answer) -> protocol.Reply:
+    if session.module is None:
+        raise No("role", "only a module answers: connect with its name")
+    module = core.asking.asked_of(request.asked)
+    if module not in (None, session.module):
+        raise No("refused", f"that was asked of {module}, not of {session.module}")
+    if module is not None and core.asking.heeds:
+        error = None if request.ok else one_line(module, request.error)
+        _do(
+            core,
+            inputs.Finish(
+                id=request.asked, ok=request.ok, result=request.result, error=error, status=None
+            ),
+        )
+    return protocol.Done(id=request.id)
+
+
 def _trace(core: Core, session: Session, request: protocol.Trace) -> protocol.Reply:
     if not session.tracing:
         core.tracing += 1
@@ -376,6 +406,8 @@ _ANSWERS: dict[type[protocol.Request], Callable[[Core, Session, Any], protocol.R
     protocol.Attend: _attend,
     protocol.Perform: _perform,
     protocol.Finish: _finish,
+    protocol.Serve: _serve,
+    protocol.Answer: _answer,
     protocol.Trace: _trace,
     protocol.Documents: _documents,
     protocol.Modules: _modules,

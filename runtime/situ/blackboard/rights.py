@@ -53,6 +53,8 @@ ALLOWED: dict[protocol.Role, frozenset[type[Request]]] = {
         protocol.Acquire,
         protocol.Abandon,
         protocol.Command,
+        protocol.Serve,
+        protocol.Answer,
         protocol.Disclose,
     },
     "operator": _LOOKING

@@ -15,13 +15,24 @@ Carried = Map | Begin | Cancel
 
 
 def carried_by(effect: Carried) -> tuple[str, ...]:
-    """The services that an effect is for. A message is the blackboard's own; a cancel is for
-    whoever carries that action out."""
+    """The services that an effect is for. A message is the blackboard's own, what a module is
+    asked the core's; a cancel is for whoever carries that action out."""
     if isinstance(effect, Map):
         return _BY_RESOURCE.get(effect.resource, _ROBOT)
     if isinstance(effect, Cancel):
         return SERVICES
-    return _ENGINE if effect.action != "message" else ()
+    return () if effect.action == "message" or asked_of(effect) is not None else _ENGINE
+
+
+def asked_of(begun: Begin) -> tuple[str, str] | None:
+    """The module and the request of a service ``board:module/request``; None for all others."""
+    if begun.action != "service":
+        return None
+    scheme, _, rest = str(begun.fields.get("url", "")).partition(":")
+    if scheme.lower() != "board":
+        return None
+    module, _, request = rest.strip("/").partition("/")
+    return module, request
 
 
 def may_repeat(begun: Begin) -> bool:

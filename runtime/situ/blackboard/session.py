@@ -31,7 +31,7 @@ from situ.blackboard.history import (
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Malformed
 from situ.blackboard.requests import LONGEST, No, Session, answer
 from situ.blackboard.rights import Identity
-from situ.blackboard.services import SERVICES, may_repeat
+from situ.blackboard.services import SERVICES, carried_by, may_repeat
 from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.document import names
@@ -72,6 +72,8 @@ class Sessions:
         self._core = core
         self._addresses = addresses
         self._scripted = scripted
+        # A scenario says itself what ends.
+        core.asking.heeds = not scripted
         self._guard = guard
         self._own = frozenset(own)
         self._sessions: dict[Hashable, Session] = {}
@@ -134,6 +136,8 @@ class Sessions:
             # We stood still ourselves: what was sent to us meanwhile may yet be on its way.
             for session in self._sessions.values():
                 session.heard = max(session.heard, now - _LEASE + _LATE)
+        for finish in self._core.asking.overdue(now):
+            self._core.step(finish)
         if self._look is None or now < self._look:
             return
         for session in [s for s in self._sessions.values() if now >= s.heard + _LEASE]:
@@ -144,9 +148,8 @@ class Sessions:
     def due(self) -> int | None:
         """When ``advance`` is to be called next, in µs; None: not before a message comes."""
         robot = None if self._scripted else self._core.due()
-        if robot is None or self._look is None:
-            return robot if self._look is None else self._look
-        return min(robot, self._look)
+        dues = (robot, self._core.asking.due(), self._look)
+        return min((due for due in dues if due is not None), default=None)
 
     def take(self) -> Outgoing:
         """What is to be sent and carried out since the last call."""
@@ -201,8 +204,9 @@ class Sessions:
                 _AGAIN[type(event)](self, event)
             elif event is not None:
                 core.step(event)
-        core.take()
         core.now = now
+        core.ask_again()
+        core.take()
         for session in self._sessions.values():
             session.heard = now
         self._look = now + _LEASE if self._sessions else None
@@ -435,10 +439,11 @@ class Sessions:
         self._forget(session)
         self._core.remember(Ended(session.id))
         if session.module is not None:
+            self._core.asking.lost(session.module, self._core.now)
             self._core.step(inputs.Lost(session.module))
         if session.performing and "engine" in session.services:
             for effect in self._core.outstanding():
-                if isinstance(effect, Begin) and not may_repeat(effect):
+                if isinstance(effect, Begin) and carried_by(effect) and not may_repeat(effect):
                     self._core.step(lost(effect, "the service engine was lost"))
 
     def _forget(self, session: Session) -> None:

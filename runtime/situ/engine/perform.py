@@ -18,7 +18,7 @@ from typing import Any
 
 from situ.blackboard.curve import KeysOf
 from situ.blackboard.protocol import Addresses
-from situ.blackboard.services import SERVICES
+from situ.blackboard.services import SERVICES, asked_of
 from situ.decide.effects import AnyEffect, Begin, Cancel, Map
 from situ.decide.inputs import AnyInput, Finish, Set
 from situ.document.project import Project
@@ -229,7 +229,7 @@ class Performer:
             self._move(self._adapter, effect)
 
     def _begin(self, effect: Begin) -> None:
-        if "engine" not in self._services:
+        if "engine" not in self._services or asked_of(effect) is not None:
             return
         if effect.action == "message":
             message.send(self._publish, effect.fields)
