@@ -26,6 +26,14 @@ def test_anything_else_is_no_tag(text: str) -> None:
     assert not names.is_tag(text)
 
 
+def test_none_is_longer_than_500_characters() -> None:
+    longest = "a." * 249 + "ab"
+    for is_one in (names.is_tag, names.is_name, names.is_pattern):
+        assert is_one(longest)
+        assert not is_one(longest + "c")
+    assert names.references(f"{{{longest}}} {{{longest}c}}") == (longest,)
+
+
 @pytest.mark.parametrize("name", ["patient.room", "patients.0.roomNumber", "service/Find.ok"])
 def test_a_name_may_go_on_with_fields_and_places(name: str) -> None:
     assert names.is_name(name)

@@ -20,7 +20,7 @@ from situ.decide.effects import AnyEffect, Begin, Changed, Map
 from situ.decide.robot import Robot
 from situ.document import codec
 from situ.document.project import Project
-from situ.document.rbd import Application
+from situ.document.rbd import Application, Set, State
 from situ.document.ready import load_ready
 from situ.engine.folder import StateFolder
 from situ.engine.live import Live
@@ -70,6 +70,21 @@ def test_what_was_written_down_is_found(tmp_path: Path, project: Project) -> Non
     kept, past = left
     assert past == PAST
     assert (kept.robot, kept.seq, kept.sessions) == (robot.snapshot(), robot.seq, SESSIONS)
+
+
+def test_integers_of_any_size_are_written_down(tmp_path: Path) -> None:
+    large = {"x": [2**64, -(10**100)]}
+    state = State(no="1", actions=(Set(tag="y", text="1" * 30),))
+    applications = {"a.rbd.xml": Application(name="a", states=(state,))}
+    project = Project(name="a", root="", applications=applications, tags=large)
+    robot = killed(tmp_path, project, [(1, inputs.Set(large, "nod"))])
+    left = Recovery(tmp_path, project, boot=BOOT).found
+    assert left is not None
+    other = Robot(project)
+    other.restore(left[0].robot)
+    assert other.board.look("x") == robot.board.look("x") == large["x"]
+    assert other.board.look("y") == int("1" * 30)
+    assert left[1] == [(1, inputs.Set(large, "nod"))]
 
 
 @pytest.mark.parametrize("cut", [1, 7, 12])
@@ -156,7 +171,7 @@ def test_what_can_not_be_written_down_leaves_nothing_old_behind(
     robot = Robot(project)
     recovery = Recovery(tmp_path, project, boot=BOOT)
     recovery.snapshot(0.0, robot, SESSIONS, Backlog())
-    recovery.append([(1, inputs.Set({"x": 2**70}, "nod"))])
+    recovery.append([(1, inputs.Set({"x": 10**5000}, "nod"))])
     recovery.append(PAST)
     # Else the next core would go on without having heard of x.
     assert found(tmp_path, project) is None

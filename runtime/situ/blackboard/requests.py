@@ -17,11 +17,10 @@ from situ.blackboard.watching import Watching
 from situ.decide import inputs
 from situ.decide.board import Board
 from situ.document import names
+from situ.document.names import LONGEST
 
 PAGE = 500
 """Trace events in one reply."""
-LONGEST = 500
-"""Characters of a tag, a name or a pattern; nobody means longer ones."""
 TAGS = 100_000
 """Tags on the board, deleted ones too, for their versions count on."""
 PATTERNS = 1_000

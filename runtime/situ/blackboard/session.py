@@ -29,12 +29,13 @@ from situ.blackboard.history import (
     Watched,
 )
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Malformed
-from situ.blackboard.requests import LONGEST, No, Session, answer
+from situ.blackboard.requests import No, Session, answer
 from situ.blackboard.rights import Identity
 from situ.blackboard.services import SERVICES, carried_by, may_repeat
 from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.document import names
+from situ.document.names import LONGEST
 
 _LEASE = int(LEASE * SECOND)
 _LATE = int(HEARTBEAT * SECOND)

@@ -56,7 +56,7 @@ class Intake:
         for tag in given.tags:
             no = refusal(tag, given.writer)
             if no is None and not names.is_tag(tag):
-                no = f"{tag} is no tag: use words of a-z, 0-9, _ and - joined by dots"
+                no = f"{tag or repr(tag)} is no tag: use words of a-z, 0-9, _ and - joined by dots"
             if no is not None:
                 self._refuse(no, given.writer)
                 return

@@ -184,7 +184,8 @@ class Robot:
         """All that this robot knows, to be restored into a ``Robot`` of the same project."""
         world, settling = self._world, self._settling
         world.state.random = world.random.getstate()
-        return msgspec.msgpack.encode(
+        # JSON, as the values are: it holds integers of any size.
+        return msgspec.json.encode(
             RobotState(
                 world.step.state, world.board.state, world.conditions.state,
                 world.priorities.state, world.state, [m.state for m in self._machines],
@@ -197,9 +198,9 @@ class Robot:
     def restore(self, snapshot: bytes) -> None:
         """Goes on from where ``snapshot`` was taken; every later step is the same as there.
 
-        Raises msgspec.ValidationError where the bytes are no snapshot.
+        Raises msgspec.DecodeError where the bytes are no snapshot.
         """
-        state = msgspec.msgpack.decode(snapshot, type=RobotState)
+        state = msgspec.json.decode(snapshot, type=RobotState)
         world, settling = self._world, self._settling
         world.step.state, world.board.state = state.step, state.board
         world.conditions.state, world.priorities.state = state.conditions, state.priorities

@@ -6,6 +6,9 @@ write for a value: a tag, or a tag followed by fields and 0-based places
 (``patients.0.roomNumber``). A *pattern* is a tag in which ``*`` stands for one
 word or path part and ``**`` for any number of them, none too. A *template* is
 text in which ``{name}`` stands for a value.
+
+None of the first three has more than ``LONGEST`` characters: nobody means longer ones, and to
+look for the longest tag that begins a name would cost the square of its length.
 """
 
 from __future__ import annotations
@@ -15,6 +18,8 @@ from functools import lru_cache
 
 RESERVED_ROOTS = ("robot/", "module/", "application/", "service/")
 """Paths below these are the runtime's; ``clear`` never touches them."""
+
+LONGEST = 500
 
 _WORD = r"[a-z][a-z0-9_-]*"
 _FIELD = r"[\w-]+"
@@ -31,17 +36,19 @@ _PIECE = re.compile(r"\{\{|\}\}|\{([^{}]*)\}")
 
 def is_tag(text: str) -> bool:
     """Whether ``text`` is a tag: something that can be set on the blackboard."""
-    return _TAG.fullmatch(text) is not None
+    return len(text) <= LONGEST and _TAG.fullmatch(text) is not None
 
 
 def is_name(text: str) -> bool:
     """Whether ``text`` names a value: a tag, perhaps with fields and places behind it."""
-    return _NAME.fullmatch(text) is not None
+    return len(text) <= LONGEST and _NAME.fullmatch(text) is not None
 
 
 def is_pattern(text: str) -> bool:
     """Whether ``text`` is a pattern; every tag is one too."""
-    return _PATTERN_WORDS.fullmatch(text) is not None or _PATTERN_PATH.fullmatch(text) is not None
+    return len(text) <= LONGEST and bool(
+        _PATTERN_WORDS.fullmatch(text) or _PATTERN_PATH.fullmatch(text)
+    )
 
 
 def is_reserved(text: str) -> bool:

@@ -94,7 +94,7 @@ class Recovery:
         if self._journal is None:
             return
         try:
-            self._size += frames.append(self._journal, _encode(past))
+            self._size += frames.append(self._journal, _encode_past(past))
         except _CAN_NOT as error:
             self._fail(error)
 
@@ -113,7 +113,7 @@ class Recovery:
             self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
             self._trace.follow(sessions.runtime, backlog)
             state = robot.snapshot()
-            body = _encode(
+            body = msgspec.msgpack.encode(
                 Kept(self._identity, self._boot, mark, began, robot.seq, state, sessions)
             )
             journal = frames.create(self._folder / "journal.new", mark.encode())
@@ -194,7 +194,7 @@ class Recovery:
         end = first[1]
         for body, behind in turns:
             try:
-                past += _decode(body)
+                past += _decode_past(body)
             except msgspec.MsgspecError:
                 break
             end = behind
@@ -205,7 +205,7 @@ class Recovery:
 
 def identity(project: Project) -> str:
     """The same for the same project, wherever it lies, and the same situ."""
-    value = msgspec.msgpack.encode(msgspec.structs.replace(project, root=""))
+    value = msgspec.json.encode(msgspec.structs.replace(project, root=""))
     return hashlib.sha256(situ.__version__.encode() + b"\n" + value).hexdigest()
 
 
@@ -218,6 +218,7 @@ def _boot() -> str:
 
 
 _CAN_NOT = (OSError, TypeError, ValueError, OverflowError, msgspec.MsgspecError)
-"""A disk that does not take it, a value that has no bytes (an integer of more than 64 bits)."""
-_encode = msgspec.msgpack.Encoder().encode
-_decode = msgspec.msgpack.Decoder(list[tuple[int, AnyInput | AnySessionEvent | None]]).decode
+"""A disk that does not take it, a value that has no bytes."""
+# JSON, as the values are: it holds integers of any size.
+_encode_past = msgspec.json.Encoder().encode
+_decode_past = msgspec.json.Decoder(list[tuple[int, AnyInput | AnySessionEvent | None]]).decode
