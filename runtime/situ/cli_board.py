@@ -5,11 +5,14 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
-    from situ.blackboard.client import Board
+    from situ.blackboard.client import Board, Following
     from situ.blackboard.protocol import ModuleState, Role
+
+T = TypeVar("T")
 
 PATIENCE = 1.0
 """Seconds that the robot has to answer."""
@@ -30,6 +33,7 @@ def add(commands: Any) -> None:
         action="store_true",
         help="the messages of applications instead; TAG is a topic or a pattern: spo2/*",
     )
+    _waits(watch)
 
     event = _command(commands, "event", _event, "raise an event")
     event.add_argument("name", metavar="NAME")
@@ -44,6 +48,7 @@ def add(commands: Any) -> None:
     trace.add_argument(
         "--since", type=int, metavar="SEQ", help="from this event on; 1: all there is"
     )
+    _waits(trace)
 
 
 def _command(
@@ -67,6 +72,12 @@ def _command(
         parser.add_argument("--json", action="store_true", help="for a program to read")
     parser.set_defaults(run=run)
     return parser
+
+
+def _waits(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--wait", action="store_true", help="when the robot ends, wait until it is started again"
+    )
 
 
 def _connect(args: argparse.Namespace, role: Role) -> Board:
@@ -107,7 +118,7 @@ def _watch(args: argparse.Namespace) -> int:
     if args.messages:
         return _listen(args)
     with _connect(args, "viewer") as board, board.watch(args.tag) as changes:
-        for change in changes:
+        for change in _coming(args, board, changes):
             if args.json:
                 _print(change)
             else:
@@ -119,7 +130,7 @@ def _listen(args: argparse.Namespace) -> int:
     from msgspec.structs import asdict
 
     with _connect(args, "viewer") as board, board.messages(args.tag) as messages:
-        for message in messages:
+        for message in _coming(args, board, messages):
             if args.json:
                 _print(asdict(message))
             else:
@@ -175,9 +186,20 @@ def _table(rows: list[tuple[str, ...]]) -> None:
 
 def _trace(args: argparse.Namespace) -> int:
     with _connect(args, "viewer") as board, board.trace(args.since) as events:
-        for event in events:
+        for event in _coming(args, board, events):
             _print(event)
     return 0
+
+
+def _coming(args: argparse.Namespace, board: Board, following: Following[T]) -> Iterator[T]:
+    """What comes, until the robot ends. One that was killed is waited for: it may come back."""
+    while True:
+        item = following.next(PATIENCE)
+        if item is not None:
+            yield item
+        elif board.stopped and not args.wait:
+            print(f"situ: {args.at}: the robot has ended", file=sys.stderr)
+            return
 
 
 def _say(tag: str, value: Any) -> None:

@@ -7,6 +7,8 @@ import select
 import subprocess
 import sys
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -78,6 +80,38 @@ def test_watch_and_trace_print_as_it_comes(running: Any, arguments: list[str], l
     with subprocess.Popen(command, stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline().startswith(line)
+        process.terminate()
+
+
+def test_trace_ends_with_the_robot(
+    run_lab: Callable[..., Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    robot = run_lab()
+    with ThreadPoolExecutor() as pool, situ.connect(robot.endpoint) as board:
+        following = pool.submit(cli.main, ["trace", "--at", robot.endpoint])
+        for number in count():
+            board.set("x", number)
+            if capsys.readouterr().out:
+                break
+        assert robot.stop() == 0
+        assert following.result(DEADLINE) == 0
+    assert capsys.readouterr().err == f"situ: {robot.endpoint}: the robot has ended\n"
+
+
+def test_with_wait_the_next_start_is_waited_for(run_lab: Callable[..., Any]) -> None:
+    robot = run_lab()
+    command = [sys.executable, "-m", "situ", "watch", "x", "--wait", "--at", robot.endpoint]
+    with subprocess.Popen(command, stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        with situ.connect(robot.endpoint) as board:
+            board.set("x", 1)
+            assert process.stdout.readline() == b"x 1\n"
+        robot.stop()
+        run_lab("--endpoint", robot.endpoint, "--notify", robot.notifications)
+        assert process.stdout.readline() == b"x null\n"
+        with situ.connect(robot.endpoint) as board:
+            board.set("x", 2)
+            assert process.stdout.readline() == b"x 2\n"
         process.terminate()
 
 

@@ -114,7 +114,8 @@ def test_replies_to_who_does_not_read_are_bounded_too(make: Make) -> None:
         try:
             outbox.send(bytes(SIZE), peer)
         except zmq.ZMQError as error:
-            assert error.errno == zmq.EHOSTUNREACH
+            if error.errno != zmq.EHOSTUNREACH:
+                raise
             return False
         return True
 

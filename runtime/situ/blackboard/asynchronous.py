@@ -171,6 +171,10 @@ class AsyncBoard:
         return self._dialog.connected
 
     @property
+    def stopped(self) -> bool:
+        return self._dialog.stopped
+
+    @property
     def addresses(self) -> Addresses:
         assert self._dialog.welcome is not None
         return self._dialog.welcome.addresses

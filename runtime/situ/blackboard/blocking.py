@@ -167,6 +167,11 @@ class Board:
         return self._dialog.connected
 
     @property
+    def stopped(self) -> bool:
+        """Whether the core has ended, by its own word, and not come back."""
+        return self._dialog.stopped
+
+    @property
     def addresses(self) -> Addresses:
         """As the core announced them: ``requests``, ``notifications`` and ``http``."""
         assert self._dialog.welcome is not None

@@ -30,7 +30,8 @@ class Dialog:
     (the address to subscribe at, None before it is known) after each of them.
 
     For its user: ``connected``; ``welcome`` (the core's last greeting); ``changed`` is
-    called when either changes; the requests, each a ``Call``; ``watch`` and ``trace``.
+    called when either changes; ``stopped`` (whether the core has said that it ends, and has
+    not come back); the requests, each a ``Call``; ``watch`` and ``trace``.
     ``problem`` says why there is no session, where the core told.
     """
 
@@ -38,6 +39,7 @@ class Dialog:
         self.person = person
         self.connected = False
         self.ended = False
+        self.stopped = False
         self.welcome: protocol.Welcome | None = None
         self.problem: Refused | None = None
         self.notifications: str | None = None
@@ -126,6 +128,7 @@ class Dialog:
                 mine = notice.to is not None and notice.to == self.person.module
                 self._hold(self.holds | passed if mine else self.holds - passed, notice.seq)
         elif isinstance(notice, protocol.End):
+            self.stopped = True
             if self.connected:
                 self._lose()
         else:
@@ -174,7 +177,7 @@ class Dialog:
     def _welcomed(self, welcome: protocol.Welcome, now: float) -> None:
         restarted = self.welcome is not None and self.welcome.runtime != welcome.runtime
         self.welcome, self.problem, self._turned = welcome, None, None
-        self.connected = True
+        self.connected, self.stopped = True, False
         self._hellos.clear()
         self.notifications = welcome.addresses.notifications
         self._next = now + HEARTBEAT
