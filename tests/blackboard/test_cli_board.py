@@ -144,7 +144,8 @@ def test_nobody_there_is_one_line_and_status_2(
     # A port of ours that takes connections and never answers.
     assert cli.main([*arguments, "--at", "ipc://@nobody-is-here"]) == 2
     error = capsys.readouterr().err
-    assert error == "situ: ipc://@nobody-is-here: nobody answers; is situ run going there?\n"
+    why = "nobody answers; is situ run going there, and if it has keys, does it know yours?"
+    assert error == f"situ: ipc://@nobody-is-here: {why}\n"
 
 
 @pytest.mark.parametrize(

@@ -49,6 +49,7 @@ class Runtime:
             self._process = subprocess.Popen(
                 [
                     *(sys.executable, "-m", "situ", "run", str(self.project), "--json"),
+                    "--no-restart",
                     *("--state", str(self.state), *self._addresses, *options),
                 ],
                 stdout=subprocess.PIPE,
@@ -64,10 +65,9 @@ class Runtime:
         assert line, self.log.read_text("utf-8")
         ready = json.loads(line)
         self.endpoint = ready["requests"]
-        http = ready["http"].partition("//")[2].partition("/")[0]
-        self._addresses = [
-            *("--endpoint", self.endpoint, "--notify", ready["notifications"], "--http", http)
-        ]
+        self._addresses = ["--endpoint", self.endpoint, "--notify", ready["notifications"]]
+        if ready["http"] is not None:
+            self._addresses += ["--http", ready["http"].partition("//")[2].partition("/")[0]]
         return time.monotonic() - began
 
     def start_in_vain(self) -> tuple[int, str]:
@@ -90,6 +90,13 @@ class Runtime:
     def stop(self) -> int:
         """SIGTERM; the exit status."""
         return self._end(signal.SIGTERM)
+
+    @property
+    def memory(self) -> float:
+        """Megabytes that it has in memory now."""
+        assert self._process is not None
+        status = Path(f"/proc/{self._process.pid}/status").read_text("utf-8")
+        return int(status.partition("VmRSS:")[2].split()[0]) / 1024
 
     @property
     def running(self) -> bool:

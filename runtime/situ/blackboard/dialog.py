@@ -145,7 +145,9 @@ class Dialog:
         """Why nothing is answered, in one line; who knows the address puts it before."""
         if self.problem is not None:
             return Unreachable(str(self.problem))
-        return Unreachable("nobody answers; is situ run going there?")
+        return Unreachable(
+            "nobody answers; is situ run going there, and if it has keys, does it know yours?"
+        )
 
     # -- the session ---------------------------------------------------------
 
