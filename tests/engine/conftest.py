@@ -214,6 +214,11 @@ def ended() -> Callable[[int], Awaitable[None]]:
 
 
 @pytest.fixture
+def hand_clock() -> HandClock:
+    return HandClock()
+
+
+@pytest.fixture
 def situation(tmp_path: Path) -> Situation:
     return Situation(tmp_path)
 
