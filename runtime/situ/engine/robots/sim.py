@@ -25,6 +25,16 @@ from situ.engine.robots.motion import (
     path,
     sweep,
 )
+from situ.engine.robots.vocabulary import (
+    NotUnderstood,
+    chosen,
+    command,
+    fields,
+    number,
+    only,
+    params,
+    place,
+)
 
 FASTEST = 1.0
 """Metres a second that the base drives at most; a faster command is cut down."""
@@ -34,14 +44,12 @@ YAW, PITCH = 120.0, 45.0
 REPORT_EVERY = 0.5
 """Seconds between two reports of where the robot is, while it moves."""
 
+BASE, HEAD = "the simulated robot's base", "the simulated robot's head"
+
 _REPORTED = {
     "base": ("pose.x", "pose.y", "pose.heading"),
     "head": ("pose.yaw", "pose.pitch"),
 }
-
-
-class _Unknown(Exception):
-    """A command that this robot can not carry out; ``str`` says why."""
 
 
 class SimulatedRobot:
@@ -92,13 +100,13 @@ class SimulatedRobot:
         here = self._where(resource)
         try:
             motion = self._motion(resource, here, value)
-        except _Unknown as error:
+        except NotUnderstood as error:
             motion = Hold(here)
             self._begin(resource, motion)
             self._finished(resource, False, str(error))
             return
         self._begin(resource, motion)
-        if _command(value) is not None and motion.duration < math.inf:
+        if command(value) is not None and motion.duration < math.inf:
             end_at = self._clock.time() + motion.duration
             self._ends[resource] = self._clock.call_at(end_at, lambda: self._arrive(resource))
 
@@ -121,52 +129,44 @@ class SimulatedRobot:
     def _motion(self, resource: str, here: tuple[float, ...], value: Any) -> Motion:
         if value is None:
             return Hold(here)
-        if not isinstance(value, dict):
-            raise _Unknown(f"the simulated robot's {resource} takes an object, not {value!r}")
+        said = fields(value, f"the simulated robot's {resource}")
         known = {"base": self._base, "head": self._head}[resource]
-        return known(here, value)
+        return known(here, said)
 
     def _base(self, here: tuple[float, ...], value: dict[str, Any]) -> Motion:
-        command = _command(value)
-        if command is None:
-            turn = _number(value, "turn", 0.0, FASTEST_TURN)
-            vx, vy = _number(value, "vx", 0.0), _number(value, "vy", 0.0)
+        name = command(value)
+        if name is None:
+            turn = number(value, "turn", 0.0, FASTEST_TURN)
+            vx, vy = number(value, "vx", 0.0), number(value, "vy", 0.0)
             # Cut down together, so that the direction stays.
             cut = min(1.0, FASTEST / max(math.hypot(vx, vy), 1e-9))
-            _only(value, "base", "vx", "vy", "turn")
+            only(value, BASE, "vx", "vy", "turn")
             return Drift(here, vx * cut, vy * cut, turn)
-        params = _params(value)
+        given = params(value)
         commands: dict[str, Callable[[], Motion]] = {
-            "goto": lambda: drive_to(here, self._place(params)),
-            "drive": lambda: self._drive(here, _number(params, "distance")),
-            "turn": lambda: self._turn(here, _number(params, "angle")),
+            "goto": lambda: drive_to(here, place(self._places, given)),
+            "drive": lambda: self._drive(here, number(given, "distance")),
+            "turn": lambda: self._turn(here, number(given, "angle")),
         }
-        return _chosen("base", command, commands)
+        return chosen(BASE, name, commands)
 
     def _head(self, here: tuple[float, ...], value: dict[str, Any]) -> Motion:
         yaw, pitch = here
-        command = _command(value)
-        if command is None:
-            _only(value, "head", "yaw", "pitch")
+        name = command(value)
+        if name is None:
+            only(value, HEAD, "yaw", "pitch")
             return sweep(here, _gaze(value, here))
-        params = _params(value)
+        given = params(value)
         down, up = (yaw, max(-PITCH, pitch - 15.0)), (yaw, min(PITCH, pitch + 5.0))
         left, right = (min(YAW, yaw + 20.0), pitch), (max(-YAW, yaw - 20.0), pitch)
         commands: dict[str, Callable[[], Motion]] = {
-            "look": lambda: sweep(here, _gaze(params, here)),
+            "look": lambda: sweep(here, _gaze(given, here)),
             "centre": lambda: sweep(here, (0.0, 0.0)),
             "nod": lambda: sweep(here, down, up, down, here),
             "shake": lambda: sweep(here, left, right, left, here),
             "follow": lambda: self._follow(here),
         }
-        return _chosen("head", command, commands)
-
-    def _place(self, params: dict[str, Any]) -> tuple[float, float, float]:
-        name = params.get("place")
-        if isinstance(name, str) and name in self._places:
-            return self._places[name]
-        known = ", ".join(sorted(self._places)) or "none"
-        raise _Unknown(f"there is no place {name!r} in [places] of situ.toml; there are: {known}")
+        return chosen(HEAD, name, commands)
 
     @staticmethod
     def _drive(here: tuple[float, ...], distance: float) -> Motion:
@@ -208,40 +208,5 @@ class SimulatedRobot:
             self._next_report = self._clock.call_at(now + REPORT_EVERY, self._tell)
 
 
-def _command(value: Any) -> str | None:
-    if isinstance(value, dict) and "command" in value:
-        return str(value["command"])
-    return None
-
-
-def _params(value: dict[str, Any]) -> dict[str, Any]:
-    params = value.get("params")
-    return params if isinstance(params, dict) else {}
-
-
-def _chosen(resource: str, command: str, commands: dict[str, Callable[[], Motion]]) -> Motion:
-    if command not in commands:
-        known = ", ".join(commands)
-        raise _Unknown(f"the simulated robot's {resource} can not {command}; it knows {known}")
-    return commands[command]()
-
-
-def _number(
-    of: dict[str, Any], name: str, default: float | None = None, limit: float = math.inf
-) -> float:
-    value = of.get(name, default)
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise _Unknown(f"{name} has to be a number, not {value!r}")
-    return float(min(max(value, -limit), limit))
-
-
 def _gaze(of: dict[str, Any], here: tuple[float, ...]) -> tuple[float, float]:
-    return _number(of, "yaw", here[0], YAW), _number(of, "pitch", here[1], PITCH)
-
-
-def _only(value: dict[str, Any], resource: str, *names: str) -> None:
-    for name in value:
-        if name not in names:
-            raise _Unknown(
-                f"the simulated robot's {resource} knows {', '.join(names)}, not {name!r}"
-            )
+    return number(of, "yaw", here[0], YAW), number(of, "pitch", here[1], PITCH)
