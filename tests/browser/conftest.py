@@ -16,6 +16,7 @@ from situ.decide.effects import Map
 from situ.decide.inputs import AnyInput
 from situ.document.project import Project
 from situ.engine.perform import Performer
+from situ.engine.voices.espeak import EspeakNg
 
 DEADLINE = 20.0
 ARGUMENTS = [
@@ -50,7 +51,7 @@ class Stage:
             screen=("127.0.0.1", port),
             state_dir=self._state,
             sound=False,
-            program="",
+            voice=EspeakNg(None),
             **self._options,
         )
 

@@ -16,6 +16,7 @@ import pytest
 from situ.decide.inputs import AnyInput, Finish
 from situ.document.project import Project
 from situ.engine.perform import Performer
+from situ.engine.voices.espeak import EspeakNg
 
 DEADLINE = 20.0
 
@@ -149,7 +150,7 @@ class Situation:
             "state_dir": self.state,
             "services": ("engine", "robot"),
             "sound": False,
-            "program": "",
+            "voice": EspeakNg(None),
             "clock": clock,
         }
         performer = Performer(project, answers.submit, **(given | options))

@@ -13,6 +13,7 @@ import pytest
 
 from situ.decide.effects import Cancel, Map
 from situ.document.spoken import estimate
+from situ.engine.voices.espeak import EspeakNg
 
 TEXT = "Hello! Shall we see how you are today?"
 
@@ -39,7 +40,7 @@ def test_without_a_sound_device_speech_is_done_when_it_would_have_been_heard(
     expected = rendered_seconds(espeak, "-v", "en", "-s", "175")
 
     async def scenario() -> None:
-        async with situation.side(program=espeak) as side:
+        async with situation.side(voice=EspeakNg(espeak)) as side:
             side.performer.perform(speech(7))
             length = await side.clock.asked_for_time()
             assert length == pytest.approx(expected, abs=0.05)
@@ -58,7 +59,7 @@ def test_the_tag_speech_rate_is_obeyed(situation: Any, espeak: str, rate: Any, w
     situation.tags["speech.rate"] = rate
 
     async def scenario() -> None:
-        async with situation.side(program=espeak) as side:
+        async with situation.side(voice=EspeakNg(espeak)) as side:
             side.performer.perform(speech(7))
             assert await side.clock.asked_for_time() == pytest.approx(expected, abs=0.05)
 
@@ -68,7 +69,7 @@ def test_the_tag_speech_rate_is_obeyed(situation: Any, espeak: str, rate: Any, w
 @pytest.mark.espeak
 def test_a_language_that_espeak_does_not_know_is_text(situation: Any, espeak: str) -> None:
     async def scenario() -> None:
-        async with situation.side(program=espeak) as side:
+        async with situation.side(voice=EspeakNg(espeak)) as side:
             side.performer.perform(speech(7, lang="qqq"))
             assert await side.clock.asked_for_time() == pytest.approx(estimate(TEXT))
 
@@ -104,7 +105,7 @@ def test_text_goes_by_standard_input_and_is_no_option_no_phoneme_and_no_shell(
     situation.tags.update({"speech.volume": 150, "language": "pt_BR"})
 
     async def scenario() -> None:
-        async with situation.side(program=str(fake)) as side:
+        async with situation.side(voice=EspeakNg(str(fake))) as side:
             side.performer.perform(speech(7, "-w /x $(id) \x1b; [[h@l'oU]]"))
             await side.clock.asked_for_time()
 
@@ -139,7 +140,7 @@ def test_speech_that_is_taken_away_is_killed_at_once(
     )
 
     async def scenario() -> int:
-        async with situation.side(program=str(fake)) as side:
+        async with situation.side(voice=EspeakNg(str(fake))) as side:
             side.performer.perform(speech(7))
             pid: int = await started.pid()
             if by == "null":
@@ -161,7 +162,7 @@ def test_speech_that_is_taken_away_is_killed_at_once(
 
 def test_a_speech_engine_that_can_not_start_is_text(situation: Any, tmp_path: Path) -> None:
     async def scenario() -> None:
-        async with situation.side(program=str(tmp_path / "missing")) as side:
+        async with situation.side(voice=EspeakNg(str(tmp_path / "missing"))) as side:
             side.performer.perform(speech(7))
             await side.clock.advance(await side.clock.asked_for_time())
             assert (await side.answers.finish(7)).ok
@@ -176,7 +177,7 @@ def test_what_fails_to_play_is_not_done_before_it_would_have_been_heard(
     fake = program("espeak-ng", 'cat > "$0.text"; echo "cannot find card 0" >&2')
 
     async def scenario() -> None:
-        async with situation.side(program=str(fake), sound=True) as side:
+        async with situation.side(voice=EspeakNg(str(fake)), sound=True) as side:
             side.performer.perform(speech(7))
             assert await side.clock.asked_for_time() == pytest.approx(estimate(TEXT))
 

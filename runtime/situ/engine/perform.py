@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
-import shutil
 from collections.abc import Callable, Collection, Coroutine
 from functools import partial
 from pathlib import Path
@@ -22,6 +21,7 @@ from situ.blackboard.services import SERVICES, asked_of
 from situ.decide.effects import AnyEffect, Begin, Cancel, Map
 from situ.decide.inputs import AnyInput, Finish, Set
 from situ.document.project import Project
+from situ.engine import voices
 from situ.engine.actions import ActionFailed, message
 from situ.engine.actions.launch import Launcher
 from situ.engine.actions.service import Services
@@ -32,6 +32,7 @@ from situ.engine.media import MediaFolder
 from situ.engine.robots import Adapter, Surroundings, find
 from situ.engine.screen.server import ScreenServer
 from situ.engine.secrets import Secrets
+from situ.engine.voices import Voice
 
 Act = Callable[[], Coroutine[Any, Any, None]]
 
@@ -51,8 +52,8 @@ class Performer:
     each time. services: those that are carried out here; effects for the
     others are left alone. poses: whether the simulated robot reports where it is.
     sound: whether somebody can hear; None finds out. captions: whether the screen
-    keeps a line for what is being said; None: where there is no sound.
-    program: espeak-ng's path; None finds it, "" does without.
+    keeps a line for what is being said; None: as soon as something said is not heard.
+    voice: who speaks; None: espeak-ng.
     """
 
     def __init__(
@@ -68,7 +69,7 @@ class Performer:
         poses: bool = True,
         sound: bool | None = None,
         captions: bool | None = None,
-        program: str | None = None,
+        voice: Voice | None = None,
         timeout: float = 30.0,
         clock: Clock | None = None,
         adapter: Callable[[Surroundings], Adapter] | None = None,
@@ -87,7 +88,8 @@ class Performer:
         self._log = log or logging.getLogger("situ.engine")
         self._audible = audible() if sound is None else sound
         self._captions = not self._audible if captions is None else captions
-        self._program = shutil.which("espeak-ng") if program is None else program or None
+        self._captioning = captions is None
+        self._talks = voices.find("espeak-ng") if voice is None else voice
         self._media = MediaFolder(project)
         self._timeout = timeout
         self._launcher = Launcher(state_dir, self._log)
@@ -111,7 +113,7 @@ class Performer:
         if "engine" in self._services:
             told = Secrets(self._state_dir)
             self._asker = Services(self._media, clock, self._log, self._timeout, told)
-            self._speaker = Speaker(self._program, self._audible, clock, self._log)
+            self._speaker = Speaker(self._talks, self._audible, clock, self._log, self._unheard)
             self._player = Player(self._audible, clock, self._log)
         if "screen" in self._services:
             server = ScreenServer(
@@ -314,6 +316,11 @@ class Performer:
             self._voice = None
             if self._screen is not None:
                 self._screen.caption(None)
+
+    def _unheard(self) -> None:
+        """Something that was said was not heard: from now on it can be read."""
+        if self._captioning and not self._captions:
+            self.captions = True
 
     def _language(self) -> str:
         lang = self._tag("language")

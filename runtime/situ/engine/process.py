@@ -8,7 +8,7 @@ import ctypes
 import os
 import signal
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import AsyncIterator, Callable, Sequence
 
 from msgspec import Struct
 
@@ -36,14 +36,7 @@ async def run(argv: Sequence[str], data: bytes = b"") -> Ended:
     returns only when the program is gone, and the system kills it where we are killed
     ourselves. Raises OSError where it can not start.
     """
-    process = await asyncio.create_subprocess_exec(
-        *argv,
-        stdin=asyncio.subprocess.PIPE,
-        stdout=asyncio.subprocess.PIPE,
-        stderr=asyncio.subprocess.PIPE,
-        start_new_session=True,
-        preexec_fn=ending_with_us(signal.SIGKILL),
-    )
+    process = await _start(argv)
     try:
         out, err = await process.communicate(data)
     except BaseException:
@@ -53,6 +46,54 @@ async def run(argv: Sequence[str], data: bytes = b"") -> Ended:
         raise
     assert process.returncode is not None
     return Ended(process.returncode, out, err)
+
+
+class Running:
+    """A program under way, with its streams; what it complains of is read meanwhile."""
+
+    def __init__(self, process: asyncio.subprocess.Process) -> None:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        assert process.stderr is not None
+        self.stdin = process.stdin
+        self.stdout = process.stdout
+        self._process = process
+        self._errors = asyncio.create_task(process.stderr.read())
+
+    async def ended(self) -> Ended:
+        """Waits for its end; ``out`` is what nobody has read of its standard output."""
+        out, err, status = await asyncio.gather(
+            self.stdout.read(), self._errors, self._process.wait()
+        )
+        return Ended(status, out, err)
+
+
+@contextlib.asynccontextmanager
+async def running(argv: Sequence[str]) -> AsyncIterator[Running]:
+    """Starts a program as ``run`` does, for who talks with it while it runs.
+
+    At the end of the context its group is killed where it still runs, and it is gone.
+    Raises OSError where it can not start.
+    """
+    process = await _start(argv)
+    program = Running(process)
+    try:
+        yield program
+    finally:
+        kill(process)
+        program.stdin.close()
+        await asyncio.shield(program.ended())
+
+
+async def _start(argv: Sequence[str]) -> asyncio.subprocess.Process:
+    return await asyncio.create_subprocess_exec(
+        *argv,
+        stdin=asyncio.subprocess.PIPE,
+        stdout=asyncio.subprocess.PIPE,
+        stderr=asyncio.subprocess.PIPE,
+        start_new_session=True,
+        preexec_fn=ending_with_us(signal.SIGKILL),
+    )
 
 
 def kill(process: asyncio.subprocess.Process, with_signal: int = signal.SIGKILL) -> None:

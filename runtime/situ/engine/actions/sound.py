@@ -27,6 +27,12 @@ PLAYERS = (
     ("aplay", ("-q",), (".wav",)),
 )
 
+# What plays samples (16 bit, one channel) from standard input; {} is how many a second.
+RAW_PLAYERS = (
+    ("pacat", ("--playback", "--raw", "--format=s16le", "--channels=1", "--rate={}")),
+    ("aplay", ("-q", "-t", "raw", "-f", "S16_LE", "-c", "1", "-r", "{}", "-")),
+)
+
 
 class Player:
     """Plays sound files. audible: whether there is a sound device."""
@@ -68,6 +74,15 @@ def player(file: Path) -> list[str] | None:
         found = shutil.which(program)
         if found and (endings is None or file.suffix.lower() in endings):
             return [found, *options, str(file.resolve())]
+    return None
+
+
+def raw_player(rate: int) -> list[str] | None:
+    """What plays raw samples from standard input on this machine, ``rate`` of them a second."""
+    for program, options in RAW_PLAYERS:
+        found = shutil.which(program)
+        if found:
+            return [found, *(option.format(rate) for option in options)]
     return None
 
 
