@@ -68,6 +68,11 @@ def add(commands: Any) -> None:
         help="what runs here: core, engine, robot, screen, with commas; all unless given. Without "
         "core they carry out what the core at --endpoint decides",
     )
+    parser.add_argument(
+        "--adapter",
+        metavar="NAME",
+        help="what moves the robot: sim, pybullet, … (docs/adapters.md); the project's unless given",
+    )
     parser.add_argument("--state", type=Path, metavar="DIR", help="where the robot keeps its state")
     parser.add_argument(
         "--sync",
@@ -109,11 +114,15 @@ def add(commands: Any) -> None:
 def run(args: argparse.Namespace) -> int:
     import asyncio
 
+    from msgspec.structs import replace
+
     from situ.document.ready import load_ready
     from situ.errors import UsageError
     from situ.rehearse import scenario
 
     project = load_ready(args.project)
+    if args.adapter is not None:
+        project = replace(project, adapter=args.adapter)
     if "core" not in args.services:
         return asyncio.run(_serve(args, project))
     lines = None
