@@ -435,7 +435,7 @@ def test_a_run_with_everything_real_drives_and_stops(tmp_path: Path) -> None:
     """More than a metre in its own time, over the sockets, in a process of its own."""
     command = [
         *(sys.executable, "-m", "situ", "run", str(ERRAND), "--state", str(tmp_path)),
-        *("--endpoint", "tcp://127.0.0.1:0", "--trace", "-"),
+        *("--adapter", "pybullet-husky", "--endpoint", "tcp://127.0.0.1:0", "--trace", "-"),
     ]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None
@@ -465,6 +465,9 @@ def test_a_run_with_everything_real_drives_and_stops(tmp_path: Path) -> None:
     (datum,) = (event for event in trace if event.get("tag") == "person.near")
     (stop,) = (event for event in trace if event["kind"] == "mapping" and event["value"] is None)
     assert stop["t"] == datum["t"]
+    assert {event["writer"] for event in trace if event.get("tag") == "pose.x"} == {
+        "pybullet-husky"
+    }
     poses = [event for event in trace if event.get("tag") == "pose.x"]
     before = [event["value"] for event in poses if event["seq"] < datum["seq"]]
     after = [event["value"] for event in poses if event["seq"] > datum["seq"]]
