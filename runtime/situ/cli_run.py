@@ -69,11 +69,21 @@ def add(commands: Any) -> None:
         "core they carry out what the core at --endpoint decides",
     )
     parser.add_argument(
+        "--no-restart", action="store_true", help="do not start again what has died"
+    )
+    parser.add_argument(
         "--adapter",
         metavar="NAME",
         help="what moves the robot: sim, pybullet, … (docs/adapters.md); the project's unless given",
     )
     parser.add_argument("--state", type=Path, metavar="DIR", help="where the robot keeps its state")
+    parser.add_argument(
+        "--speech",
+        default="espeak-ng",
+        metavar="ENGINE",
+        help="who speaks: espeak-ng, speech-dispatcher, or piper:FILE with a voice's .onnx file; "
+        "espeak-ng unless given",
+    )
     parser.add_argument(
         "--sync",
         action="store_true",
@@ -182,6 +192,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
     from situ.engine.live import Live
     from situ.engine.perform import Performer
     from situ.engine.script import Script
+    from situ.engine.voices import find
 
     loop = asyncio.get_running_loop()
     stopped = asyncio.Event()
@@ -212,10 +223,18 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
             else:
                 _log.error("%s: %s; the trace ends here", args.trace, error.strerror)
 
+    voice = find(args.speech)
+
     def performer(submit: Any, tag: Any) -> Performer:
         state = state_folder(args.state, project)
         return Performer(
-            project, submit, tag=tag, screen=screen, state_dir=state, services=args.services
+            project,
+            submit,
+            tag=tag,
+            screen=screen,
+            state_dir=state,
+            services=args.services,
+            voice=voice,
         )
 
     live = Live(
@@ -268,10 +287,12 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
 
     from situ.blackboard.asynchronous import AsyncBoard
     from situ.blackboard.calls import Person
+    from situ.blackboard.keys import client_keys
     from situ.blackboard.link import Link
     from situ.engine.folder import state_folder
     from situ.engine.perform import Performer
     from situ.engine.services import ServicesApart
+    from situ.engine.voices import find
 
     loop = asyncio.get_running_loop()
     stopped = asyncio.Event()
@@ -280,15 +301,27 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
     endpoint = project.endpoint if args.endpoint is None else args.endpoint
     screen = args.http or ("127.0.0.1", _higher(endpoint, 2))
 
+    voice = find(args.speech)
+
     def performer(submit: Any, tag: Any) -> Performer:
         state = state_folder(args.state, project)
         return Performer(
-            project, submit, tag=tag, screen=screen, state_dir=state, services=args.services
+            project,
+            submit,
+            tag=tag,
+            screen=screen,
+            state_dir=state,
+            services=args.services,
+            voice=voice,
         )
 
+    robot = _keys(args, project)
+    keys = robot.own() if robot is not None else None
+    if keys is None and not args.insecure:
+        keys = client_keys(endpoint, args.keys)
     person = Person(role="service", services=args.services)
-    board = AsyncBoard(Link(endpoint, person), math.inf)
-    apart = ServicesApart(board, args.services, performer)
+    board = AsyncBoard(Link(endpoint, person, keys=keys), math.inf)
+    apart = ServicesApart(board, args.services, performer, robot.door if robot else None)
     start = asyncio.create_task(apart.start())
     stop = asyncio.create_task(stopped.wait())
     await asyncio.wait({start, stop}, return_when=asyncio.FIRST_COMPLETED)
@@ -308,7 +341,7 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
 
 def _keys(args: argparse.Namespace, project: Project) -> RobotKeys | None:
     """The robot's keys; None: everybody may come in."""
-    from situ.blackboard.keys import RobotKeys, has_keys
+    from situ.blackboard.keys import KNOWN, RobotKeys, has_keys
     from situ.engine.folder import state_folder
 
     if args.insecure:
@@ -316,6 +349,9 @@ def _keys(args: argparse.Namespace, project: Project) -> RobotKeys | None:
         return None
     folder = args.keys or state_folder(args.state, project) / "keys"
     if args.keys is None and not has_keys(folder):
+        return None
+    if "core" not in args.services and not (folder / KNOWN).is_dir():
+        # Those of a client of a core elsewhere.
         return None
     # Who came in, and who did not, is always told.
     logging.getLogger("situ.audit").setLevel(logging.INFO)

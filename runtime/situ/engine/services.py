@@ -15,6 +15,7 @@ from msgspec.structs import replace
 
 from situ.blackboard import protocol
 from situ.blackboard.asynchronous import AsyncBoard
+from situ.blackboard.curve import KeysOf
 from situ.blackboard.feeds import Change
 from situ.blackboard.link import reachable
 from situ.blackboard.protocol import Addresses
@@ -38,7 +39,7 @@ class Performing(Protocol):
 
     async def start(self) -> None: ...
 
-    def open_door(self, addresses: Addresses) -> None: ...
+    def open_door(self, addresses: Addresses, keys: KeysOf | None) -> None: ...
 
     def perform(self, effect: Carried) -> None: ...
 
@@ -54,7 +55,7 @@ class ServicesApart:
 
     board: not yet entered, of a ``Person`` with the role service and these services.
     performer(submit, tag) makes who carries out effects; tag reads what it must know of the
-    blackboard.
+    blackboard. door: whose keys the screen's WebSocket door takes.
 
     While the core is away what runs goes on, but for the robot: it stops and holds. What was
     carried out in vain is carried out again when the core is back; what goes on is left alone.
@@ -65,11 +66,13 @@ class ServicesApart:
         board: AsyncBoard,
         services: Collection[str],
         performer: Callable[[Submit, Callable[[str], Any]], Performing],
+        door: KeysOf | None = None,
     ) -> None:
         self._board = board
         self._dialog = board.link.dialog
         self._services = frozenset(services)
         self._make = performer
+        self._door = door
         self._performer: Performing
         self._runtime: str | None = None
         # What was last applied to each resource, and all actions that were given to the
@@ -138,7 +141,7 @@ class ServicesApart:
             _log.warning("the core was started anew: what the one before had begun is ended")
             self._end_all()
         self._runtime = welcome.runtime
-        self._performer.open_door(self._addresses())
+        self._performer.open_door(self._addresses(), self._door)
 
     def _hold(self) -> None:
         self._performer.hold()
