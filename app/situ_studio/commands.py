@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
 
 import situ
+from situ.document.beginning import project_name
 from situ.errors import SituError
 from situ_studio import kinds, projects
 from situ_studio.find import Find, places_of
@@ -135,7 +136,7 @@ class Commands(QObject):
         given = dialogs.name(self.tr("New project"), self.tr("Name"), "my-robot")
         if given is None:
             return
-        name = projects.file_name(given)
+        name = project_name(given)
         parent = dialogs.new_folder(self._home(), self.tr("Where shall its folder be?"))
         if parent is None or not self._window.may_leave():
             return

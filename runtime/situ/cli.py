@@ -25,6 +25,7 @@ from situ.errors import SituError
 GROUPS = (
     "cli_studio",
     "cli_demo",
+    "cli_new",
     "cli_check",
     "cli_export",
     "cli_diff",

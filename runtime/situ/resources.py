@@ -40,6 +40,19 @@ def example(name: str) -> Path:
     return known[name]
 
 
+def templates() -> dict[str, Path]:
+    """What a new project can start from: name to folder, sorted by name."""
+    return {folder.name: folder for folder in sorted(resource("templates").iterdir())}
+
+
+def template(name: str) -> Path:
+    """The folder of a template. Raises UsageError naming those that there are."""
+    known = templates()
+    if name not in known:
+        raise UsageError(f"no template {name!r}; there are: {', '.join(known)}")
+    return known[name]
+
+
 def _root(kind: str) -> Path:
     checkout = _PACKAGE.parent.parent
     if _PACKAGE.parent.name == "runtime" and (checkout / "pyproject.toml").is_file():
