@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from situ.blackboard import keys
-from situ.blackboard.keys import Curve, KnownKey, RobotKey, RobotKeys
-from situ.blackboard.rights import ROBOT, Identity
+from situ.blackboard.curve import Curve
+from situ.blackboard.keys import KnownKey, RobotKey, RobotKeys
+from situ.blackboard.rights import ROBOT, Identity, KeyRole
 from situ.cli import main
 from situ.errors import UsageError
 
@@ -18,7 +19,7 @@ LAB = Path(__file__).parent / "lab"
 AT = "tcp://10.0.0.5:5570"
 
 
-def let_in(folder: Path, name: str, role: keys.KeyRole = "module", *write: str) -> keys.KeyPair:
+def let_in(folder: Path, name: str, role: KeyRole = "module", *write: str) -> keys.KeyPair:
     pair = keys.new_pair(name)
     keys.add_known(folder, name, KnownKey(pair.public, role, write))
     return pair

@@ -41,6 +41,8 @@ CHANGING = {
     "acquire": "module scenario",
     "abandon": "module scenario",
     "command": "module scenario",
+    "serve": "module",
+    "answer": "module",
     "disclose": "module",
     "perform": "service",
 }
@@ -53,6 +55,10 @@ KINDS: dict[str, type[Request]] = {
 def test_each_role_may_ask_for_what_the_table_says_and_nothing_else(role: protocol.Role) -> None:
     wanted = {*LOOKING, *(do for do, roles in CHANGING.items() if role in roles.split())}
     assert {do for do, kind in KINDS.items() if kind in ALLOWED[role]} == wanted
+
+
+def test_every_request_has_its_row() -> None:
+    assert {*LOOKING, *CHANGING, "hello"} == set(KINDS)
 
 
 def test_a_request_that_no_role_was_given_is_refused() -> None:

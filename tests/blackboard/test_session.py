@@ -8,7 +8,7 @@ from typing import Any
 import msgspec
 import pytest
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, requests, session
 from situ.decide.effects import Begin, Map
 
 
@@ -345,3 +345,48 @@ def test_a_fault_of_ours_leaves_nobody_waiting(hand: Any, monkeypatch: Any) -> N
     assert peer == "nod"
     assert msgspec.json.decode(body)["id"] == 7
     assert "please report it" in msgspec.json.decode(body)["message"]
+
+
+# -- limits ------------------------------------------------------------------
+
+
+def test_too_many_sessions_are_refused_and_an_ended_one_makes_room(
+    hand: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(session, "MOST", 3)
+    for number in range(3):
+        assert hand.hello(f"v{number}", role="viewer")["re"] == "welcome"
+    refused = hand.hello("v3", role="viewer")
+    assert (refused["code"], "3 clients" in refused["message"]) == ("limit", True)
+    # Who has a session already may say hello as often as he likes.
+    assert hand.hello("v0", role="viewer")["resumed"]
+    hand.ask("v1", "bye")
+    assert hand.hello("v3", role="viewer")["re"] == "welcome"
+
+
+def test_too_many_patterns_are_refused_and_none_of_them_is_watched(
+    hand: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(requests, "PATTERNS", 3)
+    hand.hello("v", role="viewer")
+    hand.ask("v", "watch", patterns=["a", "b"])
+    assert hand.ask("v", "watch", patterns=["c", "d"])["code"] == "limit"
+    assert hand.ask("v", "watch", patterns=["a", "b", "c", "c"])["re"] == "snapshot"
+    assert set(hand.ask("v", "heartbeat")["changes"]) == {"a", "b", "c"}
+    hand.ask("v", "unwatch", patterns=["a"])
+    assert hand.ask("v", "watch", patterns=["d"])["re"] == "snapshot"
+
+
+def test_too_many_tags_are_refused_and_those_that_are_there_may_change(
+    hand: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hand.hello("nod")
+    hand.ask("nod", "set", tags={"a": 1})
+    monkeypatch.setattr(requests, "TAGS", len(hand.core.board.state) + 1)
+    assert hand.ask("nod", "set", tags={"a": 2, "b": 1, "c": 1})["code"] == "limit"
+    assert hand.ask("nod", "get", names=["a"])["entries"]["a"]["value"] == 1
+    assert hand.ask("nod", "set", tags={"a": 2, "b": 1})["re"] == "written"
+    assert hand.ask("nod", "set", tags={"c": 1})["code"] == "limit"
+    assert hand.ask("nod", "set", tags={"a": 3, "b": None})["re"] == "written"
+    # A deleted one counts on: so do its versions.
+    assert hand.ask("nod", "set", tags={"c": 1})["code"] == "limit"

@@ -12,7 +12,9 @@ from typing import Any
 import aiohttp
 import pytest
 
+from situ.blackboard.keys import KnownKey, RobotKeys, add_known, new_robot, token_keys
 from situ.blackboard.protocol import Addresses
+from situ.blackboard.rights import KeyRole
 from situ.document.ready import load_ready
 from situ.engine.live import Live
 from situ.engine.perform import Performer
@@ -83,8 +85,8 @@ class House:
             await live.stop()
 
     @asynccontextmanager
-    async def visit(self) -> AsyncIterator[Visitor]:
-        headers = {"Authorization": f"Bearer {self.token}"}
+    async def visit(self, token: str | None = None) -> AsyncIterator[Visitor]:
+        headers = {"Authorization": f"Bearer {token or self.token}"}
         async with self.client.ws_connect(self.root + "/board", headers=headers) as socket:
             yield Visitor(socket)
 
@@ -94,7 +96,7 @@ class House:
         return refused.value.status
 
 
-def receive(scenario: Callable[[House], Awaitable[None]]) -> None:
+def receive(scenario: Callable[[House], Awaitable[None]], keys: RobotKeys | None = None) -> None:
     project = load_ready(LAB)
 
     async def run() -> None:
@@ -103,6 +105,7 @@ def receive(scenario: Callable[[House], Awaitable[None]]) -> None:
             "tcp://127.0.0.1:0",
             "tcp://127.0.0.1:0",
             lambda submit, tag: Performer(project, submit, tag=tag, services=("screen",)),
+            keys=keys,
         )
         addresses = await live.start()
         async with asyncio.timeout(DEADLINE), aiohttp.ClientSession() as client:
@@ -227,3 +230,75 @@ def test_visitors_are_told_that_the_robot_stops() -> None:
             await stopping
 
     receive(scenario)
+
+
+# -- with keys ---------------------------------------------------------------
+
+TOKENS: dict[str, tuple[KeyRole, str]] = {
+    "tablet": ("viewer", "tablet's token"),
+    "ann": ("operator", "ann's token"),
+    "face": ("module", "face's token"),
+}
+
+
+@pytest.fixture
+def keys(tmp_path: Path) -> RobotKeys:
+    """A robot's, who knows some people by their tokens."""
+    new_robot(tmp_path)
+    for name, (role, token) in TOKENS.items():
+        public = token_keys(token)[0].decode()
+        write = ("face.*",) if role == "module" else ()
+        add_known(tmp_path, name, KnownKey(public, role, write, door=True))
+    return RobotKeys(tmp_path)
+
+
+def test_with_keys_everybody_does_what_his_own_token_allows(keys: RobotKeys) -> None:
+    async def scenario(house: House) -> None:
+        async with (
+            house.visit("ann's token") as ann,
+            house.visit("face's token") as face,
+            house.visit("tablet's token") as tablet,
+        ):
+            assert (await ann.ask("hello", version=1, role="operator"))["re"] == "welcome"
+            assert (await face.ask("hello", version=1, module="face"))["re"] == "welcome"
+            # Nobody is more than his token.
+            for role in ("operator", "service", "scenario"):
+                refused = await tablet.ask("hello", version=1, role=role)
+                assert refused["code"] == "denied"
+            assert (await tablet.ask("hello", version=1, module="face"))["code"] == "denied"
+            assert (await tablet.ask("hello", version=1, role="viewer"))["re"] == "welcome"
+            assert (await tablet.ask("set", tags={"user.name": "x"}))["code"] == "denied"
+            assert (await face.ask("set", tags={"user.name": "x"}))["code"] == "denied"
+            assert (await face.ask("set", tags={"face.visible": True}))["re"] == "written"
+            await tablet.follow("t:user.name\n")
+            await tablet.ask("watch", patterns=["user.name"])
+            await ann.ask("set", tags={"user.name": "Ann"})
+            _, change = await tablet.notice()
+            assert (change["value"], change["writer"]) == ("Ann", "operator:ann")
+
+    receive(scenario, keys)
+
+
+def test_with_keys_the_screens_token_opens_nothing(keys: RobotKeys) -> None:
+    async def scenario(house: House) -> None:
+        assert await house.status() == 403
+        assert await house.status(Authorization=f"Bearer {house.token}") == 403
+        assert await house.status(f"/board?token={house.token}") == 403
+        assert await house.status(Authorization="Bearer wrong") == 403
+        async with house.client.get(f"{house.root}/?token={house.token}") as page:
+            assert page.status == 200
+        # The page's cookie neither.
+        assert await house.status() == 403
+        headers = {"Origin": "http://evil.example"}
+        assert await house.status("/board?token=ann's token", **headers) == 403
+
+    receive(scenario, keys)
+
+
+def test_the_keys_of_a_program_open_no_door(keys: RobotKeys) -> None:
+    secret = "a secret key is no token"
+    public = token_keys(secret)[0].decode()
+    add_known(keys.folder, "nod", KnownKey(public, "module"))
+    keys.refresh()
+    assert keys.identity(public) is not None
+    assert keys.door(secret) is None

@@ -18,7 +18,9 @@ from zmq.utils.monitor import parse_monitor_message
 
 import situ
 from situ.blackboard import keys
+from situ.blackboard.curve import Curve
 from situ.blackboard.keys import KnownKey, RobotKey, RobotKeys
+from situ.blackboard.rights import KeyRole
 from situ.cli import main
 from situ.errors import Refused, Unreachable
 
@@ -44,7 +46,7 @@ class House:
         keys.new_robot(self.keys)
         self.public = RobotKeys(self.keys).public
 
-    def let_in(self, name: str, role: keys.KeyRole, *write: str) -> Path:
+    def let_in(self, name: str, role: KeyRole, *write: str) -> Path:
         pair = keys.new_pair(name)
         keys.add_known(self.keys, name, KnownKey(pair.public, role, write))
         robot = RobotKey(self.public.decode(), ())
@@ -115,8 +117,8 @@ def test_a_stranger_is_refused_and_written_down(
     mine = (other.public.encode(), other.secret.encode())
     strangers = {
         "no key": None,
-        "no robot's key": keys.Curve(*mine, robot.public.encode()),
-        "unknown key": keys.Curve(*mine, house.public),
+        "no robot's key": Curve(*mine, robot.public.encode()),
+        "unknown key": Curve(*mine, house.public),
     }
     for curve in strangers.values():
         for kind in (zmq.DEALER, zmq.SUB):
@@ -133,7 +135,7 @@ def test_a_stranger_is_refused_and_written_down(
 def knock(
     context: zmq.Context[zmq.Socket[bytes]],
     endpoint: str,
-    curve: keys.Curve | None,
+    curve: Curve | None,
     kind: int,
 ) -> None:
     """Tries to come in, and is turned away; returns when it is."""

@@ -13,7 +13,7 @@ from typing import Any
 from msgspec import Struct
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
-from situ.blackboard.client import Call, person
+from situ.blackboard.client import Call, open_link, person
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import Entry as Standing
 from situ.errors import BlackboardError
@@ -87,9 +87,12 @@ class RobotLink(QObject):
         return self._link.clock() if self._link is not None else 0.0
 
     def connect_robot(self, endpoint: str) -> None:
-        """Begins to follow the robot at ``endpoint``; raises UsageError where it is no address."""
+        """Begins to follow the robot at ``endpoint``, with the keys that lie here for it.
+
+        Raises UsageError where it is no address, or where the keys are not right.
+        """
         self.disconnect_robot()
-        link = Link(endpoint, person())
+        link = open_link(endpoint, person())
         self._link = link
         self._feed = link.dialog.trace(since=1)
         self._restarts = 0
