@@ -18,6 +18,7 @@ from typing import Any
 import pytest
 
 import situ
+import situ.testing
 
 ROOT = Path(__file__).parent.parent
 DEADLINE = 20.0
@@ -133,6 +134,34 @@ def test_the_tests_of_the_page_pass(robot: Robot, monkeypatch: pytest.MonkeyPatc
 def test_a_module_tells_what_it_needs(robot: Robot, board: situ.Board) -> None:
     assert "clock for thermometer\n" in robot.run("thermometer.py")
     assert board.get("room.temperature") == 21.5
+
+
+ASKING = """<application name="desk" start="0">
+  <state no="0"><timeout next="1">1</timeout></state>
+  <state no="1">
+    <backgroundactions>
+      <service name="pressure" url="board:cuff/measure" done="ok" failed="no">
+        <param name="arm">{arm}</param><result tag="bp" path="systolic"/>
+      </service>
+    </backgroundactions>
+    <expectedevents><event name="ok" next="2"/><event name="no" next="3"/></expectedevents>
+  </state>
+  <state no="2"/><state no="3"/>
+</application>"""
+
+
+@pytest.mark.parametrize(("arm", "state", "value"), [("left", "2", 120), ("tail", "3", None)])
+def test_a_module_answers_what_applications_ask(
+    robot: Robot, tmp_path: Path, arm: str, state: str, value: int | None
+) -> None:
+    asking = tmp_path / "desk.rbd.xml"
+    asking.write_text(ASKING.replace("{arm}", arm))
+    cuff = runpy.run_path(str(robot.folder / "cuff.py"))["cuff"]
+    with situ.testing.robot(asking) as desk:
+        desk.start(cuff, desk.connect(module="cuff"))
+        desk.pass_time(1.5)
+        assert desk.value("application/desk.state") == state
+        assert desk.value("bp") == value
 
 
 def test_values_are_set_and_got(robot: Robot, board: situ.Board) -> None:

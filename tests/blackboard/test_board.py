@@ -536,6 +536,6 @@ assert "zmq" in sys.modules
 def test_the_public_names_stay() -> None:
     assert {name for name in dir(Board) if not name.startswith("_")} == {
         *("addresses", "authority", "close", "connected", "disclose", "documents", "entries"),
-        *("get", "messages", "modules", "publish", "set", "stopped", "touch", "trace", "use"),
-        "watch",
+        *("get", "messages", "modules", "publish", "requests", "serve", "set", "stopped"),
+        *("touch", "trace", "use", "watch"),
     }

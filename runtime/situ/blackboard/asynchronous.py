@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Callable, Generator, Iterable, Mapping
+import logging
+from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Iterable, Mapping
 from typing import Any, Generic, TypeVar
 
 from situ.blackboard.blocking import PATIENCE, Followed, told
@@ -24,9 +25,12 @@ from situ.blackboard.protocol import (
     Request,
 )
 from situ.blackboard.services import Carried
+from situ.blackboard.serving import ServiceRequest
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
+
+_log = logging.getLogger("situ.blackboard")
 
 
 class AsyncBoard:
@@ -143,6 +147,33 @@ class AsyncBoard:
     async def touch(self) -> None:
         await self._answer(self._dialog.touch())
 
+    def requests(
+        self, *names: str, callback: Callable[[ServiceRequest], None] | None = None
+    ) -> AsyncFollowing[ServiceRequest]:
+        """Not awaited, as ``watch``."""
+        asked = self._dialog.serve(names, callback, self._do)
+        self._soon()
+        return AsyncFollowing(
+            self, asked, self._dialog.unserve, lambda: asked.ready, lambda: asked.error
+        )
+
+    async def serve(
+        self, name: str, function: Callable[[dict[str, Any]], Coroutine[Any, Any, Any]]
+    ) -> None:
+        """As ``Board.serve``, several at a time; what nobody waits for any more is cancelled."""
+        running: set[asyncio.Task[None]] = set()
+        try:
+            async with self.requests(name) as requests:
+                async for request in requests:
+                    task = asyncio.ensure_future(_answered(request, function))
+                    running.add(task)
+                    task.add_done_callback(running.discard)
+                    request.withdrawn = task.cancel
+        finally:
+            for task in running:
+                task.cancel()
+            await asyncio.gather(*running, return_exceptions=True)
+
     def authority(self, *resources: str, optional: Iterable[str] = ()) -> AsyncAuthority:
         return AsyncAuthority(self, resources, tuple(optional))
 
@@ -242,6 +273,10 @@ class AsyncBoard:
             if ready() and not future.done():
                 future.set_result(None)
 
+    def _do(self, act: Callable[[], None]) -> None:
+        act()
+        self._soon()
+
     def _soon(self) -> None:
         if self._loop is not None:
             self._loop.call_soon(self._turn)
@@ -258,6 +293,18 @@ class AsyncBoard:
             if not future.done():
                 future.set_result(None)
         self.link.close()
+
+
+async def _answered(
+    request: ServiceRequest, function: Callable[[dict[str, Any]], Coroutine[Any, Any, Any]]
+) -> None:
+    try:
+        result = await function(request.params)
+    except Exception as error:
+        _log.exception("%s failed", request.request)
+        request.fail(str(error) or type(error).__name__)
+    else:
+        request.answer(result)
 
 
 class AsyncFollowing(Generic[T]):

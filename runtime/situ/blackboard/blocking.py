@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import logging
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -19,6 +20,7 @@ from situ.blackboard.protocol import (
     Need,
     Offer,
 )
+from situ.blackboard.serving import ServiceRequest
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
@@ -26,6 +28,8 @@ T_co = TypeVar("T_co", covariant=True)
 
 PATIENCE = 5.0
 """Seconds that a request waits for its answer."""
+
+_log = logging.getLogger("situ.blackboard")
 
 
 class Board:
@@ -138,6 +142,34 @@ class Board:
         """A touch on no component."""
         self._ask(lambda dialog: dialog.touch())
 
+    def requests(
+        self, *names: str, callback: Callable[[ServiceRequest], None] | None = None
+    ) -> Following[ServiceRequest]:
+        """What applications ask of this module (``service url="board:MODULE/NAME"``) by these
+        names; as ``watch``. Each is to be answered, by ``answer`` or ``fail``.
+
+        Raises Refused where this is no module.
+        """
+        asked = self._follow(
+            lambda dialog: dialog.serve(names, callback, self._do),
+            lambda requests: requests.ready or requests.error is not None,
+            self._dialog.unserve,
+        )
+        if asked._feed.error is not None:
+            asked.close()
+            raise asked._feed.error
+        return asked
+
+    def serve(self, name: str, function: Callable[[dict[str, Any]], Any]) -> None:
+        """Answers the requests of this name one after the other, until the board is closed.
+
+        function: gets the params; what it gives is the result, what it raises the error. The
+        session is kept while it takes its time.
+        """
+        with self.requests(name) as requests:
+            for request in requests:
+                answered(request, function)
+
     def authority(self, *resources: str, optional: Iterable[str] = ()) -> Authority:
         """Asks for resources for the time of a ``with``; see ``Authority``."""
         return Authority(self, resources, tuple(optional))
@@ -212,6 +244,15 @@ class Board:
             raise self._unreachable(call.error)
         return call.result()
 
+    def _do(self, act: Callable[[], None]) -> None:
+        driver = self._driver
+        driver.check()
+        if driver.closed:
+            return
+        with driver.lock:
+            act()
+        driver.wake()
+
     def _follow(
         self,
         begin: Callable[[Dialog], Any],
@@ -241,8 +282,19 @@ def told(dialog: Dialog) -> str:
     return f"{name}, {'connected' if dialog.connected else 'not connected'}"
 
 
+def answered(request: ServiceRequest, function: Callable[[dict[str, Any]], Any]) -> None:
+    """Does what is asked, and answers."""
+    try:
+        result = function(request.params)
+    except Exception as error:
+        _log.exception("%s failed", request.request)
+        request.fail(str(error) or type(error).__name__)
+    else:
+        request.answer(result)
+
+
 class Followed(Protocol[T_co]):
-    """A ``Watch``, ``Messages`` or a ``TraceFeed``."""
+    """A ``Watch``, ``Messages``, ``Requests`` or a ``TraceFeed``."""
 
     ended: bool
 

@@ -39,6 +39,7 @@ from situ.blackboard.protocol import (
     Wanted,
     Welcome,
 )
+from situ.blackboard.serving import ServiceRequest
 
 __all__ = [
     "AsyncAuthority",
@@ -60,6 +61,7 @@ __all__ = [
     "Need",
     "Offer",
     "Person",
+    "ServiceRequest",
     "TraceFeed",
     "Wanted",
     "Watch",

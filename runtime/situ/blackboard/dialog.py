@@ -16,6 +16,7 @@ from situ.blackboard import protocol
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.feeds import Effects, Messages, TraceFeed, Watch
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Malformed, Request
+from situ.blackboard.serving import Requests
 from situ.blackboard.subscriptions import Subscriptions
 from situ.errors import BlackboardError, Refused, Unreachable
 
@@ -55,7 +56,7 @@ class Dialog:
         self._turned: float | None = None
         self._holds_seq = 0
         self._asked: dict[object, tuple[tuple[str, ...], tuple[str, ...]]] = {}
-        self._subscriptions = Subscriptions(self)
+        self._subscriptions = Subscriptions(self, person.module)
         self.subscribing = self._subscriptions.topics
         self.subscribing.append((protocol.END, True))
         for resource in person.resources:
@@ -67,6 +68,8 @@ class Dialog:
         self.trace = self._subscriptions.trace
         self.untrace = self._subscriptions.untrace
         self.perform = self._subscriptions.perform
+        self.serve = self._subscriptions.serve
+        self.unserve = self._subscriptions.unserve
 
     # -- for its driver ------------------------------------------------------
 
@@ -369,10 +372,10 @@ class Dialog:
         self.ended = True
         return call
 
-    def following(self) -> list[Watch | Messages | TraceFeed | Effects]:
-        """All that is watched, listened to, traced and carried out."""
+    def following(self) -> list[Watch | Messages | TraceFeed | Effects | Requests]:
+        """All that is watched, listened to, traced, carried out and answered."""
         one = self._subscriptions
-        return [*one.watches, *one.messages, *one.feeds, *one.effects]
+        return [*one.watches, *one.messages, *one.feeds, *one.effects, *one.requests]
 
     # -- authority -----------------------------------------------------------
 
@@ -434,5 +437,13 @@ def _entries(reply: protocol.Values) -> dict[str, protocol.Entry]:
     return reply.entries
 
 
-_FLEETING = (protocol.Heartbeat, protocol.Bye, protocol.Watch, protocol.Trace)
+_FLEETING = (
+    protocol.Heartbeat,
+    protocol.Bye,
+    protocol.Watch,
+    protocol.Trace,
+    protocol.Serve,
+    # To be given again only where the question still stands.
+    protocol.Answer,
+)
 """What another session asks for by itself, or no more."""

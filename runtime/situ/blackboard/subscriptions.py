@@ -17,6 +17,7 @@ from situ.blackboard import protocol
 from situ.blackboard.calls import Call
 from situ.blackboard.feeds import Change, Effects, Messages, TraceFeed, Watch
 from situ.blackboard.services import Carried
+from situ.blackboard.serving import Enter, Requests, ServiceRequest
 from situ.errors import Refused
 
 T = TypeVar("T")
@@ -37,23 +38,25 @@ class Talk(Protocol):
 
 
 class Subscriptions:
-    """Watches, messages, trace feeds and effects of one client.
+    """Watches, messages, trace feeds, effects and requests of one client.
 
     topics: (topic, on or off), to be subscribed to in this order.
     """
 
-    def __init__(self, talk: Talk) -> None:
+    def __init__(self, talk: Talk, module: str | None = None) -> None:
         self.topics: deque[tuple[bytes, bool]] = deque()
         self.watches: list[Watch] = []
         self.messages: list[Messages] = []
         self.feeds: list[TraceFeed] = []
         self.effects: list[Effects] = []
+        self.requests: list[Requests] = []
         self._talk = talk
+        self._module = module
         # Nobody else may ask for the same echo: only the first would get it.
         self._token = secrets.token_hex(6)
         # Topic to who waits for it, the heartbeat at which it was asked for, and whether the
         # connection for notices stood already.
-        self._echo: dict[bytes, tuple[list[Watch | Messages | Effects], int, bool]] = {}
+        self._echo: dict[bytes, tuple[list[_Heard], int, bool]] = {}
         self._beats = 0
         self._up = False
         self._by_tag: dict[str, tuple[Watch, ...]] = {}
@@ -77,6 +80,8 @@ class Subscriptions:
             for effects in self.effects:
                 if not effects.hear(notice):
                     self._sync([effects])
+        elif isinstance(notice, protocol.Asked):
+            self._look_again(notice.count)
         elif isinstance(notice, protocol.Echo):
             self._echoed(frame[: frame.index(b"\n")])
 
@@ -89,12 +94,16 @@ class Subscriptions:
             one.ready = one.asking = False
         for feed in self.feeds:
             feed.asking = False
+        for requests in self.requests:
+            requests.lost()
 
     def renewed(self, restarted: bool) -> None:
         """There is a new session, perhaps with a core that was started anew."""
         if restarted:
             for feed in self.feeds:
                 feed.restart()
+            for requests in self.requests:
+                requests.restart()
         self._sync(self._heard())
         for feed in self.feeds:
             self._fetch(feed)
@@ -108,7 +117,7 @@ class Subscriptions:
                 del self._echo[topic]
                 self.topics.append((topic, False))
                 self._ask_echo(asked)
-        lost: list[Watch | Messages | Effects] = [
+        lost: list[_Heard] = [
             w for w in self.watches if w.ready and w.behind(alive.changes.get(w.pattern, 0))
         ]
         lost += [e for e in self.effects if e.ready and e.behind(alive.effects or {})]
@@ -116,6 +125,7 @@ class Subscriptions:
         for feed in self.feeds:
             if feed.behind(alive.seq):
                 self._fetch(feed)
+        self._look_again(alive.asked or 0)
 
     def watching(self, tag: str) -> tuple[Watch, ...]:
         """The watches that the tag fits."""
@@ -151,10 +161,10 @@ class Subscriptions:
             request = protocol.Unwatch(id=self._talk.next_id(), patterns=(watch.pattern,))
             self._talk.ask(request, _nothing, again=False)
 
-    def _heard(self) -> list[Watch | Messages | Effects]:
-        return [*self.watches, *self.messages, *self.effects]
+    def _heard(self) -> list[_Heard]:
+        return [*self.watches, *self.messages, *self.effects, *self.requests]
 
-    def _sync(self, feeds: Iterable[Watch | Messages | Effects]) -> None:
+    def _sync(self, feeds: Iterable[_Heard]) -> None:
         """Asks for snapshots, when it is sure that changes are heard by then."""
         asked = [one for one in feeds if not one.asking]
         if not asked:
@@ -163,7 +173,7 @@ class Subscriptions:
             one.ready, one.asking = False, True
         self._ask_echo(asked)
 
-    def _ask_echo(self, asked: list[Watch | Messages | Effects]) -> None:
+    def _ask_echo(self, asked: list[_Heard]) -> None:
         topic = protocol.ECHO + f"{self._token}:{self._talk.next_id()}".encode()
         self._echo[topic] = asked, self._beats, self._up
         self.topics.append((topic, True))
@@ -190,6 +200,8 @@ class Subscriptions:
             # Last: how something is carried out may depend on what is watched.
             if isinstance(one, Effects):
                 self._ask_outstanding(one)
+            elif isinstance(one, Requests):
+                self._ask_questions(one)
 
     def _ask_snapshot(self, watches: list[Watch]) -> None:
         patterns = tuple(dict.fromkeys(w.pattern for w in watches if not w.ended))
@@ -252,6 +264,63 @@ class Subscriptions:
 
         call.then(ended)
 
+    # -- requests ------------------------------------------------------------
+
+    def serve(
+        self,
+        names: tuple[str, ...],
+        callback: Callable[[ServiceRequest], None] | None = None,
+        enter: Enter = lambda do: do(),
+    ) -> Requests:
+        """What applications ask of this module by these names, from now on."""
+        requests = Requests(names, callback, self._answer, enter)
+        if not self.requests and self._module is not None:
+            self.topics.append((protocol.asked_topic(self._module), True))
+        self.requests.append(requests)
+        if self._talk.connected:
+            self._sync([requests])
+        return requests
+
+    def unserve(self, requests: Requests) -> None:
+        """No more of them are answered; asking twice is no fault."""
+        requests.ended = True
+        if requests not in self.requests:
+            return
+        self.requests.remove(requests)
+        if self._talk.connected:
+            self._ask_questions(requests)
+        if not self.requests and self._module is not None:
+            self.topics.append((protocol.asked_topic(self._module), False))
+
+    def _look_again(self, count: int) -> None:
+        for requests in self.requests:
+            if not requests.hear(count) and not requests.asking:
+                self._ask_questions(requests)
+
+    def _ask_questions(self, requests: Requests) -> None:
+        requests.asking = True
+        names = tuple(dict.fromkeys(name for one in self.requests for name in one.names))
+
+        def read(reply: protocol.Questions) -> None:
+            if not requests.stands(reply) and not requests.ended:
+                self._ask_questions(requests)
+
+        request = protocol.Serve(id=self._talk.next_id(), requests=names)
+        call = self._talk.ask(request, read, again=False)
+
+        def ended() -> None:
+            if call.error is not None:
+                requests.asking = False
+            if isinstance(call.error, Refused):
+                requests.error = call.error
+
+        call.then(ended)
+
+    def _answer(self, made: Callable[[int], protocol.Answer]) -> Call[None] | None:
+        if not self._talk.connected:
+            return None
+        return self._talk.ask(made(self._talk.next_id()), _nothing, again=False)
+
     # -- trace ---------------------------------------------------------------
 
     def trace(
@@ -288,6 +357,10 @@ class Subscriptions:
         request = protocol.Trace(id=self._talk.next_id(), since=feed.next)
         call = self._talk.ask(request, read, again=False)
         call.then(lambda: _not_traced(feed, call))
+
+
+_Heard = Watch | Messages | Effects | Requests
+"""What an echo is waited for."""
 
 
 def _refused(watches: list[Watch], call: Call[None]) -> None:
