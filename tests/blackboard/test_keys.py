@@ -11,6 +11,7 @@ import pytest
 from situ.blackboard import keys
 from situ.blackboard.curve import Curve
 from situ.blackboard.keys import KnownKey, RobotKey, RobotKeys
+from situ.blackboard.link import reachable
 from situ.blackboard.rights import ROBOT, Identity, KeyRole
 from situ.cli import main
 from situ.errors import UsageError
@@ -39,10 +40,9 @@ def test_a_robot_knows_itself_and_whom_it_was_told_of(robot: Path) -> None:
     face, ann = let_in(robot, "face", "module", "face.*"), let_in(robot, "ann", "operator")
     own = RobotKeys(robot)
     assert own.identity(face.public) == Identity("face", "module", ("face.*",))
-    assert own.identity(ann.public) == own.named("ann") == Identity("ann", "operator")
+    assert own.identity(ann.public) == Identity("ann", "operator")
     assert own.identity(own.public.decode()) == Identity(ROBOT, "service")
     assert own.identity(keys.new_pair("bob").public) is None
-    assert own.named("bob") is None
 
 
 def test_secrets_are_for_their_owner_only(robot: Path) -> None:
@@ -77,7 +77,7 @@ def test_who_is_added_changed_or_removed_counts_after_a_refresh(robot: Path) -> 
     assert own.identity(face.public) == Identity("face", "module", ("face.*",))
     keys.remove_known(robot, "face")
     own.refresh()
-    assert own.identity(face.public) is own.named("face") is None
+    assert own.identity(face.public) is None
 
 
 def test_while_a_file_is_wrong_who_is_known_stays_as_it_was(
@@ -89,7 +89,14 @@ def test_while_a_file_is_wrong_who_is_known_stays_as_it_was(
     own.refresh()
     assert own.identity(face.public) is not None
     assert "ann.toml: no file of keys" in caplog.text
-    with pytest.raises(UsageError, match=r"ann\.toml: no file of keys"):
+    (robot / "known" / "ann.toml").unlink()
+    shutil.copy(robot / "known" / "face.toml", robot / "known" / "a.toml")
+    keys.remove_known(robot, "face")
+    shutil.copy(robot / "known" / "a.toml", robot / "known" / "b.toml")
+    own.refresh()
+    assert own.identity(face.public) == Identity("face", "module")
+    assert "have the same key" in caplog.text
+    with pytest.raises(UsageError, match="have the same key"):
         RobotKeys(robot)
 
 
@@ -194,6 +201,23 @@ def test_a_clients_secret_is_for_its_owner_only(mine: Path) -> None:
         keys.client_keys(AT)
 
 
+@pytest.mark.parametrize(
+    ("told", "endpoint", "address"),
+    [
+        ("tcp://0.0.0.0:5571", "tcp://10.0.0.5:5570", "tcp://10.0.0.5:5571"),
+        ("tcp://[::]:5571", "tcp://[fe80::1]:5570", "tcp://[fe80::1]:5571"),
+        ("tcp://0.0.0.0:5571", "tcp://robot.local:5570", "tcp://robot.local:5571"),
+        ("tcp://10.0.0.5:5571", "tcp://robot.local:5570", "tcp://10.0.0.5:5571"),
+        ("ipc:///run/situ/n", "tcp://robot.local:5570", "ipc:///run/situ/n"),
+        ("tcp://0.0.0.0:5571", "ipc:///run/situ/r", "tcp://0.0.0.0:5571"),
+    ],
+)
+def test_a_robot_bound_to_all_its_addresses_is_heard_where_it_is_asked(
+    told: str, endpoint: str, address: str
+) -> None:
+    assert reachable(told, endpoint) == address
+
+
 # -- the command -------------------------------------------------------------
 
 
@@ -276,13 +300,12 @@ def test_a_lab_is_set_up_in_one_command(tmp_path: Path, capsys: pytest.CaptureFi
     people = ("chase", "ann:operator")
     situ(capsys, "lab", str(out), *people, "--project", str(LAB), "--robot", AT)
     own = RobotKeys(out / "robot")
-    assert own.named("chase") == Identity("chase", "module")
-    assert own.named("ann") == Identity("ann", "operator")
-    for name in ("chase", "ann"):
+    roles: dict[str, KeyRole] = {"chase": "module", "ann": "operator"}
+    for name, role in roles.items():
         found = keys.client_keys(AT, out / name)
         assert found is not None
         assert found.robot == own.public
-        assert own.identity(found.public.decode()) == own.named(name)
+        assert own.identity(found.public.decode()) == Identity(name, role)
     assert main(["keys", "lab", str(out), "--project", str(LAB)]) == 2
     assert "there is something already" in capsys.readouterr().err
 

@@ -108,6 +108,16 @@ def test_a_robot_on_a_network_serves_those_whom_it_knows(house: House) -> None:
         assert board.entries("user.name")["user.name"].writer == "operator:ann"
 
 
+def test_insecure_is_open_to_a_network_and_says_so(house: House) -> None:
+    house.runtime.start(
+        *("--insecure", "--endpoint", "tcp://0.0.0.0:0", "--notify", "tcp://0.0.0.0:0")
+    )
+    port = house.runtime.endpoint.rpartition(":")[2]
+    with situ.connect(f"tcp://127.0.0.1:{port}", timeout=DEADLINE) as board:
+        board.set("user.name", "anybody")
+    assert "--insecure: whoever can reach this robot" in house.runtime.log.read_text("utf-8")
+
+
 def test_a_stranger_is_refused_and_written_down(
     house: House, context: zmq.Context[zmq.Socket[bytes]]
 ) -> None:
@@ -174,6 +184,9 @@ def test_who_is_removed_is_let_in_no_longer(house: House) -> None:
         written: list[int] = []
         board.set("count", 0)
         keys.remove_known(house.keys, "ann")
+        # Ann has got a new key: whoever has the old one is not Ann.
+        new = keys.new_pair("ann").public
+        keys.add_known(house.keys, "ann", KnownKey(new, "operator"))
         with pytest.raises(Unreachable, match="nobody who is known has this key"):
             count(board, written)
         assert looker.get("count") == len(written)

@@ -87,15 +87,16 @@ class Gate:
             self.audit.refuse("refused", **fields, key=key, why="nobody known has this key")
             return [version, number, b"400", b"unknown key", b"", b""]
         self.audit.tell("connected", **fields, name=who.name, role=who.role, key=key)
-        return [version, number, b"200", b"", who.name.encode(), b""]
+        # By the key, not the name: a name may be given to another key while this one is connected.
+        return [version, number, b"200", b"", key.encode(), b""]
 
     def who(self, frame: zmq.Frame) -> Identity | None:
         """Who sent this frame; None: nobody who is known any longer."""
         try:
-            name: Any = frame.get("User-Id")
+            key: Any = frame.get("User-Id")
         except zmq.ZMQError:
             return None
-        return self._keys.named(name)
+        return self._keys.identity(key)
 
     def close(self) -> None:
         """Before the sockets that it guards."""

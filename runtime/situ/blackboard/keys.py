@@ -78,9 +78,6 @@ class RobotKeys:
         """Whose public key (z85) it is; None: nobody's that is known."""
         return self._keys.get(public)
 
-    def named(self, name: str) -> Identity | None:
-        return self._names.get(name)
-
     def refresh(self) -> None:
         """Takes what has been added, changed or removed; while something there is wrong, all
         stays as it was, and the log says so."""
@@ -105,20 +102,16 @@ class RobotKeys:
         return Curve(public, secret, self.public, self._keys[public.decode()].name)
 
     def _take(self, known: dict[str, KnownKey]) -> None:
-        robot = Identity(ROBOT, "service")
-        self._keys = {self.public.decode(): robot}
-        self._names = {ROBOT: robot}
-        self._tokens: set[str] = set()
+        keys = {self.public.decode(): Identity(ROBOT, "service")}
         for name, entry in known.items():
-            if entry.public in self._keys:
-                other = self._keys[entry.public].name
+            if entry.public in keys:
+                other = keys[entry.public].name
                 raise UsageError(
                     f"{self.folder / KNOWN}: {name} and {other} have the same key; remove one"
                 )
-            identity = Identity(name, entry.role, entry.write)
-            self._keys[entry.public] = self._names[name] = identity
-            if entry.door:
-                self._tokens.add(entry.public)
+            keys[entry.public] = Identity(name, entry.role, entry.write)
+        self._keys = keys
+        self._tokens = {entry.public for entry in known.values() if entry.door}
 
     def _stamp(self) -> tuple[tuple[str, int, int], ...]:
         try:
