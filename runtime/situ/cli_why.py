@@ -115,7 +115,11 @@ def _why_not(args: argparse.Namespace, project: Project, recording: Recording) -
         print("It did happen: " + Teller(project).line(answer.happened))
         return 0
     already = all(one.code == "already" for one in answer.reasons[:1])
-    print(f"By {moment(answer.at)} it had happened:" if already else f"Not at {moment(answer.at)}:")
+    if answer.ends is not None:
+        ends = moment(answer.ends)
+        print(f"What is recorded ends at {ends}: the rest is so if nothing happened since.")
+    at = moment(answer.at)
+    print(f"By {at} it had happened:" if already else f"Not at {at}:")
     for line in lines(answer.reasons):
         print(line)
     return 0

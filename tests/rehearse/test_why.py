@@ -16,6 +16,7 @@ from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse.reason import Answer, lines
 from situ.rehearse.recording import Recording
+from situ.rehearse.recording import record as record_run
 from situ.rehearse.telling import Teller
 from situ.rehearse.why import chain, why_not
 
@@ -833,9 +834,46 @@ def test_what_stood_in_the_way_is_printed(
     assert main(["why", files["trace"], *asked, "2"]) == 0
     assert capsys.readouterr().out.startswith("It did happen: 2 s  #")
     assert main(["why", files["trace"], *asked, "3"]) == 0
-    assert capsys.readouterr().out.startswith("By 3 s it had happened:\n- door was in 4 already")
+    assert capsys.readouterr().out.splitlines()[1:] == [
+        "By 3 s it had happened:",
+        "- door was in 4 already, since 2 s  (#13)",
+    ]
     assert main(["why", files["trace"], *asked, "1.5", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["reasons"][0]["code"] == "guard"
+    told = json.loads(capsys.readouterr().out)
+    assert (told["reasons"][0]["code"], told["ends"]) == ("guard", None)
+
+
+def test_a_moment_after_the_end_of_what_is_recorded_is_told_in_one_line(
+    files: dict[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    asked = ["--project", files["project"], "--not", '{"kind":"enter","state":"2"}', "--at"]
+    with Path(files["script"]).open("a") as script:
+        script.write('{"at":5,"end":true}\n')
+    # A trace alone is known until its last event.
+    for source, end in ([files["trace"]], 2), (["--script", files["script"]], 5):
+        said = f"What is recorded ends at {end} s: the rest is so if nothing happened since."
+        assert main(["why", *source, *asked, str(end)]) == 0
+        assert said not in capsys.readouterr().out
+        assert main(["why", *source, *asked, str(end + 0.1)]) == 0
+        assert capsys.readouterr().out.splitlines()[:2] == [said, f"Not at {end + 0.1:g} s:"]
+        assert main(["why", *source, *asked, "99", "--json"]) == 0
+        assert json.loads(capsys.readouterr().out)["ends"] == end
+
+
+def test_a_timeout_is_not_told_to_have_had_more_time_than_it_needs(
+    door: Project, record: Record
+) -> None:
+    recording = record(door, {"at": 1, "end": True})
+    said = "- its timeout of 30 s had not run out"
+    assert f"{said}: 30 s had passed" in _ask(door, recording, 30, "enter", state="3")
+    assert said in _ask(door, recording, 31, "enter", state="3").splitlines()
+
+
+def test_nothing_is_known_after_the_end_of_an_empty_recording(door: Project) -> None:
+    wanted = {"kind": "enter", "state": "2"}
+    assert why_not(door, Recording.of([]), wanted, 0).ends is None
+    assert why_not(door, Recording.of([]), wanted, 1).ends == 0
+    assert why_not(door, record_run(door, [])[0], wanted, 1).ends == 0
 
 
 @pytest.mark.parametrize(

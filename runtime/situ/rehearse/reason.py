@@ -35,13 +35,15 @@ class Answer(Struct, frozen=True, kw_only=True):
     """Why ``wanted`` did not happen at ``at`` seconds.
 
     happened: the event, where it did happen at that moment. Then, and only then, reasons
-    may be empty.
+    may be empty. ends: where the recording ends, in seconds, if that is before ``at``: the
+    reasons are true if nothing happened since.
     """
 
     wanted: dict[str, Any]
     at: float
     happened: Fields | None = None
     reasons: tuple[Reason, ...] = ()
+    ends: float | None = None
 
 
 def not_held(judged: Iterable[Judged]) -> tuple[list[str], dict[str, Any]]:

@@ -50,10 +50,15 @@ class Step(Struct):
 
 
 class Recording(Struct):
-    """The steps of a run. whole: what no trace tells is known too (it was simulated)."""
+    """The steps of a run. whole: what no trace tells is known too (it was simulated).
+
+    end: the last moment that is known, in seconds: where the scenario ends, of a trace alone
+    its last event.
+    """
 
     steps: list[Step]
     whole: bool
+    end: float = 0.0
 
     @property
     def events(self) -> list[Fields]:
@@ -72,7 +77,7 @@ class Recording(Struct):
                 steps[-1].events.append(event)
             else:
                 steps.append(Step([event]))
-        return cls(steps, whole=False)
+        return cls(steps, whole=False, end=steps[-1].t if steps else 0.0)
 
 
 def record(
@@ -97,7 +102,8 @@ def record(
         steps.append(Step([to_fields(event) for event in events], before, after))
 
     verdict = simulate(project, scenario, seed, auto_finish, tell, carry)
-    return Recording(steps, whole=True), verdict
+    end = scenario[-1].at / SECOND if scenario else 0.0
+    return Recording(steps, whole=True, end=end), verdict
 
 
 def read_trace(path: str | Path) -> list[Fields]:

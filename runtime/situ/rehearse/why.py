@@ -49,7 +49,8 @@ def why_not(project: Project, recording: Recording, wanted: dict[str, Any], at: 
 
     ``wanted`` has a ``kind`` of ``KINDS`` and that kind's fields as in a trace; what
     is left out (the application, where there is one only) is found. What came of the moment
-    counts. UsageError where it asks for what there is not.
+    counts. After the end of the recording the answer is of what it knows, and says where
+    that ends. UsageError where it asks for what there is not.
     """
     kind = wanted.get("kind")
     answer = KINDS.get(kind) if isinstance(kind, str) else None
@@ -64,7 +65,8 @@ def why_not(project: Project, recording: Recording, wanted: dict[str, Any], at: 
     if later is not None:
         said = f"it did happen later, at {moment(later['t'])}"
         reasons = [*reasons, Reason(code="note", text=said, seq=later["seq"])]
-    return Answer(wanted=wanted, at=at, reasons=tuple(reasons))
+    ends = recording.end if at > recording.end else None
+    return Answer(wanted=wanted, at=at, reasons=tuple(reasons), ends=ends)
 
 
 class _Question:

@@ -162,7 +162,10 @@ class Stuck:
         if way.timeout.idle:
             said += "; it counts anew from the end of speech and from every touch"
         elif stay.left is None and stay.resumed is None:
-            said += f": {words.seconds(round(self._at - began['t'], 6))} had passed"
+            passed = round(self._at - began["t"], 6)
+            # More has where it counted anew, or after the end of what is recorded.
+            if passed <= length:
+                said += f": {words.seconds(passed)} had passed"
         return Reason(code="timeout", text=said, seq=began["seq"])
 
     # -- events that did not come ---------------------------------------------
