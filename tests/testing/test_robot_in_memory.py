@@ -259,3 +259,22 @@ def test_things_say_who_they_are() -> None:
         assert repr(head) == "<Authority over head, not held>"
         board.close()
         assert repr(board) == "<Board a robot in memory, closed>"
+
+
+def test_what_was_missed_of_a_robot_that_began_anew_is_counted_from_its_start() -> None:
+    with (
+        situ.testing.robot(modules={"nod": []}) as robot,
+        robot.connect(module="nod") as board,
+        board.watch("face.count") as counts,
+    ):
+        for count in range(5):
+            robot.set("face.count", count)
+        assert [change.version for _ in range(5) if (change := counts.next(0.0))] == [1, 2, 3, 4, 5]
+        robot.lose("nod")
+        robot.restart()
+        robot.set("face.count", 7)
+        robot.set("face.count", 8)
+        robot.regain("nod")
+        change = counts.next(0.0)
+        assert change is not None
+        assert (change.value, change.version, change.missed) == (8, 2, 1)

@@ -121,7 +121,9 @@ class Watch:
 
     def _known(self, tag: str, entry: protocol.Entry) -> None:
         before = self.known.get(tag)
-        missed = 0 if before is None else max(entry.version - before.version - 1, 0)
+        # A version below the one before is of a core that began anew, and counts from there.
+        last = before.version if before is not None else entry.version - 1
+        missed = max(entry.version - 1 - (last if last <= entry.version else 0), 0)
         self.known[tag] = entry
         self._queue.append(
             Change(tag, entry.value, entry.version, entry.writer, entry.time, missed)
