@@ -3,9 +3,11 @@ takes the robot down (quality, *Faults*)."""
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import json
 import random
+import shutil
 import socket
 import time
 from collections.abc import Callable, Iterator
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
     from tests.faults.conftest import Runtime
 
 DEADLINE = 30.0
+LAB = Path(__file__).parent.parent / "blackboard" / "lab"
 VECTORS = Path(__file__).parent.parent / "vectors" / "requests.json"
 FRAMES = 10_000
 CONNECTIONS = 300
@@ -93,19 +96,29 @@ def test_bound_to_a_network_without_keys_it_does_not_start(
         assert said.count("\n") == 1
 
 
-def test_a_robot_on_a_network_serves_those_whom_it_knows(house: House) -> None:
+def test_a_robot_on_a_network_serves_those_whom_it_knows(
+    house: House, capsys: pytest.CaptureFixture[str]
+) -> None:
     ann = house.let_in("ann", "operator")
     house.runtime.endpoint = "tcp://0.0.0.0:0"
     house.runtime.start("--endpoint", "tcp://0.0.0.0:0", "--notify", "tcp://0.0.0.0:0")
-    port = house.runtime.endpoint.rpartition(":")[2]
     # It can not tell by which of its addresses we see it.
+    where = f"tcp://127.0.0.1:{house.runtime.endpoint.rpartition(':')[2]}"
     with (
-        situ.connect(f"tcp://127.0.0.1:{port}", keys=ann, timeout=DEADLINE) as board,
+        situ.connect(where, keys=ann, timeout=DEADLINE) as board,
         board.watch("user.name") as changes,
     ):
         board.set("user.name", "Ann")
         assert next(iter(changes)).value == "Ann"
         assert board.entries("user.name")["user.name"].writer == "operator:ann"
+
+    async def look() -> Any:
+        async with situ.connect_async(where, keys=ann, timeout=DEADLINE) as board:
+            return await board.get("user.name")
+
+    assert asyncio.run(look()) == "Ann"
+    assert main(["get", "user.name", "--at", where, "--keys", str(ann)]) == 0
+    assert capsys.readouterr().out == '"Ann"\n'
 
 
 def test_insecure_is_open_to_a_network_and_says_so(house: House) -> None:
@@ -237,6 +250,34 @@ def test_each_does_what_its_role_and_rights_allow(house: House) -> None:
             assert what in said
 
 
+def test_a_robot_and_its_seven_computers_are_set_up_in_one_command(
+    runtime: Runtime, tmp_path: Path
+) -> None:
+    runtime.project = shutil.copytree(LAB, tmp_path / "project")
+    out = tmp_path / "out"
+    people = ("eyes", "chase", "ann:operator", *(f"t{number}:viewer" for number in range(4)))
+    project = ("--project", str(runtime.project), "--robot", "tcp://robot.lab:5570")
+    assert main(["keys", "lab", str(out), *people, *project]) == 0
+    runtime.start("--keys", str(out / "robot"))
+    with contextlib.ExitStack() as stack:
+        boards = {}
+        for name, _, role in (one.partition(":") for one in people):
+            who: dict[str, Any] = {"role": role} if role else {"module": name}
+            if name == "chase":
+                who["resources"] = ["head"]
+            board = situ.connect(runtime.endpoint, keys=out / name, timeout=DEADLINE, **who)
+            boards[name] = stack.enter_context(board)
+        # By its module information eyes provides it.
+        boards["eyes"].set("face.direction", 10)
+        with pytest.raises(Refused, match="chase may not set"):
+            boards["chase"].set("face.direction", 20)
+        boards["ann"].set("anything", 1)
+        for name in boards:
+            assert boards[name].get("face.direction") == 10
+        with boards["chase"].authority("head") as head:
+            head.command({"yaw": 10})
+
+
 def test_a_core_that_was_killed_knows_them_again(house: House) -> None:
     face = house.let_in("face", "module", "face.*")
     house.runtime.start()
@@ -285,8 +326,11 @@ def test_frames_that_make_no_sense_are_answered_and_leave_nothing(
     tmp_path: Path,
     context: zmq.Context[zmq.Socket[bytes]],
     chance: random.Random,
+    often: Callable[[int, int], int],
     keyed: bool,
 ) -> None:
+    # What is done with a frame is the same without keys.
+    hundreds = FRAMES // 100 if keyed else often(10, FRAMES // 100)
     house = House(runtime, tmp_path / "people") if keyed else None
     ann = None if house is None else house.let_in("ann", "operator")
     runtime.start()
@@ -301,7 +345,7 @@ def test_frames_that_make_no_sense_are_answered_and_leave_nothing(
         dealer.connect(runtime.endpoint)
         source = bodies(chance)
         before = 0.0
-        for number in range(FRAMES // 100):
+        for number in range(hundreds):
             for _ in range(100):
                 # Some in two frames, which no request is.
                 dealer.send_multipart([next(source)] * (1 + (chance.random() < 0.05)))
