@@ -6,6 +6,7 @@ import argparse
 import contextlib
 import logging
 import math
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -13,15 +14,25 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from situ.blackboard.services import SERVICES
 
 if TYPE_CHECKING:
+    from asyncio import AbstractEventLoop
+    from collections.abc import Mapping
+
     from situ.blackboard.client import AsyncBoard
     from situ.blackboard.journal import DurableTags
     from situ.blackboard.keys import RobotKeys
     from situ.document.project import Project
     from situ.engine.live import Live
+    from situ.engine.notify import Notifier
     from situ.engine.recovery import Recovery
     from situ.engine.script import Script
 
 _log = logging.getLogger("situ.run")
+
+HANDED_ON = (
+    *("endpoint", "notify", "http", "keys", "insecure", "services", "adapter", "state", "sync"),
+    *("fresh", "trace", "seed", "speech", "log_level"),
+)
+"""The options that mean something to the processes that are started."""
 
 
 def add(commands: Any) -> None:
@@ -69,8 +80,13 @@ def add(commands: Any) -> None:
         "core they carry out what the core at --endpoint decides",
     )
     parser.add_argument(
+        "--apart", action="store_true", help="each of the services in a process of its own"
+    )
+    parser.add_argument(
         "--no-restart", action="store_true", help="do not start again what has died"
     )
+    # How the processes are started that are started again.
+    parser.add_argument("--supervised", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument(
         "--adapter",
         metavar="NAME",
@@ -122,14 +138,21 @@ def add(commands: Any) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
+    if args.script is None and not (args.no_restart or args.supervised):
+        return _keep_running(args)
     import asyncio
 
     from msgspec.structs import replace
 
     from situ.document.ready import load_ready
+    from situ.engine.notify import Notifier
     from situ.errors import UsageError
     from situ.rehearse import scenario
 
+    if args.apart:
+        raise UsageError("--apart goes neither with --script nor with --no-restart")
+    args.notifier = Notifier(os.environ)
+    args.parent = os.getppid()
     project = load_ready(args.project)
     if args.adapter is not None:
         project = replace(project, adapter=args.adapter)
@@ -256,8 +279,8 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
     addresses = await live.start()
     try:
         # Standard output is the trace's where it was asked for there.
-        ready = _ready(args.json, project.name, addresses)
-        print(ready, file=sys.stderr if args.trace == "-" else sys.stdout, flush=True)
+        _up(args, _ready_line(project.name, addresses))
+        _beat(loop, args.notifier)
         if script is None:
             await stopped.wait()
             return _whole(torn)
@@ -274,7 +297,8 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
                 return 1
             await play
     finally:
-        await live.stop()
+        # Without who would start it again it goes on with who is started next.
+        await live.stop(forget=not (args.supervised and os.getppid() != args.parent))
     for failure in script.verdict.failures:
         print(f"{args.script}: {failure}", file=sys.stderr)
     return 1 if script.verdict.failures else _whole(torn)
@@ -330,7 +354,8 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
         await asyncio.gather(start, return_exceptions=True)
         return 0
     try:
-        print(_ready(args.json, project.name, await start), flush=True)
+        _up(args, _ready_line(project.name, await start))
+        _beat(loop, args.notifier)
         await stop
     finally:
         stop.cancel()
@@ -377,14 +402,89 @@ async def _play(script: Script, live: Live, board: AsyncBoard, clients: int) -> 
     await script.play(live, board)
 
 
-def _ready(as_json: bool, name: str, addresses: Any) -> str:
-    if as_json:
+def _ready_line(name: str, addresses: Any) -> str:
+    """What is said with ``--json`` when all is ready."""
+    import msgspec
+
+    return msgspec.json.encode({"project": name, **msgspec.to_builtins(addresses)}).decode()
+
+
+def _up(args: argparse.Namespace, line: str) -> None:
+    """All is ready: tells who waits for it."""
+    from situ.engine.notify import ADDRESSES, READY
+
+    if args.supervised:
+        args.notifier.tell(**{READY: "1", ADDRESSES: line})
+        return
+    _say_ready(args, line)
+    args.notifier.tell(**{READY: "1"})
+
+
+def _say_ready(args: argparse.Namespace, line: str) -> None:
+    if not args.json:
         import msgspec
 
-        said = {"project": name, **msgspec.to_builtins(addresses)}
-        return msgspec.json.encode(said).decode()
-    screen = f" screen {addresses.http}" if addresses.http is not None else ""
-    return f"situ run: {name} ready at {addresses.requests}{screen}"
+        said = msgspec.json.decode(line)
+        screen = f" screen {said['http']}" if said["http"] is not None else ""
+        line = f"situ run: {said['project']} ready at {said['requests']}{screen}"
+    # Standard output is the trace's where it was asked for there.
+    print(line, file=sys.stderr if args.trace == "-" else sys.stdout, flush=True)
+
+
+def _beat(loop: AbstractEventLoop, notifier: Notifier) -> None:
+    """Says that we live, from now on, where somebody wants to know."""
+    from situ.engine.notify import WATCHDOG
+
+    if notifier.beat is not None:
+        notifier.tell(**{WATCHDOG: "1"})
+        loop.call_later(notifier.beat, _beat, loop, notifier)
+
+
+def _keep_running(args: argparse.Namespace) -> int:
+    """Runs all in processes that are started again when they die."""
+    import msgspec
+
+    from situ.engine.parts import supervise
+
+    parts = args.services if args.apart else args.services[:1]
+    begun: set[str] = set()
+
+    def command(part: str, fresh: bool, told: Mapping[str, str]) -> list[str]:
+        known = {name: msgspec.json.decode(line) for name, line in told.items()}
+        services = part if args.apart else ",".join(args.services)
+        given = dict(
+            vars(args), services=services, fresh=fresh or (args.fresh and part not in begun)
+        )
+        begun.add(part)
+        if core := known.get(parts[0]):
+            given["endpoint"] = core["requests"]
+            if part == parts[0]:
+                given["notify"] = core["notifications"]
+        if part in known and known[part]["http"] is not None:
+            # Pages that are open find the screen where it was.
+            given["http"] = known[part]["http"].partition("//")[2].partition("/")[0]
+        return _arguments(given)
+
+    def ready(told: Mapping[str, str]) -> None:
+        lines = [msgspec.json.decode(line) for line in told.values()]
+        http = next((line["http"] for line in lines if line["http"] is not None), None)
+        _say_ready(args, msgspec.json.encode({**lines[0], "http": http}).decode())
+
+    return supervise(parts, command, ready)
+
+
+def _arguments(given: Mapping[str, Any]) -> list[str]:
+    """The command line of one supervised process."""
+    arguments = ["run", given["project"], "--supervised"]
+    for name in HANDED_ON:
+        value = given.get(name)
+        option = f"--{name.replace('_', '-')}"
+        if value is True:
+            arguments.append(option)
+        elif value is not None and value is not False:
+            host_and_port = isinstance(value, tuple)
+            arguments += [option, f"{value[0]}:{value[1]}" if host_and_port else str(value)]
+    return arguments
 
 
 def _files(project: Project) -> dict[str, str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import json
 import select
@@ -15,20 +14,12 @@ from typing import IO
 
 from tests.benchmarks.peers import PATIENCE
 
-from situ import cli_run
-
 PROJECT = '[project]\nname = "bench"\napplications = ["idle.rbd.xml"]\n'
 IDLE = '<application name="idle"><state no="1"/></application>'
 
 
-def _options() -> tuple[str, ...]:
-    """The core alone, where ``situ run`` can be told so."""
-    commands = argparse.ArgumentParser().add_subparsers()
-    cli_run.add(commands)
-    return ("--services", "core") if "--services" in commands.choices["run"].format_help() else ()
-
-
-CORE = " ".join(("situ run", *_options()))
+OPTIONS = ("--services", "core")
+CORE = " ".join(("situ run", *OPTIONS))
 """What is measured; the table says it."""
 
 
@@ -75,6 +66,7 @@ def core() -> Iterator[tuple[subprocess.Popen[str], str]]:
     with tempfile.TemporaryDirectory(prefix="situ-bench-") as folder:
         (Path(folder) / "situ.toml").write_text(PROJECT)
         (Path(folder) / "idle.rbd.xml").write_text(IDLE)
-        command = ["-m", "situ", "run", folder, "--endpoint", "tcp://127.0.0.1:0", "--json"]
-        with started(*command, "--state", f"{folder}/state", *_options()) as process:
+        command = ["-m", "situ", "run", folder, "--no-restart", "--json"]
+        command += ["--endpoint", "tcp://127.0.0.1:0"]
+        with started(*command, "--state", f"{folder}/state", *OPTIONS) as process:
             yield process, json.loads(line_of(process))["requests"]

@@ -126,7 +126,7 @@ class Running:
     def __init__(self, folder: Path, arguments: list[str]) -> None:
         self.arguments = arguments
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "situ", "run", str(LAB), "--json", *arguments],
+            [sys.executable, "-m", "situ", "run", str(LAB), "--json", "--no-restart", *arguments],
             stdout=subprocess.PIPE,
             text=True,
             env={**os.environ, "XDG_STATE_HOME": str(folder)},

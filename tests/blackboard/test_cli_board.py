@@ -188,7 +188,7 @@ def test_what_is_refused_is_one_line_and_status_2(
 def test_a_run_that_may_not_be_is_one_line_and_status_2(
     arguments: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert cli.main(["run", str(LAB), "--state", str(tmp_path), *arguments]) == 2
+    assert cli.main(["run", str(LAB), "--no-restart", "--state", str(tmp_path), *arguments]) == 2
     error = capsys.readouterr().err
     assert said in error
     assert error.count("\n") == 1
@@ -198,14 +198,14 @@ def test_a_project_with_errors_is_not_run(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "a.rbd.xml").write_text('<application name="a"><state no="1" name=""/><x/>')
-    assert cli.main(["run", str(tmp_path / "a.rbd.xml")]) == 2
+    assert cli.main(["run", "--no-restart", str(tmp_path / "a.rbd.xml")]) == 2
     assert "a.rbd.xml" in capsys.readouterr().err
 
 
 def test_a_port_that_is_taken_is_told(
     running: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    command = ["run", str(LAB), "--state", str(tmp_path), "--endpoint", running.endpoint]
+    command = ["run", str(LAB), "--no-restart", "--state", str(tmp_path), "--endpoint", running.endpoint]
     assert cli.main(command) == 2
     error = capsys.readouterr().err
     assert "give another address or port 0" in error

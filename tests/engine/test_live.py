@@ -235,7 +235,8 @@ def test_live_and_simulated_traces_are_the_same(path: Path) -> None:
 
 def run_lab(*arguments: str, state: Path) -> list[str]:
     return [
-        *(sys.executable, "-m", "situ", "run", str(LAB), "--state", str(state)),
+        *(sys.executable, "-m", "situ", "run", str(LAB), "--no-restart"),
+        *("--state", str(state)),
         *("--endpoint", "tcp://127.0.0.1:0", *arguments),
     ]
 

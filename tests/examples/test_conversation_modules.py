@@ -43,7 +43,7 @@ def program(*command: str) -> Iterator[subprocess.Popen[str]]:
 def robot(project: Path, state: Path) -> Iterator[str]:
     """A live robot with that project; its endpoint."""
     free = "tcp://127.0.0.1:0"
-    command = ("-m", "situ", "run", str(project), "--json", "--endpoint", free)
+    command = ("-m", "situ", "run", str(project), "--json", "--no-restart", "--endpoint", free)
     with program(*command, "--state", str(state)) as running:
         assert running.stdout is not None
         yield json.loads(running.stdout.readline())["requests"]

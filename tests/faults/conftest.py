@@ -30,10 +30,11 @@ PROJECT = Path(__file__).parent / "ward"
 class Runtime:
     """``situ run`` of one project with one state folder; ``start`` it, ``kill`` it, ``start``…
 
-    From the first start on it keeps its addresses.
+    From the first start on it keeps its addresses. supervised: whether what dies is started again.
     """
 
     def __init__(self, project: Path, state: Path) -> None:
+        self.supervised = False
         self.project = project
         self.state = state
         self.endpoint = "tcp://127.0.0.1:0"
@@ -49,7 +50,7 @@ class Runtime:
             self._process = subprocess.Popen(
                 [
                     *(sys.executable, "-m", "situ", "run", str(self.project), "--json"),
-                    "--no-restart",
+                    *(() if self.supervised else ("--no-restart",)),
                     *("--state", str(self.state), *self._addresses, *options),
                 ],
                 stdout=subprocess.PIPE,

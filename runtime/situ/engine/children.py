@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from types import TracebackType
 from typing import Any
 
-from situ.engine.process import ending_with_us, kill
+from situ.engine.ending import ending_with_us
+from situ.engine.process import kill
 
 GRACE = 2.0
 """Seconds that programs get to end by themselves, before they are killed."""

@@ -260,8 +260,11 @@ class Live:
         if not self._stopping:
             self._drain()
 
-    async def stop(self) -> None:
-        """Tells all clients, holds the robot, closes; within about ``CLOSING`` seconds."""
+    async def stop(self, *, forget: bool = True) -> None:
+        """Tells all clients, holds the robot, closes; within about ``CLOSING`` seconds.
+
+        forget: the next start begins anew; else it goes on, as after a kill.
+        """
         for descriptor in self._server.descriptors():
             self._loop.remove_reader(descriptor)
         for timer in self._timers.values():
@@ -269,8 +272,7 @@ class Live:
         self._stopping = True
         self._core.end()
         self._flush()
-        if self._recovery is not None:
-            # It ends well: the next start begins anew.
+        if self._recovery is not None and forget:
             self._recovery.forget()
         if self._performer is not None:
             await _in_time(self._performer.close())

@@ -21,6 +21,7 @@ class Running:
     def __init__(self, project: Path, state: Path, endpoint: str = "tcp://127.0.0.1:0") -> None:
         self.project, self.state = project, state
         command = [sys.executable, "-m", "situ", "run", str(project), "--endpoint", endpoint]
+        command.append("--no-restart")
         command += [
             "--notify",
             "tcp://127.0.0.1:0",

@@ -25,7 +25,8 @@ from typing import Any
 import msgspec
 
 from situ.engine.actions import ActionFailed
-from situ.engine.process import ending_with_us, kill
+from situ.engine.ending import ending_with_us
+from situ.engine.process import kill
 
 GRACE = 1.0
 """Seconds between asking a program to end and killing it."""
