@@ -17,7 +17,7 @@ from urllib.parse import urlsplit
 
 import zmq
 
-from situ.blackboard.link import NOW
+from situ.blackboard.link import NOW, has_come
 
 LARGE = 4_096
 """Bytes from which on a message counts."""
@@ -85,7 +85,11 @@ class Outbox:
             self._cut_off(self._seen)
             # What a closed connection held is let go a little later.
             self._look()
-        return waiting < 2 * self._limit
+        if waiting < 2 * self._limit:
+            return True
+        # Nothing is sent, so that ZeroMQ would not even hear of connections that have ended.
+        has_come(self._socket)
+        return False
 
     def _look(self) -> None:
         self._seen = {peer: taken for peer, taken, _ in self._progress()}
