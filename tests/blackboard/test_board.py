@@ -531,11 +531,3 @@ assert "zmq" in sys.modules
     subprocess.run([sys.executable, "-c", code], check=True, timeout=DEADLINE)
     with pytest.raises(AttributeError, match="has no attribute 'konnect'"):
         situ.konnect  # noqa: B018
-
-
-def test_the_public_names_stay() -> None:
-    assert {name for name in dir(Board) if not name.startswith("_")} == {
-        *("addresses", "authority", "close", "connected", "disclose", "documents", "entries"),
-        *("get", "messages", "modules", "publish", "requests", "serve", "set", "stopped"),
-        *("touch", "trace", "use", "watch"),
-    }

@@ -8,12 +8,8 @@ import situ
 from situ.errors import SituError
 
 
-def main(endpoint: str = "tcp://127.0.0.1:5570") -> None:
-    with (
-        situ.connect(endpoint, module="chase-face", resources=["head"]) as board,
-        board.watch("face.*") as face,
-        board.authority("head") as head,
-    ):
+def chase_face(board: situ.Board) -> None:
+    with board.watch("face.*") as face, board.authority("head") as head:
         while True:
             # Said again and again, each good for half a second: taken over without delay,
             # and if this program hangs the head stops.
@@ -21,6 +17,11 @@ def main(endpoint: str = "tcp://127.0.0.1:5570") -> None:
             direction = board.get("face.direction")
             if board.get("face.visible") and direction is not None:
                 head.command({"yaw": direction, "pitch": 0}, valid=0.5)
+
+
+def main(endpoint: str = "tcp://127.0.0.1:5570") -> None:
+    with situ.connect(endpoint, module="chase-face", resources=["head"]) as board:
+        chase_face(board)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ the script in which the task designer gives it a situation and a priority.
 from __future__ import annotations
 
 import sys
-import time
 
 import situ
 from situ.errors import SituError
@@ -15,18 +14,22 @@ from situ.errors import SituError
 ALONE = 10.0  # seconds without a face, after which the next one counts as a stranger's
 
 
+def greet_stranger(board: situ.Board) -> None:
+    seen = board.clock() - ALONE
+    for face in board.watch("face.visible"):
+        if face.value and board.clock() - seen >= ALONE:
+            board.set("stranger.near", True)
+            with board.authority("head", "speech") as robot:
+                if robot.wait(1.0):
+                    robot.command({"pitch": 10}, resource="head")
+                    robot.command({"text": "Hello! Have we met?"}, resource="speech")
+                    robot.wait_lost(5.0)
+        seen = board.clock()
+
+
 def main(endpoint: str = "tcp://127.0.0.1:5570") -> None:
-    seen = time.monotonic() - ALONE
     with situ.connect(endpoint, module="greet-stranger", resources=["head", "speech"]) as board:
-        for face in board.watch("face.visible"):
-            if face.value and time.monotonic() - seen >= ALONE:
-                board.set("stranger.near", True)
-                with board.authority("head", "speech") as robot:
-                    if robot.wait(1.0):
-                        robot.command({"pitch": 10}, resource="head")
-                        robot.command({"text": "Hello! Have we met?"}, resource="speech")
-                        robot.wait_lost(5.0)
-            seen = time.monotonic()
+        greet_stranger(board)
 
 
 if __name__ == "__main__":

@@ -210,6 +210,12 @@ class AsyncBoard:
         assert self._dialog.welcome is not None
         return self._dialog.welcome.addresses
 
+    def clock(self) -> float:
+        return self.link.clock()
+
+    async def sleep(self, seconds: float) -> None:
+        await self._until(lambda: False, seconds)
+
     async def close(self) -> None:
         if self._loop is None:
             return

@@ -209,6 +209,14 @@ class Board:
         assert self._dialog.welcome is not None
         return self._dialog.welcome.addresses
 
+    def clock(self) -> float:
+        """Seconds that only go forward; in a test (``situ.testing``) those of its robot."""
+        return self._driver.line.clock()
+
+    def sleep(self, seconds: float) -> None:
+        """Waits so long, by ``clock``; not longer than until the board is closed."""
+        self._driver.until(lambda: False, seconds)
+
     def close(self) -> None:
         """Ends the session at once: what the module held passes on. May be called twice."""
         if self._driver.closed:

@@ -4,26 +4,20 @@ from __future__ import annotations
 
 import asyncio
 import inspect
-import math
 import threading
 from collections.abc import Callable, Coroutine, Iterable, Mapping
 from functools import partial
 from typing import Any, TypeVar
 
-import msgspec
-
 from situ.blackboard.blocking import PATIENCE
-from situ.blackboard.client import AsyncBoard, Board, Need, Offer, Person, person
-from situ.blackboard.core import SECOND, Core, Outgoing
-from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Role
-from situ.blackboard.session import Sessions
+from situ.blackboard.client import AsyncBoard, Board, Need, Offer, person
+from situ.blackboard.protocol import HEARTBEAT, LEASE, Role
 from situ.decide import inputs
-from situ.decide.robot import Robot as Decider
-from situ.decide.trace import TraceEvent
 from situ.document.project import Project
 from situ.errors import BlackboardError, Refused
-from situ.testing.memory import MemoryDriver, MemoryLine
-from situ.testing.shared_time import COMPUTING, Loop, SharedTime
+from situ.testing.memory import MemoryDriver
+from situ.testing.shared_time import COMPUTING, Loop
+from situ.testing.world import World
 
 T = TypeVar("T")
 
@@ -34,23 +28,14 @@ class Robot:
     What the test does has its consequences before the call returns: every module that was
     started has computed until it waits again. Time passes only by ``pass_time``, ``until``,
     ``lose``, and where the test's own thread waits on a board of its own.
-
-    trace: every event so far, as in a trace file.
     """
 
     def __init__(self, project: Project, seed: int = 0, auto_finish: float | None = None) -> None:
         self.project = project
-        self.trace: list[dict[str, Any]] = []
-        self.time = SharedTime(self.exchange, self._due, self._untold, self._tell)
-        self._options = seed, auto_finish
-        self._lines: dict[object, MemoryLine] = {}
-        self._begun = 0
-        self._connections = 0
-        self._telling = threading.Lock()
+        self._world = World(project, seed, auto_finish)
+        self._time = self._world.time
         self._threads: list[threading.Thread] = []
         self._ends: list[Callable[[], None]] = []
-        self._failures: list[BaseException] = []
-        self._begin()
 
     # -- modules -------------------------------------------------------------
 
@@ -66,7 +51,7 @@ class Robot:
         timeout: float = PATIENCE,
     ) -> Board:
         """As ``situ.connect``; timeout counts in the robot's time."""
-        line = self._line(
+        line = self._world.line(
             person(
                 module,
                 resources,
@@ -77,7 +62,7 @@ class Robot:
             ),
             looped=False,
         )
-        return Board(MemoryDriver(line, self.time), timeout)
+        return Board(MemoryDriver(line, self._time), timeout)
 
     def connect_async(
         self,
@@ -91,7 +76,7 @@ class Robot:
         timeout: float = PATIENCE,
     ) -> AsyncBoard:
         """As ``situ.connect_async``, for what ``start`` or ``run`` runs."""
-        line = self._line(
+        line = self._world.line(
             person(
                 module,
                 resources,
@@ -116,15 +101,15 @@ class Robot:
         started = threading.Event()
 
         def run() -> None:
-            self.time.join()
+            self._time.join()
             started.set()
             try:
                 main()
             except BaseException as error:
-                if not self.time.over:
-                    self._failures.append(error)
+                if not self._time.over:
+                    self._world.failures.append(error)
             finally:
-                self.time.leave()
+                self._time.leave()
 
         name = board.__class__.__name__
         thread = threading.Thread(target=run, name=f"{program.__name__} of {name}", daemon=True)
@@ -135,7 +120,7 @@ class Robot:
 
     def run(self, test: Coroutine[Any, Any, T]) -> T:
         """Runs a test that awaits. In it time passes with ``await asyncio.sleep(…)``."""
-        with asyncio.Runner(loop_factory=lambda: Loop(self.time)) as runner:
+        with asyncio.Runner(loop_factory=lambda: Loop(self._time)) as runner:
             return runner.run(test)
 
     # -- the world -----------------------------------------------------------
@@ -150,9 +135,7 @@ class Robot:
 
     def give(self, given: inputs.AnyInput) -> None:
         """Any other input of ``situ.decide.inputs``. Raises Refused where it is refused."""
-        with self.time.lock:
-            refused = self._sessions.submit(given, self._moment())
-            self._deliver(self._sessions.take())
+        refused = self._world.submit(given)
         if refused is not None:
             raise Refused(refused)
         self._settle()
@@ -168,32 +151,35 @@ class Robot:
 
     def lose(self, module: str) -> None:
         """Cuts the module's connection, and passes the time after which core and module know."""
-        with self.time.lock:
-            for line in self._of(module):
+        with self._time.lock:
+            for line in self._world.of(module):
                 line.lose()
         self.pass_time(LEASE + HEARTBEAT)
 
     def regain(self, module: str) -> None:
         """The module's connection is there again; within a heartbeat so is the module."""
-        with self.time.lock:
-            for line in self._of(module):
-                del self._lines[line.peer]
-                line.regain()
-                self._lines[line.peer] = line
+        with self._time.lock:
+            for line in self._world.of(module):
+                self._world.regain(line)
         self.pass_time(HEARTBEAT)
 
     def restart(self) -> None:
         """The robot is switched off and on: its blackboard begins anew, its clients come back."""
-        with self.time.lock:
-            self._begin()
+        with self._time.lock:
+            self._world.begin()
         self.pass_time(HEARTBEAT)
 
     # -- what came of it -----------------------------------------------------
 
     @property
+    def trace(self) -> list[dict[str, Any]]:
+        """Every event so far, as in a trace file."""
+        return self._world.trace
+
+    @property
     def now(self) -> float:
         """Seconds since the start."""
-        return self.time.now
+        return self._time.now
 
     @property
     def situation(self) -> str | None:
@@ -207,11 +193,11 @@ class Robot:
 
     def holder(self, resource: str) -> str | None:
         """Who has authority over it."""
-        return self._core.holders.get(resource)
+        return self._world.core.holders.get(resource)
 
     def value(self, name: str) -> Any:
         """What stands at a tag, or a name that reaches into one; None where it is missing."""
-        return self._core.board.look(name)
+        return self._world.core.board.look(name)
 
     def events(self, **fields: Any) -> list[dict[str, Any]]:
         """Those of ``trace`` that have these fields."""
@@ -219,15 +205,15 @@ class Robot:
 
     def close(self) -> None:
         """Ends all modules. Raises what one of them raised; may be called twice."""
-        if self.time.over:
+        if self._time.over:
             return
-        self.time.end()
+        self._time.end()
         for end in self._ends:
             end()
         for thread in self._threads:
             thread.join(COMPUTING)
         left = [thread.name for thread in self._threads if thread.is_alive()]
-        for line in list(self._lines.values()):
+        for line in self._world.lines():
             line.close()
         if left:
             raise BlackboardError(f"{', '.join(left)} did not end with the robot")
@@ -252,17 +238,17 @@ class Robot:
     def _wait(self, ready: Callable[[], bool], seconds: float) -> bool:
         if asyncio._get_running_loop() is not None:
             raise BlackboardError("in a coroutine time passes with: await asyncio.sleep(seconds)")
-        came = self.time.until(lambda: bool(self._failures) or ready(), seconds)
+        came = self._time.until(lambda: bool(self._world.failures) or ready(), seconds)
         self._settle()
         return came
 
     def _settle(self) -> None:
-        self.time.settle()
+        self._time.settle()
         self._raise()
 
     def _raise(self) -> None:
-        if self._failures:
-            raise self._failures.pop(0)
+        if self._world.failures:
+            raise self._world.failures.pop(0)
 
     def _threaded(self, program: Callable[..., Any], board: Board, *more: Any) -> None:
         if inspect.iscoroutinefunction(program):
@@ -279,105 +265,11 @@ class Robot:
                 await program(board, *more)
 
         try:
-            with asyncio.Runner(loop_factory=lambda: Loop(self.time)) as runner:
+            with asyncio.Runner(loop_factory=lambda: Loop(self._time)) as runner:
                 runner.run(main())
         except asyncio.CancelledError:
-            if not self.time.over:
+            if not self._time.over:
                 raise
-
-    # -- the core and its lines; all of it with the lock ---------------------
-
-    def exchange(self) -> None:
-        moment = self._moment()
-        if (due := self._sessions.due()) is not None and due <= moment:
-            self._sessions.advance(moment)
-            self._deliver(self._sessions.take())
-        busy = True
-        while busy:
-            busy = False
-            for line in self._kept():
-                busy |= line.work()
-
-    def take(self, line: MemoryLine, body: bytes) -> None:
-        self._sessions.receive(line.peer, body, self._moment())
-        self._deliver(self._sessions.take())
-
-    def closed(self, line: MemoryLine) -> None:
-        with self.time.lock:
-            self._lines.pop(line.peer, None)
-
-    def _begin(self) -> None:
-        """A core that has just been started."""
-        self._begun = self._micros()
-        seed, auto_finish = self._options
-        self._core = Core(Decider(self.project), self.project, heard=self._heard)
-        self._sessions = Sessions(self._core, Addresses("memory", "memory"))
-        self._sessions.start(seed, auto_finish)
-        self._deliver(self._sessions.take())
-
-    def _line(self, who: Person, looped: bool) -> MemoryLine:
-        self._connections += 1
-        line = MemoryLine(who, self, self._connections, looped)
-        with self.time.lock:
-            self._lines[line.peer] = line
-        return line
-
-    def _of(self, module: str) -> list[MemoryLine]:
-        found = [one for one in self._lines.values() if one.dialog.person.module == module]
-        if not found:
-            raise BlackboardError(f"no module {module} was connected in this test")
-        return found
-
-    def _kept(self) -> list[MemoryLine]:
-        return [line for line in self._lines.values() if not line.looped]
-
-    def _deliver(self, out: Outgoing) -> None:
-        for frame in out.notices:
-            for line in self._lines.values():
-                line.hear(frame)
-        for peer, body in out.replies:
-            if peer in self._lines:
-                self._lines[peer].put(False, body)
-
-    def _heard(self, events: list[TraceEvent], moment: float) -> None:
-        self.trace += [msgspec.to_builtins(event) for event in events]
-
-    def _due(self) -> float:
-        due = self._sessions.due()
-        core = math.inf if due is None else (due + self._begun) / SECOND
-        return min([core, *(line.due() for line in self._kept())])
-
-    def _called(self) -> list[Any]:
-        """What has something for its callback."""
-        following = (one for line in self._kept() for one in line.dialog.following())
-        return [one for one in following if one.callback is not None and len(one)]
-
-    def _untold(self) -> bool:
-        return not self._telling.locked() and bool(self._called())
-
-    def _tell(self) -> None:
-        """Calls callbacks, one at a time."""
-        if not self._telling.acquire(blocking=False):
-            return
-        try:
-            with self.time.lock:
-                told = [
-                    (one.callback, item) for one in self._called() for item in iter(one.take, None)
-                ]
-            for callback, item in told:
-                try:
-                    callback(item)
-                except Exception as error:
-                    self._failures.append(error)
-        finally:
-            self._telling.release()
-
-    def _micros(self) -> int:
-        return round(self.time.now * SECOND)
-
-    def _moment(self) -> int:
-        """The core's time, in µs since its start."""
-        return self._micros() - self._begun
 
 
 def _cancel(loop: asyncio.AbstractEventLoop, task: asyncio.Task[Any]) -> None:
