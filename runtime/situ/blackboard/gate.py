@@ -42,6 +42,7 @@ class Gate:
         self._keys = keys
         self._clock = clock
         self._looked = clock()
+        self._gone = False
         self._monitors: list[_Monitor] = []
         self._zap = context.socket(zmq.REP)
         self._zap.linger = 0
@@ -58,18 +59,21 @@ class Gate:
     def descriptors(self) -> tuple[int, ...]:
         return self._zap.fileno(), *(monitor.socket.fileno() for monitor in self._monitors)
 
-    def drain(self) -> None:
-        """Answers who asks to come in; reads the keys anew where that is due."""
+    def drain(self) -> bool:
+        """Answers who asks to come in; reads the keys anew where that is due. True where somebody
+        is known no longer: all are to show their keys again."""
         now = self._clock()
         if now >= self._looked + LOOK:
             self._looked = now
-            self._keys.refresh()
+            self._gone = self._keys.refresh()
         while has_come(self._zap):
             self._zap.send_multipart(self._admit(self._zap.recv_multipart(NOW)), NOW)
         for monitor in self._monitors:
             for address in monitor.refused():
                 why = "it does not speak CURVE, or not with this robot's key"
                 self.audit.refuse("refused", socket=monitor.name, address=address, why=why)
+        gone, self._gone = self._gone, False
+        return gone
 
     def _admit(self, asked: list[bytes]) -> list[bytes]:
         version, number, domain, address, _, mechanism, *credentials = asked
@@ -81,7 +85,7 @@ class Gate:
         who = self._keys.identity(key)
         if who is None:
             # It may have been added a moment ago.
-            self._keys.refresh()
+            self._gone = self._keys.refresh() or self._gone
             who = self._keys.identity(key)
         if who is None:
             self.audit.refuse("refused", **fields, key=key, why="nobody known has this key")

@@ -78,17 +78,19 @@ class RobotKeys:
         """Whose public key (z85) it is; None: nobody's that is known."""
         return self._keys.get(public)
 
-    def refresh(self) -> None:
-        """Takes what has been added, changed or removed; while something there is wrong, all
-        stays as it was, and the log says so."""
+    def refresh(self) -> bool:
+        """Takes what has been added, changed or removed; whether somebody's key is known no
+        longer. While something there is wrong, all stays as it was, and the log says so."""
         stamp = self._stamp()
         if stamp == self._seen:
-            return
+            return False
         self._seen = stamp
+        before = self._keys
         try:
             self._take(read_known(self.folder))
         except UsageError as error:
             _log.error("%s; who is known stays as it was", error)
+        return not before.keys() <= self._keys.keys()
 
     def own(self) -> Curve:
         """For clients in the robot's own processes."""

@@ -114,6 +114,12 @@ class Outbox:
                 with contextlib.suppress(OSError):
                     one.shutdown(socket.SHUT_RDWR)
 
+    def close_all(self) -> None:
+        """Closes every connection: who may, connects again."""
+        for one in self._connections():
+            with contextlib.suppress(OSError):
+                one.shutdown(socket.SHUT_RDWR)
+
     def _progress(self) -> Iterator[tuple[Peer, int, bool]]:
         """Each peer, how many bytes its machine has taken, and whether more wait for it."""
         for one in self._connections():

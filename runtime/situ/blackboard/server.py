@@ -89,8 +89,10 @@ class Server:
         """
         taken = 0
         gate = self.gate
-        if gate is not None:
-            gate.drain()
+        if gate is not None and gate.drain():
+            # Nobody but the client itself can tell which connections are a key's.
+            self._replies.close_all()
+            self._notices.close_all()
         for _ in range(TURN):
             if not has_come(self._router):
                 if not taken:
