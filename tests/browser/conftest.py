@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -109,6 +109,18 @@ class Theatre:
         self.loop.run_until_complete(self.loop.shutdown_asyncgens())
         self.loop.run_until_complete(self.loop.shutdown_default_executor())
         self.loop.close()
+
+    @contextlib.asynccontextmanager
+    async def window(self, address: str) -> AsyncIterator[Page]:
+        """A page of its own, before the screen at that address."""
+        context = await self._browser.new_context(viewport=KIOSK)
+        try:
+            context.set_default_timeout(DEADLINE * 1000)
+            page = await context.new_page()
+            await page.goto(address)
+            yield page
+        finally:
+            await context.close()
 
     async def play(
         self,
