@@ -86,12 +86,12 @@ def until(ready: Callable[[], bool], board: Any) -> None:
 
 
 def test_bound_to_a_network_without_keys_it_does_not_start(
-    runtime: Runtime, capsys: pytest.CaptureFixture[str]
+    runtime: Runtime, capfd: pytest.CaptureFixture[str]
 ) -> None:
     for option in ("--endpoint", "--notify"):
         arguments = [option, "tcp://0.0.0.0:0", "--state", str(runtime.state)]
         assert main(["run", str(runtime.project), "--http", "127.0.0.1:0", *arguments]) == 2
-        said = capsys.readouterr().err
+        said = capfd.readouterr().err
         assert "situ keys new" in said
         assert said.count("\n") == 1
 
