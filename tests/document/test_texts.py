@@ -134,9 +134,12 @@ def test_what_translators_wrote_is_kept(folder: Path) -> None:
     assert found.translated == 1
 
 
-def test_a_file_in_which_nothing_would_change_stays_as_an_editor_laid_it_out(folder: Path) -> None:
+@pytest.mark.parametrize("end", ["\r\n", "\r"])
+def test_a_file_in_which_nothing_would_change_stays_as_an_editor_laid_it_out(
+    folder: Path, end: str
+) -> None:
     data = _update(folder)[0].data.decode()
-    other = data.replace('msgid "Goodbye"', 'msgid ""\n"Good"\n"bye"').replace("\n", "\r\n")
+    other = data.replace('msgid "Goodbye"', 'msgid ""\n"Good"\n"bye"').replace("\n", end)
     found, _ = _update(folder, other)
     assert found.data == other.encode()
     assert found.new == ()

@@ -47,7 +47,7 @@ def parse(data: bytes, file: str) -> tuple[Any, list[Problem]]:
         # polib takes a text of one line for the name of a file.
         text += "\n#\n"
     try:
-        return polib.pofile(_Lines(text.replace("\r\n", "\n")), wrapwidth=0), []
+        return polib.pofile(_Lines(text.replace("\r\n", "\n").replace("\r", "\n")), wrapwidth=0), []
     except (OSError, ValueError, AttributeError, IndexError, UnicodeError) as wrong:
         match = _LINE.search(str(wrong))
         return bad(

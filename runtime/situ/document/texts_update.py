@@ -6,7 +6,6 @@ and, in designers' words, its places, but no lines: a state put in before it doe
 
 from __future__ import annotations
 
-from difflib import SequenceMatcher
 from typing import Any
 
 import polib
@@ -15,10 +14,8 @@ from msgspec import Struct
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.texts import parse
+from situ.document.texts_alike import Alike
 from situ.document.texts_shown import shown_texts
-
-NEAR = 0.7
-"""From which likeness on (0 to 1) a new text takes over what was said for one that is gone."""
 
 _HEADER = (
     ("MIME-Version", "1.0"),
@@ -62,8 +59,9 @@ def update(
     was = str(before)
     known = _known(before)
     wanted = _wanted(project, language, known)
-    left = [entry for text, entry in known.items() if text not in wanted]
-    gone = tuple(entry.msgid for entry in left if not entry.obsolete)
+    left = {text: entry for text, entry in known.items() if text not in wanted}
+    gone = tuple(text for text, entry in left.items() if not entry.obsolete)
+    alike = Alike(text for text, entry in left.items() if entry.msgstr)
     after, new, unsure = [], [], []
     for text, places in wanted.items():
         entry = known.get(text)
@@ -71,18 +69,16 @@ def update(
             new.append(text)
         if entry is None:
             entry = polib.POEntry(msgid=text)
-            like = _nearest(text, left)
-            if like is not None:
-                left.remove(like)
-                _take_over(entry, like)
+            if (like := alike.take(text)) is not None:
+                _take_over(entry, left.pop(like))
                 unsure.append(text)
         entry.obsolete = False
         entry.comment = "\n".join(dict.fromkeys(where for _, where in places))
         entry.occurrences = [(name, "") for name in dict.fromkeys(name for name, _ in places)]
         after.append(entry)
-    for entry in left:
+    for entry in left.values():
         entry.obsolete = True
-    before[:] = [*after, *(e for e in left if _is_translated(e) or e.tcomment)]
+    before[:] = [*after, *(e for e in left.values() if _is_translated(e) or e.tcomment)]
     now = str(before)
     made = now.encode() if data is None or now != was else data
     used = sum(_is_translated(entry) and not entry.fuzzy for entry in after)
@@ -130,22 +126,6 @@ def _wanted(
             is_there = entry is not None and not entry.obsolete
             kept[one.text] = kept.get(one.text, is_there) or one.is_to_translate
     return {text: places for text, places in found.items() if kept[text]}
-
-
-def _nearest(text: str, left: list[Any]) -> Any:
-    """The entry whose text is most like this one, and translated; None where none is near."""
-    best, found = NEAR, None
-    # SequenceMatcher remembers what it knows of its second text.
-    matcher = SequenceMatcher(None, "", text, autojunk=False)
-    for entry in left:
-        if not entry.msgstr:
-            continue
-        matcher.set_seq1(entry.msgid)
-        if matcher.real_quick_ratio() < best or matcher.quick_ratio() < best:
-            continue
-        if matcher.ratio() >= best:
-            best, found = matcher.ratio(), entry
-    return found
 
 
 def _take_over(entry: Any, like: Any) -> None:
