@@ -1,0 +1,332 @@
+"""A robot that lives, without the waiting: sockets and a clock into ``Robot.step``, and back.
+
+What decides is ``Robot``, who may ask is ``Sessions``; here they are joined with the sockets, with
+what outlives the process, and with whoever carries out effects. ``engine/live.py`` waits for it in
+an asyncio loop, ``engine/core_loop.py`` without one.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable, Collection
+from typing import Any
+
+import zmq
+from msgspec.structs import replace
+
+from situ.blackboard.backlog import Backlog
+from situ.blackboard.core import Core, Heard, Held
+from situ.blackboard.guard import Guard
+from situ.blackboard.journal import DurableTags
+from situ.blackboard.keys import RobotKeys
+from situ.blackboard.protocol import Addresses
+from situ.blackboard.rights import Identity, Rights
+from situ.blackboard.server import Server
+from situ.blackboard.services import Carried, carried_by, may_repeat
+from situ.blackboard.session import Sessions, lost
+from situ.decide import inputs
+from situ.decide.effects import Begin, Changed
+from situ.decide.priorities import RUNTIME
+from situ.decide.robot import Robot
+from situ.decide.step import SECOND
+from situ.document.project import Project
+from situ.engine.clock import time_of_day
+from situ.engine.recovery import Recovery
+
+_log = logging.getLogger("situ.run")
+
+
+class Deciding:
+    """One robot, from ``bind`` and ``start`` to ``end`` and ``close``; one thread.
+
+    Wait until one of ``descriptors()`` is readable or the time that ``turn`` told last has come,
+    then call ``turn``; and call it after ``submit`` and ``move``.
+
+    endpoint, notify: where to bind, port 0 for a free one. clock: seconds that never go back,
+    the system's own where there is a recovery. soon: calls something later in this thread, from
+    any thread. services: those that are carried out in this process, by ``carry`` of ``start``.
+    The rest is as in ``situ.engine.live.Live``.
+    """
+
+    def __init__(
+        self,
+        project: Project,
+        endpoint: str,
+        notify: str,
+        clock: Callable[[], float],
+        soon: Callable[[Callable[[], None]], None],
+        *,
+        services: Collection[str] = (),
+        files: dict[str, str] | None = None,
+        scripted: bool = False,
+        seed: int = 0,
+        auto_finish: float | None = None,
+        heard: Heard | None = None,
+        wall: Callable[[], float] = time.time,
+        durable: DurableTags | None = None,
+        recovery: Recovery | None = None,
+        keys: RobotKeys | None = None,
+        insecure: bool = False,
+    ) -> None:
+        self._project = project
+        self._bind = endpoint, notify
+        self._clock = clock
+        self._soon = soon
+        self._services = frozenset(services)
+        self._files = files
+        self._scripted = scripted
+        self._seed = seed
+        self._auto_finish = auto_finish
+        self._heard = heard
+        self._wall = wall
+        self._durable = durable
+        self._recovery = recovery
+        self._keys = keys
+        self._insecure = insecure
+        self._carry: Callable[[Carried], None] = _nobody
+        self._started = 0.0
+        # When the time of day is to be looked at.
+        self._minute: float | None = None
+        self._stopping = False
+
+    # -- life ----------------------------------------------------------------
+
+    def bind(self) -> Addresses:
+        """The addresses as bound. Raises UsageError where one can not be."""
+        self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
+        try:
+            self._server = Server(
+                *self._bind, context=self._context, keys=self._keys, insecure=self._insecure
+            )
+        except BaseException:
+            self._context.term()
+            raise
+        return Addresses(self._server.requests, self._server.notifications)
+
+    def start(self, addresses: Addresses, carry: Callable[[Carried], None] | None = None) -> None:
+        """Goes on where the process before was killed, or takes the first step."""
+        project = self._project
+        if not self._scripted:
+            # The first situation may depend on the time of day.
+            project = replace(project, tags={**time_of_day(self._wall()), **project.tags})
+        if carry is not None:
+            self._carry = carry
+        self._robot = Robot(project)
+        if not self._goes_on(project, addresses):
+            self._begins(project, addresses)
+        self._flush()
+        if not self._scripted:
+            self._keep_clock()
+
+    def end(self, *, forget: bool) -> None:
+        """Tells all clients. forget: the next start begins anew; else it goes on, as after a
+        kill. What is submitted from now on is passed over."""
+        self._stopping = True
+        self._core.end()
+        self._flush()
+        if self._recovery is not None and forget:
+            self._recovery.forget()
+
+    def close(self) -> None:
+        """Closes the sockets; also after ``bind`` alone. Durable tags are kept by then, and what
+        was to be called soon is called."""
+        self._server.close()
+        self._context.term()
+
+    def _begins(self, project: Project, addresses: Addresses) -> None:
+        """The first step of a run."""
+        self._started = self._clock()
+        self._make_core(project, addresses, 0)
+        self._core.heard = self._heard
+        self._sessions.start(
+            self._seed,
+            self._auto_finish,
+            self._durable.restored if self._durable is not None else None,
+        )
+        self._take_snapshot()
+
+    def _goes_on(self, project: Project, addresses: Addresses) -> bool:
+        """Goes on where the process before was killed; False where there is no such run."""
+        if self._recovery is None or self._recovery.found is None:
+            return False
+        kept, past = self._recovery.found
+        self._recovery.found = None
+        try:
+            self._started = kept.began
+            self._make_core(project, addresses, kept.seq)
+            self._core.backlog.restore(self._recovery.trace(kept))
+            self._robot.restore(kept.robot)
+            self._sessions.restore(kept.sessions, past, self._now())
+            behind = self._durable.behind(self._robot.board.state) if self._durable else []
+            self._core.heard = self._heard
+            self._take_snapshot()
+            _log.warning(
+                "the robot goes on from %g s, where it was killed", self._core.moment / SECOND
+            )
+            self._begin_again()
+            # Time went on while nobody was there.
+            self._sessions.advance(self._now())
+        except Exception as error:
+            # Whatever it is, it would be there again after the next start.
+            self._recovery.set_aside(error)
+            self._robot = Robot(project)
+            return False
+        if behind:
+            self._keep(behind, [])
+        return True
+
+    def _make_core(self, project: Project, addresses: Addresses, seq: int) -> None:
+        self._core = Core(
+            self._robot,
+            project,
+            epoch=self._wall() - self._now() / SECOND,
+            files=self._files,
+            backlog=Backlog(begin=seq),
+            durability=self._durable,
+        )
+        gate = self._server.gate
+        guard = None if gate is None else Guard(Rights(project), gate.audit)
+        self._sessions = Sessions(
+            self._core, addresses, scripted=self._scripted, own=self._services, guard=guard
+        )
+
+    def _begin_again(self) -> None:
+        """What was being carried out here: again, where twice is as good as once."""
+        gone = []
+        for effect in self._robot.outstanding():
+            if not self._services.intersection(carried_by(effect)):
+                continue
+            if isinstance(effect, Begin) and not may_repeat(effect):
+                gone.append(effect)
+            else:
+                self._carry(effect)
+        for effect in gone:
+            self._core.step(lost(effect, "the robot's core was killed"))
+
+    # -- for who waits -------------------------------------------------------
+
+    def descriptors(self) -> tuple[int, ...]:
+        """To wait on for reading. They tell of a change once."""
+        return self._server.descriptors()
+
+    def turn(self) -> float | None:
+        """Takes what has come and does what has fallen due, with what follows; when it is to be
+        called next at the latest, by the clock. None: not before something comes."""
+        if self._server.drain(self._received, self._flush):
+            # Others must have their turn.
+            return self._clock()
+        due = self._sessions.due()
+        if due is not None and self._now() >= due:
+            # Who has sent something by now is not taken for dead: it is drained.
+            self._sessions.advance(self._now())
+            self._flush()
+            return self.turn()
+        if self._minute is not None and self._clock() >= self._minute:
+            self._keep_clock()
+            return self.turn()
+        if due is None:
+            return self._minute
+        # It may ring a little early by the clock's reckoning; never by ours.
+        ring = self._started + (due + 1) / SECOND
+        return ring if self._minute is None else min(ring, self._minute)
+
+    def submit(self, given: inputs.AnyInput) -> None:
+        """An input from the runtime's own parts."""
+        if self._stopping or (self._scripted and isinstance(given, (inputs.Finish, inputs.Set))):
+            return
+        refused = self._sessions.submit(given, self._now())
+        if refused is not None:
+            _log.warning("%s", refused)
+        self._flush()
+
+    def look(self, name: str) -> Any:
+        """A value of the blackboard; None where it is missing."""
+        return self._robot.board.look(name)
+
+    @property
+    def clients(self) -> int:
+        """How many clients are connected."""
+        return self._sessions.clients
+
+    @property
+    def moment(self) -> int:
+        """The robot's time in µs."""
+        return self._core.moment
+
+    def due(self) -> int | None:
+        """When the robot next does something by itself, in µs of its time."""
+        return self._core.due()
+
+    def move(self, moment: int) -> None:
+        """Moves a scripted robot's time, doing what falls due by then."""
+        self._core.now = self._now()
+        self._core.move(moment)
+        self._flush()
+
+    # -- what comes and what follows -----------------------------------------
+
+    def _now(self) -> int:
+        return int((self._clock() - self._started) * SECOND)
+
+    def _received(self, peer: bytes, body: bytes, identity: Identity | None) -> None:
+        try:
+            self._sessions.receive(peer, body, self._now(), identity)
+        except Exception:
+            # The others are served on; the descriptors would not tell of them again.
+            _log.exception("a request could not be carried out")
+
+    def _flush(self) -> None:
+        """Sends and carries out what follows from the last steps; to be drained after it."""
+        out = self._sessions.take()
+        recovery = self._recovery
+        if out.past and recovery is not None:
+            recovery.append(out.past)
+        if out.durable:
+            self._keep(out.durable, out.held)
+        self._server.send(out.replies, out.notices)
+        for effect in out.effects:
+            self._carry(effect)
+        if recovery is not None and recovery.wanted:
+            self._take_snapshot()
+
+    # -- what outlives the process -------------------------------------------
+
+    def _take_snapshot(self) -> None:
+        if self._recovery is not None:
+            state = self._sessions.state()
+            self._recovery.snapshot(self._started, self._robot, state, self._core.backlog)
+            self._core.remembers = True
+
+    def _keep(self, changes: list[Changed], held: list[Held]) -> None:
+        assert self._durable is not None
+        soon = self._soon
+
+        def done(why: str | None) -> None:
+            soon(lambda: self._was_kept(held, why))
+
+        self._durable.keep(changes, done)
+
+    def _was_kept(self, held: list[Held], why: str | None) -> None:
+        replies = [(one.peer, one.reply if why is None else one.no(why)) for one in held]
+        self._server.send(replies, ())
+
+    # -- the time of day -----------------------------------------------------
+
+    def _keep_clock(self) -> None:
+        """``clock.time``, ``clock.date`` and ``clock.weekday``, anew with each minute."""
+        changed = {
+            tag: value
+            for tag, value in time_of_day(self._wall()).items()
+            if (entry := self._robot.board.get(tag)) is None or entry.value != value
+        }
+        # The clock on the wall may have been set; the trace follows it.
+        self._core.epoch = self._wall() - self._now() / SECOND
+        if changed:
+            self.submit(inputs.Set(changed, RUNTIME))
+        left = 60 - self._wall() % 60
+        self._minute = self._clock() + left + 0.01
+
+
+def _nobody(effect: Carried) -> None:
+    """All of it is carried out elsewhere."""
