@@ -36,7 +36,8 @@ def main(target: str) -> int:
             wayland=bool(os.environ.get("WAYLAND_DISPLAY")) and not headless,
         )
     )
-    wished = system.missing((system.BROWSER, system.SPEECH) if target == "test" else ())
+    programs = (system.BROWSER, system.SPEECH, system.BROKER)
+    wished = system.missing(programs if target == "test" else ())
     if os.environ.get("CI") == "true":
         needed, wished = needed + wished, []
     packages += [need.package for need in needed]

@@ -13,6 +13,8 @@ from pathlib import Path
 
 import pytest
 
+from situ.system_libraries import PATH
+
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 PATIENCE = 2.0
@@ -75,8 +77,14 @@ def espeak() -> str:
     return _program("espeak-ng")
 
 
+@pytest.fixture(scope="session")
+def mosquitto() -> str:
+    """The path of mosquitto, an MQTT broker; skips where there is none, and fails in CI."""
+    return _program("mosquitto")
+
+
 def _program(name: str) -> str:
-    path = shutil.which(name)
+    path = shutil.which(name, path=PATH)
     if path is None:
         missing = f"{name} is not installed: sudo apt-get install {name}"
         if os.environ.get("CI") == "true":

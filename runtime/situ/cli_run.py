@@ -207,6 +207,8 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
     import asyncio
     import signal
 
+    from msgspec.structs import replace
+
     from situ.blackboard.backlog import stamped
     from situ.blackboard.client import AsyncBoard, Link, Person
     from situ.blackboard.server import check_reach
@@ -260,6 +262,16 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
             voice=voice,
         )
 
+    def broker(submit: Any) -> Any:
+        from situ.engine.mqtt import Bridge
+        from situ.engine.secrets import Secrets
+
+        assert project.mqtt is not None
+        secrets = Secrets(state_folder(args.state, project))
+        # A scenario says itself what comes in.
+        mqtt = project.mqtt if script is None else replace(project.mqtt, incoming={})
+        return Bridge(mqtt, submit, secrets, loop, logging.getLogger("situ.mqtt"))
+
     live = Live(
         project,
         endpoint,
@@ -275,6 +287,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         recovery=kept.recovery,
         keys=keys,
         insecure=args.insecure,
+        broker=broker if project.mqtt is not None and project.mqtt.url else None,
     )
     addresses = await live.start()
     try:

@@ -7,9 +7,14 @@ loads this file before anything is installed.
 from __future__ import annotations
 
 import ctypes
+import os
 import shutil
 from collections.abc import Iterable
 from typing import NamedTuple
+
+
+PATH = os.environ.get("PATH", os.defpath) + ":/usr/sbin"
+"""Where programs are looked for: Debian has servers where people's shells do not look."""
 
 
 class Need(NamedTuple):
@@ -21,7 +26,7 @@ class Need(NamedTuple):
     def met(self) -> bool:
         """Whether the library can be loaded, or the program is in the path."""
         if ".so." not in self.file:
-            return shutil.which(self.file) is not None
+            return shutil.which(self.file, path=PATH) is not None
         try:
             ctypes.CDLL(self.file)
         except OSError:
@@ -64,6 +69,7 @@ _WAYLAND = (
 
 SPEECH = Need("espeak-ng", "espeak-ng")
 BROWSER = Need("chromium", "chromium")
+BROKER = Need("mosquitto", "mosquitto")
 
 
 def editor(*, x11: bool = False, wayland: bool = False) -> tuple[Need, ...]:

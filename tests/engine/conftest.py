@@ -80,19 +80,15 @@ async def settle() -> None:
 
 
 class Answers:
-    """What the robot's side submits and publishes, in order."""
+    """What the robot's side submits, in order."""
 
     def __init__(self) -> None:
         self.inputs: list[AnyInput] = []
-        self.published: list[tuple[str, Any]] = []
         self._more = asyncio.Event()
 
     def submit(self, given: AnyInput) -> None:
         self.inputs.append(given)
         self._more.set()
-
-    def publish(self, topic: str, value: Any) -> None:
-        self.published.append((topic, value))
 
     @property
     def finishes(self) -> list[Finish]:
@@ -145,7 +141,6 @@ class Situation:
         )
         answers, clock = Answers(), HandClock()
         given: dict[str, Any] = {
-            "publish": answers.publish,
             "tag": self.tags.get,
             "state_dir": self.state,
             "services": ("engine", "robot"),

@@ -116,6 +116,44 @@ def test_effects_are_carried_out_and_their_ends_are_inputs() -> None:
     go(test)
 
 
+class Post:
+    """A broker that keeps what it is sent, and tells of one event when it begins."""
+
+    def __init__(self, submit: Callable[[inputs.AnyInput], None]) -> None:
+        self.sent: list[tuple[str, Any]] = []
+        self.closed = False
+        self.came = asyncio.Event()
+        self._submit = submit
+
+    def start(self) -> None:
+        self._submit(inputs.Raise("go"))
+
+    def send(self, topic: str, value: Any) -> None:
+        self.sent.append((topic, value))
+        self.came.set()
+
+    async def close(self) -> None:
+        self.closed = True
+
+
+def test_an_applications_message_is_told_to_the_broker() -> None:
+    made: list[Post] = []
+
+    def broker(submit: Any) -> Post:
+        made.append(Post(submit))
+        return made[0]
+
+    async def test() -> None:
+        robot = live(load_ready(LAB), broker=broker)
+        await robot.start()
+        await made[0].came.wait()
+        assert made[0].sent == [("desk/busy", {"user": "Ann"})]
+        await robot.stop()
+        assert made[0].closed
+
+    go(test)
+
+
 def test_what_falls_due_is_done_without_being_asked() -> None:
     async def test() -> None:
         robot = live(load_ready(LAB))

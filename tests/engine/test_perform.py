@@ -32,12 +32,13 @@ class Broken:
             raise RuntimeError("the cable is out")
 
 
-def test_a_message_is_published_and_needs_no_answer(situation: Any) -> None:
+def test_a_message_and_what_a_module_is_asked_are_the_cores_own(situation: Any) -> None:
     async def scenario() -> None:
         async with situation.side() as side:
             fields = {"topic": "nurse/call", "value": {"room": 12}}
             side.performer.perform(Begin(7, "reception", "message", None, fields))
-            assert side.answers.published == [("nurse/call", {"room": 12})]
+            asked = {"name": "x", "url": "board:cuff/measure", "method": "GET", "params": {}}
+            side.performer.perform(Begin(8, "reception", "service", "x", asked))
         assert side.answers.inputs == []
 
     asyncio.run(scenario())

@@ -17,12 +17,12 @@ from typing import Any
 
 from situ.blackboard.curve import KeysOf
 from situ.blackboard.protocol import Addresses
-from situ.blackboard.services import SERVICES, asked_of
+from situ.blackboard.services import SERVICES, carried_by
 from situ.decide.effects import AnyEffect, Begin, Cancel, Map
 from situ.decide.inputs import AnyInput, Finish, Set
 from situ.document.project import Project
 from situ.engine import voices
-from situ.engine.actions import ActionFailed, message
+from situ.engine.actions import ActionFailed
 from situ.engine.actions.launch import Launcher
 from situ.engine.actions.service import Services
 from situ.engine.actions.sound import Player, audible
@@ -45,7 +45,7 @@ class Performer:
     """Carries out effects for one project, and answers with inputs.
 
     submit: gets ``Finish`` of begun actions, what people do on the screen, and the
-    simulated robot's tags. publish(topic, value) sends a message to whoever watches.
+    simulated robot's tags.
     tag(name) reads the blackboard (``language``, ``speech.volume``, ``speech.rate``).
     screen: host and port, 0 for a free one. state_dir: the runtime's folder, with
     ``launch.toml`` and the screen's key; None: nothing may be launched, the key is new
@@ -61,7 +61,6 @@ class Performer:
         project: Project,
         submit: Callable[[AnyInput], None],
         *,
-        publish: Callable[[str, Any], None] = _nothing,
         tag: Callable[[str], Any] = _nothing,
         screen: tuple[str, int] = ("127.0.0.1", 0),
         state_dir: Path | None = None,
@@ -77,7 +76,6 @@ class Performer:
     ) -> None:
         self._project = project
         self._submit = submit
-        self._publish = publish
         self._tag = tag
         self._address = screen
         self._state_dir = state_dir
@@ -231,11 +229,9 @@ class Performer:
             self._move(self._adapter, effect)
 
     def _begin(self, effect: Begin) -> None:
-        if "engine" not in self._services or asked_of(effect) is not None:
+        if "engine" not in self._services or not carried_by(effect):
             return
-        if effect.action == "message":
-            message.send(self._publish, effect.fields)
-        elif effect.action == "service":
+        if effect.action == "service":
             self._run(effect.id, partial(self._ask, effect))
         elif effect.action == "launch":
             program = str(effect.fields.get("program", effect.name or ""))
