@@ -387,11 +387,10 @@ class AsyncAuthority:
         return self
 
     async def __aexit__(self, *_: object) -> None:
-        given_back = self._board.link.dialog.abandon(self)
-        # Where the connection is away it is held no longer, and there is nothing to wait for.
-        if self._board.connected:
-            with contextlib.suppress(BlackboardError):
-                await self._board._answer(given_back)
+        board = self._board
+        given_back = board.link.dialog.abandon(self)
+        # Where the connection is away it is held no longer; the core is told when it is back.
+        await board._until(lambda: given_back.finished or not board.connected, board._timeout)
 
     def __repr__(self) -> str:
         held = "held" if self.held else "not held"

@@ -371,15 +371,13 @@ class Authority:
         return self
 
     def __exit__(self, *_: object) -> None:
-        board = self._board
-        with contextlib.suppress(BlackboardError):
-            if board.connected:
-                board._ask(lambda d: d.abandon(self))
-            else:
-                # It is held no longer; that nothing is asked for is told with the next session.
-                board._driver.check()
-                with board._driver.lock:
-                    board._dialog.abandon(self)
+        board, driver = self._board, self._board._driver
+        if driver.closed:
+            return
+        with driver.lock:
+            given_back = board._dialog.abandon(self)
+        # Where the connection is away it is held no longer; the core is told when it is back.
+        driver.until(lambda: given_back.finished or not board.connected, board._timeout)
 
     def __repr__(self) -> str:
         held = "held" if self.held else "not held"
