@@ -5,14 +5,22 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import AsyncIterator, Awaitable, Callable
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 import aiohttp
 import pytest
 
-from situ.blackboard.keys import KnownKey, RobotKeys, add_known, new_robot, token_keys
+from situ.blackboard import gate
+from situ.blackboard.keys import (
+    KnownKey,
+    RobotKeys,
+    add_known,
+    new_robot,
+    remove_known,
+    token_keys,
+)
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.rights import KeyRole
 from situ.document.ready import load_ready
@@ -291,6 +299,32 @@ def test_with_keys_the_screens_token_opens_nothing(keys: RobotKeys) -> None:
         assert await house.status() == 403
         headers = {"Origin": "http://evil.example"}
         assert await house.status("/board?token=ann's token", **headers) == 403
+
+    receive(scenario, keys)
+
+
+def test_a_visitor_whom_the_robot_knows_no_longer_is_sent_away(
+    keys: RobotKeys, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(gate, "LOOK", 0.0)
+
+    async def scenario(house: House) -> None:
+        async with house.visit("ann's token") as ann:
+            await ann.ask("hello", version=1, role="operator")
+            remove_known(keys.folder, "ann")
+
+            async def talk() -> None:
+                with suppress(ConnectionError):
+                    while True:
+                        await ann.socket.send_str('{"do":"heartbeat","id":9}')
+                        await asyncio.sleep(0)
+
+            talking = asyncio.create_task(talk())
+            async for _ in ann.socket:
+                pass
+            await talking
+            assert ann.socket.close_code == aiohttp.WSCloseCode.TRY_AGAIN_LATER
+        assert await house.status("/board?token=ann's token") == 403
 
     receive(scenario, keys)
 

@@ -8,6 +8,7 @@ WebSocket door*, has the frames.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
 from collections import deque
 
@@ -85,7 +86,14 @@ class Door:
             async for message in socket:
                 if message.type is not WSMsgType.TEXT:
                     await socket.close(code=WSCloseCode.UNSUPPORTED_DATA, message=b"text only")
-                elif not relay.pass_on(message.data):
+                    continue
+                try:
+                    passed = relay.pass_on(message.data)
+                except zmq.Again:
+                    words = b"the core does not take what is sent"
+                    await socket.close(code=WSCloseCode.TRY_AGAIN_LATER, message=words)
+                    continue
+                if not passed:
                     words = b"a frame is a request, +TOPIC or -TOPIC"
                     await socket.close(code=WSCloseCode.POLICY_VIOLATION, message=words)
         finally:
@@ -130,7 +138,8 @@ class _Relay:
         self._drain()
 
     def pass_on(self, frame: str) -> bool:
-        """A visitor's frame to the core; False where it is none of this door."""
+        """A visitor's frame to the core; False where it is none of this door. Raises zmq.Again
+        where too many wait for the core already."""
         if frame[:1] == "{":
             self._dealer.send(frame.encode("utf-8", "replace"), NOW)
         elif frame[:1] in ("+", "-"):
@@ -174,6 +183,7 @@ class _Relay:
     def close(self) -> None:
         for socket in (self._dealer, self._subscriber):
             self._loop.remove_reader(socket.fileno())
-        self._dealer.send(protocol.encode(protocol.Bye(id=0)), NOW)
+        with contextlib.suppress(zmq.Again):
+            self._dealer.send(protocol.encode(protocol.Bye(id=0)), NOW)
         self._dealer.close()
         self._subscriber.close()
