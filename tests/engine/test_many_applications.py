@@ -142,6 +142,7 @@ class Log:
         try:
             yield f"http://127.0.0.1:{runner.addresses[0][1]}/log"
         finally:
+            self.may.set()
             await runner.cleanup()
 
 
@@ -179,7 +180,7 @@ def lived(espeak: str, tmp_path_factory: pytest.TempPathFactory) -> Lived:
         ):
             film = await screen.showing("clip")
             # It drives, it speaks, the film runs, and nobody has answered yet.
-            await ward.until(tag="pose.x")
+            await ward.until(2, tag="pose.x")
             assert not body.held
             assert ward.told(kind="finished") == []
             await nurse.set("emergency", True)

@@ -189,18 +189,21 @@ class SimulatedRobot:
     # -- where it is, on the blackboard ------------------------------------------
 
     def _tell(self) -> None:
-        """Reports what changed since the last report, and again while anything moves."""
+        """Reports what changed since the last report, and again while anything moves.
+
+        At first all: on the blackboard may stand where the robot was before it was started anew.
+        """
         assert self._report is not None
         self._next_report = None
         now = self._clock.time()
         moving = any(now - begun < motion.duration for begun, motion in self._motions.values())
         places = {"base": self.pose, "head": self.gaze}
         tags = {
-            tag: round(number, 2)
+            tag: round(number, 2) + 0.0  # a zero has no sign
             for resource, names in _REPORTED.items()
             for tag, number in zip(names, places[resource], strict=True)
         }
-        changed = {t: v for t, v in tags.items() if self._reported.get(t, 0.0) != v}
+        changed = {t: v for t, v in tags.items() if self._reported.get(t) != v}
         if changed:
             self._reported.update(changed)
             self._report(changed)
