@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import Any, get_args
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from situ.blackboard import protocol
 from situ.blackboard.protocol import AnyRequest, Hello, Request
 from situ.blackboard.rights import ALLOWED, ROBOT, Identity, KeyRole, Rights
 from situ.document.modules import Module, Modules, Provides
+from situ.document.names import is_tag
 from situ.document.project import Project
 
 PROJECT = Project(
@@ -166,6 +169,26 @@ def test_what_a_module_discloses_gives_it_no_rights() -> None:
     nod = Identity("nod", "module")
     assert RIGHTS.greeting(nod, told) is None
     assert not RIGHTS.writes(nod, "user.name")
+
+
+_words = st.sampled_from(
+    ["*", "**", "robot", "module", "face", "nod", "situation", "clock", "head"]
+)
+_patterns = st.lists(_words, min_size=1, max_size=4).map(".".join)
+_kept = st.builds(
+    lambda root, parts: "/".join((root, *parts)),
+    st.sampled_from(["robot", "module", "application", "service"]),
+    st.lists(st.sampled_from(["face", "nod", "head", "face head"]), min_size=1, max_size=3),
+) | st.sampled_from(["situation", "listen", "clock.time", "clock.date", "clock.weekday"])
+
+
+@given(st.lists(_patterns, max_size=5), _kept)
+def test_whatever_a_key_may_write_what_is_kept_stays_out_of_reach(
+    write: list[str], tag: str
+) -> None:
+    assert is_tag(tag)
+    own = tag.startswith("module/face/")
+    assert RIGHTS.writes(Identity("face", "module", tuple(write)), tag) == own
 
 
 @pytest.mark.parametrize("role", get_args(KeyRole))
