@@ -40,8 +40,8 @@ def test_an_installed_wheel_carries_resources_and_examples(tmp_path: Path) -> No
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(tmp_path / "site")
     script = (
-        "from situ.resources import resource, examples; import situ_studio;"
-        "print(resource('icons')); print(*examples().values(), sep='\\n')"
+        "from situ.resources import resource, examples, templates; import situ_studio;"
+        "print(resource('icons')); print(*examples().values(), *templates().values(), sep='\\n')"
     )
     shown = subprocess.run(
         [sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, 'site'); {script}"],
@@ -52,4 +52,7 @@ def test_an_installed_wheel_carries_resources_and_examples(tmp_path: Path) -> No
     ).stdout.splitlines()
     package = tmp_path / "site" / "situ"
     assert shown[0] == str(package / "_resources" / "icons")
-    assert shown[1:] == [str(package / "_examples" / name) for name in resources.examples()]
+    assert shown[1:] == [
+        *(str(package / "_examples" / name) for name in resources.examples()),
+        *(str(package / "_resources" / "templates" / name) for name in resources.templates()),
+    ]

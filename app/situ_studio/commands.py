@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -131,7 +132,8 @@ class Commands(QObject):
         recent = self._window.recent
         return str(Path(recent[0]).parent) if recent else str(Path.home())
 
-    def new_project(self) -> None:
+    def new_project(self, template: str = "empty") -> None:
+        """Makes a project of a template, named and put where the person says, and opens it."""
         dialogs = self._window.dialogs
         given = dialogs.name(self.tr("New project"), self.tr("Name"), "my-robot")
         if given is None:
@@ -140,7 +142,8 @@ class Commands(QObject):
         parent = dialogs.new_folder(self._home(), self.tr("Where shall its folder be?"))
         if parent is None or not self._window.may_leave():
             return
-        if self._try(lambda: self._window.open_project(projects.new_project(Path(parent), name))):
+        made = partial(projects.new_project, Path(parent), name, template)
+        if self._try(lambda: self._window.open_project(made())):
             # A newcomer sees what a state is made of, and what comes next goes beside it.
             self._window.select(("state", "1"))
 

@@ -1,4 +1,4 @@
-"""Projects that the studio makes: empty new ones, and copies of the examples."""
+"""Projects that the studio makes: new ones from templates, and copies of the examples."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from situ.errors import UsageError
 from situ.resources import example, template
 
 
-def new_project(parent: Path, name: str) -> Path:
-    """Makes the folder ``name`` in ``parent`` with one application of one state.
+def new_project(parent: Path, name: str, kind: str = "empty") -> Path:
+    """Makes the folder ``name`` in ``parent`` from the template ``kind``.
 
     Raises UsageError where the name is none, the folder holds anything, or can not be made.
     """
     target = parent / name
-    begin(template("empty"), target, name)
+    begin(template(kind), target, name)
     return target
 
 

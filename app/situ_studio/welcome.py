@@ -135,6 +135,7 @@ class Welcome(QScrollArea):
     connect_asked = Signal()
     recent_asked = Signal(str)
     example_asked = Signal(str)
+    template_asked = Signal(str)
     theme_asked = Signal(str)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -165,6 +166,8 @@ class Welcome(QScrollArea):
         body.addLayout(self._start())
         body.addLayout(self._examples_side(), 1)
         column.addLayout(body)
+        column.addSpacing(32)
+        column.addLayout(self._templates())
         column.addStretch(1)
         column.addSpacing(24)
         foot = QHBoxLayout()
@@ -301,6 +304,35 @@ class Welcome(QScrollArea):
         column.addStretch(1)
         return column
 
+    def _templates(self) -> QVBoxLayout:
+        column = QVBoxLayout()
+        column.setSpacing(8)
+        column.addLayout(self._heading(self.tr("New from a template")))
+        row = QHBoxLayout()
+        row.setSpacing(16)
+        # All of resources/templates but the empty one, which is the new project above.
+        for name, icon, title, below in (
+            (
+                "reception",
+                "screen",
+                self.tr("Question and answers"),
+                self.tr("Screens, a way home, a timeout"),
+            ),
+            (
+                "conversation",
+                "situation",
+                self.tr("Modules that share a robot"),
+                self.tr("Situations, priorities, a stop"),
+            ),
+        ):
+            asked = partial(self.template_asked.emit, name)
+            press = self._choice("card", icon, title, below, "", asked)
+            press.setObjectName(f"template {name}")
+            row.addWidget(press)
+        row.addStretch(1)
+        column.addLayout(row)
+        return column
+
     # -- contents ------------------------------------------------------------------
 
     def show_examples(self, examples: list[Example]) -> None:
@@ -311,8 +343,15 @@ class Welcome(QScrollArea):
 
     def example(self, name: str) -> Press:
         """The card of an example; LookupError where there is none."""
+        return self._named(f"example {name}")
+
+    def template(self, name: str) -> Press:
+        """The card of a template; LookupError where there is none."""
+        return self._named(f"template {name}")
+
+    def _named(self, name: str) -> Press:
         for press in self.findChildren(Press):
-            if press.objectName() == f"example {name}":
+            if press.objectName() == name:
                 return press
         raise LookupError(name)
 

@@ -101,6 +101,7 @@ class MainWindow(Frame):
         welcome.connect_asked.connect(self.commands.connect_robot)
         welcome.recent_asked.connect(self.commands.open_path)
         welcome.example_asked.connect(self.commands.open_example)
+        welcome.template_asked.connect(self.commands.new_project)
         welcome.theme_asked.connect(self.choose_theme)
 
     # -- the project -----------------------------------------------------------------

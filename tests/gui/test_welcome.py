@@ -6,11 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontInfo
 
 from situ.document import folder
 from situ.document.check import check
+from situ.resources import templates
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -65,6 +67,21 @@ def test_a_new_project_is_whole_and_without_problems(studio: Start, tmp_path: Pa
     assert project is not None
     # That nothing leads on from its one state yet may be warned of.
     assert [p for p in (*problems, *check(project)) if p.severity == "error"] == []
+
+
+@pytest.mark.parametrize("name", sorted(set(templates()) - {"empty"}))
+def test_every_template_has_a_card_that_makes_a_project_of_it(
+    studio: Start, tmp_path: Path, name: str
+) -> None:
+    used = studio()
+    used.answers.put("name", "My robot")
+    used.answers.put("new_folder", str(tmp_path))
+    used.click(used.window.welcome.template(name))
+    assert used.session.root == tmp_path / "my-robot"
+    assert used.window.current_file == "my-robot.rbd.xml"
+    assert used.session.problems == []
+    states = used.session.project.applications["my-robot.rbd.xml"].states
+    assert len(states) == 3
 
 
 def test_a_name_that_is_none_is_told_in_one_line(studio: Start, tmp_path: Path) -> None:
