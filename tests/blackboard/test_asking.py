@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from situ.blackboard import protocol
-from situ.blackboard.asking import LIMIT
 from situ.blackboard.core import Core
 from situ.blackboard.protocol import Addresses
+from situ.blackboard.services import PATIENCE
 from situ.blackboard.session import Sessions
 from situ.decide.robot import Robot
 from situ.document.project import Project
@@ -163,12 +163,12 @@ def test_a_module_that_never_answers_fails_it_in_the_end(hand: Hand) -> None:
     hand.hello("cuff")
     serve(hand)
     go(hand)
-    for beat in range(1, int(LIMIT) * 2):
+    for beat in range(1, int(PATIENCE) * 2):
         hand.at(beat / 2)
         hand.ask("cuff", "heartbeat")
         hand.ask("ann", "heartbeat")
     assert state(hand) == "2"
-    hand.at(LIMIT)
+    hand.at(PATIENCE)
     assert (state(hand), error(hand)) == ("4", "cuff did not answer measure within 30 s")
 
 

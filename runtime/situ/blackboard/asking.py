@@ -13,12 +13,9 @@ from typing import Any
 from msgspec import Struct
 
 from situ.blackboard.protocol import Question
-from situ.blackboard.services import asked_of
+from situ.blackboard.services import PATIENCE, asked_of
 from situ.decide.effects import Begin
 from situ.decide.inputs import Finish
-
-LIMIT = 30.0
-"""Seconds that a module has to answer, as a web service has."""
 
 SECOND = 1_000_000
 ERROR = 500
@@ -29,14 +26,15 @@ class Asking:
     """All that is asked of modules and not answered yet.
 
     counts: module to how often that changed for it. tell: is told each such module, once a change.
-    heeds: whether answers count, and nothing is waited for longer than ``LIMIT``; not so where a
-    scenario says what ends.
+    heeds: whether answers count, and nothing is waited for longer than patience (seconds); not
+    so where a scenario says what ends.
     """
 
-    def __init__(self, tell: Callable[[str], None]) -> None:
+    def __init__(self, tell: Callable[[str], None], patience: float = PATIENCE) -> None:
         self.counts: Counter[str] = Counter()
         self.heeds = True
         self._tell = tell
+        self._patience = patience
         self._asked: dict[int, _Asked] = {}
         self._serves: dict[str, frozenset[str]] = {}
 
@@ -57,7 +55,7 @@ class Asking:
         question = Question(
             effect.id, request, params if isinstance(params, dict) else {}, effect.application
         )
-        one = _Asked(question, module, now + int(LIMIT * SECOND))
+        one = _Asked(question, module, now + int(self._patience * SECOND))
         self._asked[effect.id] = one
         if module not in present:
             one.end(now, f"{module} is not connected, so it can not be asked to {request}")
@@ -99,7 +97,7 @@ class Asking:
     def overdue(self, now: int) -> list[Finish]:
         """What nobody answers any more: each fails in words."""
         return [
-            Finish(id=one.question.id, ok=False, error=one.error(), status=None)
+            Finish(id=one.question.id, ok=False, error=self._error(one), status=None)
             for one in self._asked.values()
             if self.heeds and one.due <= now
         ]
@@ -113,6 +111,11 @@ class Asking:
         known = ", ".join(sorted(serves)) or "none"
         one.end(now, f"{one.module} has no request {request}; it has {known}")
         return True
+
+    def _error(self, one: _Asked) -> str:
+        if one.why is not None:
+            return one.why
+        return f"{one.module} did not answer {one.question.request} within {self._patience:g} s"
 
     def _changed(self, module: str) -> None:
         self.counts[module] += 1
@@ -130,11 +133,6 @@ class _Asked(Struct):
     def end(self, now: int, why: str) -> None:
         if self.why is None:
             self.due, self.why = now, why
-
-    def error(self) -> str:
-        if self.why is not None:
-            return self.why
-        return f"{self.module} did not answer {self.question.request} within {LIMIT:g} s"
 
 
 def one_line(module: str, error: str | None) -> str:

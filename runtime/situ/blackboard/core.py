@@ -16,7 +16,7 @@ from situ.blackboard.asking import Asking
 from situ.blackboard.backlog import Backlog, stamped
 from situ.blackboard.history import AnySessionEvent, Past
 from situ.blackboard.presence import Disclosed
-from situ.blackboard.services import Carried, asked_of, carried_by
+from situ.blackboard.services import PATIENCE, Carried, asked_of, carried_by
 from situ.blackboard.watching import Watching
 from situ.decide import inputs, trace
 from situ.decide.board import Board
@@ -92,9 +92,8 @@ class Core:
     text of the project's files. modules: those connected; holders: resource to module.
     tracing: how many follow the trace. performing: how many carry out each service elsewhere;
     effects: how many effects each service was given, by whomever it is carried out. asking: what
-    modules are asked. heard: as
-    ``Heard``, None: nobody is told. remembers: whether what happens is put into
-    ``Outgoing.past``.
+    modules are asked; patience: seconds that they have to answer. heard: as ``Heard``, None:
+    nobody is told. remembers: whether what happens is put into ``Outgoing.past``.
     """
 
     def __init__(
@@ -107,6 +106,7 @@ class Core:
         heard: Heard | None = None,
         backlog: Backlog | None = None,
         durability: Durability | None = None,
+        patience: float = PATIENCE,
     ) -> None:
         self.project = project
         self.files = files or {}
@@ -117,7 +117,7 @@ class Core:
         self.tracing = 0
         self.performing: Counter[str] = Counter()
         self.effects: Counter[str] = Counter()
-        self.asking = Asking(self._is_asked)
+        self.asking = Asking(self._is_asked, patience)
         self.moment = 0
         self.now = 0
         self.epoch = epoch

@@ -10,6 +10,9 @@ from situ.decide.effects import Begin, Cancel, Map
 
 SERVICES = ("engine", "robot", "screen")
 
+PATIENCE = 30.0
+"""Seconds that a service has to answer an application, of the web or of a module."""
+
 Carried = Map | Begin | Cancel
 """The effects that are carried out outside of the core."""
 

@@ -23,7 +23,7 @@ from situ.blackboard.keys import RobotKeys
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.rights import Identity, Rights
 from situ.blackboard.server import Server
-from situ.blackboard.services import Carried, carried_by, may_repeat
+from situ.blackboard.services import PATIENCE, Carried, carried_by, may_repeat
 from situ.blackboard.session import Sessions, lost
 from situ.decide import inputs
 from situ.decide.effects import Begin, Changed
@@ -68,6 +68,7 @@ class Deciding:
         recovery: Recovery | None = None,
         keys: RobotKeys | None = None,
         insecure: bool = False,
+        patience: float = PATIENCE,
     ) -> None:
         self._project = project
         self._bind = endpoint, notify
@@ -84,6 +85,7 @@ class Deciding:
         self._recovery = recovery
         self._keys = keys
         self._insecure = insecure
+        self._patience = patience
         self._carry: Callable[[Carried], None] = _nobody
         self._started = 0.0
         # When the time of day is to be looked at.
@@ -184,6 +186,7 @@ class Deciding:
             files=self._files,
             backlog=Backlog(begin=seq),
             durability=self._durable,
+            patience=self._patience,
         )
         gate = self._server.gate
         guard = None if gate is None else Guard(Rights(project), gate.audit)

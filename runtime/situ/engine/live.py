@@ -15,7 +15,7 @@ from situ.blackboard.curve import KeysOf
 from situ.blackboard.journal import DurableTags
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.protocol import Addresses
-from situ.blackboard.services import SERVICES, Carried
+from situ.blackboard.services import PATIENCE, SERVICES, Carried
 from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.document.project import Project
@@ -74,6 +74,8 @@ class Live:
     broker(submit) makes who else is told the messages of applications, and tells of events and
     tags from elsewhere.
 
+    patience: as in ``Core``.
+
     durable: keeps durable tags; ``stop`` closes it. recovery: keeps what is needed to go on
     after the process was killed; where it has found such a run, this one goes on from there
     (docs/architecture.md, *How the core comes back*). Both only where nothing is scripted.
@@ -98,6 +100,7 @@ class Live:
         keys: RobotKeys | None = None,
         insecure: bool = False,
         broker: Callable[[Submit], Broker] | None = None,
+        patience: float = PATIENCE,
     ) -> None:
         self._loop: asyncio.AbstractEventLoop
         self._deciding = Deciding(
@@ -117,6 +120,7 @@ class Live:
             recovery=recovery,
             keys=keys,
             insecure=insecure,
+            patience=patience,
         )
         self._make = performer
         self._durable = durable

@@ -17,7 +17,7 @@ from typing import Any
 
 from situ.blackboard.curve import KeysOf
 from situ.blackboard.protocol import Addresses
-from situ.blackboard.services import SERVICES, carried_by
+from situ.blackboard.services import PATIENCE, SERVICES, carried_by
 from situ.decide.effects import AnyEffect, Begin, Cancel, Map
 from situ.decide.inputs import AnyInput, Finish, Set
 from situ.document.project import Project
@@ -69,7 +69,7 @@ class Performer:
         sound: bool | None = None,
         captions: bool | None = None,
         voice: Voice | None = None,
-        timeout: float = 30.0,
+        timeout: float = PATIENCE,
         clock: Clock | None = None,
         adapter: Callable[[Surroundings], Adapter] | None = None,
         log: logging.Logger | None = None,
