@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import asyncio
 import contextlib
 import os
 import shutil
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    import asyncio
     from collections.abc import Callable
 
     from situ.engine.children import Children
@@ -46,6 +46,8 @@ def add(commands: Any) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
+    import asyncio
+
     from situ.cli_studio import needs_editor
     from situ.resources import example
 
@@ -58,6 +60,8 @@ def run(args: argparse.Namespace) -> int:
 
 
 async def _demo(project: Path, *, window: bool, play: bool) -> int:
+    import asyncio
+
     from situ.engine.children import Children
 
     stopped = asyncio.Event()
@@ -104,6 +108,8 @@ async def _headless(robot: Robot, picture: Path) -> int:
 
 async def _in_window(robot: Robot, play: bool) -> int:
     """The editor's window and a robot to touch, until the window is closed."""
+    import asyncio
+
     script = _scenario(robot.project) if play else None
     options = [] if script is None else ["--script", str(script), "--clients", "1"]
     address = await robot.start(*options)
@@ -150,6 +156,8 @@ class Robot:
 
     async def start(self, *options: str) -> dict[str, Any]:
         """Starts services and ``situ run``; the addresses that it announces."""
+        import asyncio
+
         import msgspec
 
         robot = self._folder / self.project.name
@@ -178,6 +186,8 @@ class Robot:
 
     async def _services(self) -> dict[str, str]:
         """``NAME_service.py`` answers at the tag ``services.NAME``; it prints its address."""
+        import asyncio
+
         found = {}
         for program in sorted(self.project.glob("*_service.py")):
             started = await self._children.start(
@@ -238,6 +248,8 @@ def _moments(script: Path) -> tuple[float, float]:
 
 async def _line(stream: asyncio.StreamReader, who: str, wanted: Callable[[str], bool]) -> str:
     """The first line that is wanted; those before it go to standard error."""
+    import asyncio
+
     from situ.errors import UsageError
 
     async def find() -> str:

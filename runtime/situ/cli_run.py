@@ -140,8 +140,6 @@ def add(commands: Any) -> None:
 def run(args: argparse.Namespace) -> int:
     if args.script is None and not (args.no_restart or args.supervised):
         return _keep_running(args)
-    import asyncio
-
     from msgspec.structs import replace
 
     from situ.document.ready import load_ready
@@ -157,6 +155,8 @@ def run(args: argparse.Namespace) -> int:
     if args.adapter is not None:
         project = replace(project, adapter=args.adapter)
     if "core" not in args.services:
+        import asyncio
+
         return asyncio.run(_serve(args, project))
     lines = None
     if args.script is not None:
@@ -176,6 +176,10 @@ def run(args: argparse.Namespace) -> int:
                 out = stack.enter_context(open(args.trace, mode, buffering=0))
             except OSError as error:
                 raise UsageError(f"{args.trace}: {error.strerror or error}") from None
+        if lines is None and args.services == ("core",) and not _has_broker(project):
+            return _run_core(args, project, out, kept)
+        import asyncio
+
         return asyncio.run(_run(args, project, lines, out, kept))
 
 
@@ -203,13 +207,61 @@ def _kept(args: argparse.Namespace, project: Project, stack: contextlib.ExitStac
     return Kept(durable, recovery)
 
 
+def _has_broker(project: Project) -> bool:
+    return project.mqtt is not None and bool(project.mqtt.url)
+
+
+def _run_core(args: argparse.Namespace, project: Project, out: Any, kept: Kept) -> int:
+    """The core without anything beside it, until a signal comes."""
+    import signal
+    import time
+
+    from situ.engine import core_loop
+    from situ.engine.deciding import Deciding
+    from situ.engine.trace_out import TraceOut
+    from situ.engine.waking import Waking
+
+    endpoint = project.endpoint if args.endpoint is None else args.endpoint
+    with Waking(signal.SIGINT, signal.SIGTERM) as waking:
+        trace = None
+        if out is not None:
+            trace = TraceOut(args.trace, out, lambda: waking.came.append(signal.SIGPIPE))
+        deciding = Deciding(
+            project,
+            endpoint,
+            args.notify or _beside(endpoint),
+            time.monotonic,
+            waking.soon,
+            files=_files(project),
+            seed=args.seed,
+            heard=None if trace is None else trace.heard,
+            durable=kept.durable,
+            recovery=kept.recovery,
+            keys=_keys(args, project),
+            insecure=args.insecure,
+        )
+        core_loop.run(
+            deciding,
+            waking,
+            args.notifier,
+            kept.durable,
+            lambda addresses: _up(args, _ready_line(project.name, addresses)),
+            lambda: _is_the_end(args),
+        )
+    return 0 if trace is None else trace.status()
+
+
+def _is_the_end(args: argparse.Namespace) -> bool:
+    """Whether the next start begins anew: not where who would start it again was killed."""
+    return not args.supervised or os.getppid() == int(args.parent)
+
+
 async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any, kept: Kept) -> int:
     import asyncio
     import signal
 
     from msgspec.structs import replace
 
-    from situ.blackboard.backlog import stamped
     from situ.blackboard.client import AsyncBoard, Link, Person
     from situ.blackboard.server import check_reach
     from situ.decide.trace import TraceEvent
@@ -217,6 +269,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
     from situ.engine.live import Live
     from situ.engine.perform import Performer
     from situ.engine.script import Script
+    from situ.engine.trace_out import TraceOut
     from situ.engine.voices import find
 
     loop = asyncio.get_running_loop()
@@ -230,23 +283,13 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
     check_reach(web, keyed=keys is not None, insecure=args.insecure)
     script = None if lines is None else Script(lines, args.speed)
 
-    torn: OSError | None = None
+    trace = None if out is None else TraceOut(args.trace, out, stopped.set)
 
     def heard(events: list[TraceEvent], moment: float) -> None:
-        nonlocal torn
         if script is not None:
             script.heard(events, moment)
-        if out is None or torn is not None:
-            return
-        try:
-            _write(out, b"".join(stamped(event, moment) + b"\n" for event in events))
-        except OSError as error:
-            # A robot does not stand still because a disk is full.
-            torn = error
-            if isinstance(error, BrokenPipeError):
-                stopped.set()
-            else:
-                _log.error("%s: %s; the trace ends here", args.trace, error.strerror)
+        if trace is not None:
+            trace.heard(events, moment)
 
     voice = find(args.speech)
 
@@ -287,7 +330,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         recovery=kept.recovery,
         keys=keys,
         insecure=args.insecure,
-        broker=broker if project.mqtt is not None and project.mqtt.url else None,
+        broker=broker if _has_broker(project) else None,
     )
     addresses = await live.start()
     try:
@@ -296,7 +339,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         _beat(loop, args.notifier)
         if script is None:
             await stopped.wait()
-            return _whole(torn)
+            return 0 if trace is None else trace.status()
         own = None if keys is None else keys.own()
         board = AsyncBoard(Link(addresses.requests, Person(role="scenario"), keys=own))
         async with board:
@@ -310,11 +353,12 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
                 return 1
             await play
     finally:
-        # Without who would start it again it goes on with who is started next.
-        await live.stop(forget=not (args.supervised and os.getppid() != args.parent))
+        await live.stop(forget=_is_the_end(args))
     for failure in script.verdict.failures:
         print(f"{args.script}: {failure}", file=sys.stderr)
-    return 1 if script.verdict.failures else _whole(torn)
+    if script.verdict.failures:
+        return 1
+    return 0 if trace is None else trace.status()
 
 
 async def _serve(args: argparse.Namespace, project: Project) -> int:
@@ -394,20 +438,6 @@ def _keys(args: argparse.Namespace, project: Project) -> RobotKeys | None:
     # Who came in, and who did not, is always told.
     logging.getLogger("situ.audit").setLevel(logging.INFO)
     return RobotKeys(folder)
-
-
-def _write(out: Any, data: bytes) -> None:
-    left = memoryview(data)
-    while left:
-        left = left[out.write(left) :]
-    out.flush()
-
-
-def _whole(torn: OSError | None) -> int:
-    """The exit status: whether the trace that was asked for could be written."""
-    if isinstance(torn, BrokenPipeError):
-        raise torn
-    return 0 if torn is None else 1
 
 
 async def _play(script: Script, live: Live, board: AsyncBoard, clients: int) -> None:

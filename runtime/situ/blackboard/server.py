@@ -7,18 +7,20 @@ from __future__ import annotations
 
 import ipaddress
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 import zmq
 
 from situ.blackboard import protocol
-from situ.blackboard.gate import Gate
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.link import NOW, has_come
 from situ.blackboard.outbox import Outbox
 from situ.blackboard.rights import Identity
 from situ.errors import UsageError
+
+if TYPE_CHECKING:
+    from situ.blackboard.gate import Gate
 
 TURN = 500
 """Messages taken in one ``drain``, so that a flood leaves time for what falls due."""
@@ -54,7 +56,12 @@ class Server:
     ) -> None:
         for address in (requests, notifications):
             check_reach(address, keyed=keys is not None, insecure=insecure)
-        self.gate = Gate(keys, context) if keys is not None else None
+        self.gate: Gate | None = None
+        if keys is not None:
+            # Here: a core without keys does without asyncio, which the monitor's module wants.
+            from situ.blackboard.gate import Gate
+
+            self.gate = Gate(keys, context)
         self._router = context.socket(zmq.ROUTER)
         self._publisher = context.socket(zmq.XPUB)
         try:

@@ -12,8 +12,6 @@ from itertools import takewhile
 
 from situ.document import names, projectfile
 from situ.document.accept import ACCEPT
-from situ.document.analysis import analyse
-from situ.document.care import search_care
 from situ.document.check_application import check_application, used_resources
 from situ.document.check_script import check_modules, check_script
 from situ.document.datatypes import shown
@@ -41,6 +39,10 @@ def check(
     files: the project's folder; where it lies on disk unless given. Line and column
     are those of the file on disk, 0 for a value that is in no file yet.
     """
+    # Here: who only runs a project never searches, and is up sooner.
+    from situ.document.analysis import analyse
+    from situ.document.care import search_care
+
     files = files if files is not None else Disk(project.root)
     found = _structure(project, files)
     search = analyse(project, cancel)

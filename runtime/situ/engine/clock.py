@@ -5,7 +5,6 @@ Every asyncio event loop is a ``Clock``. Tests bring one that they move by hand.
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Callable
 from datetime import datetime
 from typing import Protocol
@@ -29,6 +28,9 @@ async def pause(clock: Clock, seconds: float) -> None:
     """Returns when ``seconds`` have passed on ``clock``; takes its call back when cancelled."""
     if seconds <= 0:
         return
+    # Here, so that who only asks for the time of day does without.
+    import asyncio
+
     over = asyncio.get_running_loop().create_future()
 
     def ring() -> None:

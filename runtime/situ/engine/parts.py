@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import select
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -16,6 +15,7 @@ from pathlib import Path
 from situ.engine.ending import ending_with_us
 from situ.engine.notify import READY, WATCHDOG, Listener, Notifier
 from situ.engine.supervisor import HANGS, Child, Supervisor
+from situ.engine.waking import Waking
 
 Command = Callable[[str, bool, Mapping[str, str]], Sequence[str]]
 """The arguments of ``situ`` for a part, as ``Start`` is asked for it."""
@@ -60,22 +60,8 @@ def supervise(
 
 
 def _loop(supervisor: Supervisor, listeners: Mapping[str, Listener], notifier: Notifier) -> None:
-    stop = False
-
-    def told(number: int, _: object) -> None:
-        nonlocal stop
-        stop = stop or number != signal.SIGCHLD
-
-    inside, outside = socket.socketpair()
-    for one in (inside, outside):
-        one.setblocking(False)
-    before = {
-        number: signal.signal(number, told)
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGCHLD)
-    }
-    awaited = [inside.fileno(), *(listener.fileno() for listener in listeners.values())]
-    woken = signal.set_wakeup_fd(outside.fileno(), warn_on_full_buffer=False)
-    try:
+    with Waking(signal.SIGINT, signal.SIGTERM, signal.SIGCHLD) as waking:
+        awaited = [waking.fileno(), *(listener.fileno() for listener in listeners.values())]
         supervisor.begin(time.monotonic())
         while True:
             left = supervisor.turn(time.monotonic())
@@ -85,24 +71,11 @@ def _loop(supervisor: Supervisor, listeners: Mapping[str, Listener], notifier: N
                 notifier.tell(**{WATCHDOG: "1"})
                 left = notifier.beat if left is None else min(left, notifier.beat)
             select.select(awaited, [], [], left)
-            _empty(inside)
+            waking.take()
             for name, listener in listeners.items():
                 while (message := listener.take()) is not None:
                     supervisor.heard(name, message, time.monotonic())
-            if stop:
+            if any(number != signal.SIGCHLD for number in waking.came):
                 notifier.tell(STOPPING="1")
                 supervisor.stop(time.monotonic())
-    finally:
-        signal.set_wakeup_fd(woken)
-        for number, handler in before.items():
-            signal.signal(number, handler)
-        inside.close()
-        outside.close()
-
-
-def _empty(woken: socket.socket) -> None:
-    try:
-        while woken.recv(1024):
-            pass
-    except BlockingIOError:
-        return
+            waking.came.clear()
