@@ -35,7 +35,7 @@ R2D2 = pytest.mark.parametrize("model", [r2d2])
 DEADLINE = 40.0
 
 
-@pytest.fixture(autouse=True)
+@pytest.fixture
 def pybullet() -> None:
     """pybullet is there; skips where it is not, and fails in CI where there is a wheel for it."""
     if importlib.util.find_spec("pybullet") is None:
@@ -73,7 +73,7 @@ class Moves:
 
 
 @pytest.fixture
-def moves(hand_clock: Any) -> Callable[..., None]:
+def moves(hand_clock: Any, pybullet: None) -> Callable[..., None]:
     def run(model: Model, test: Callable[[Moves], Awaitable[None]], reports: bool = False) -> None:
         async def within() -> None:
             made = Moves(model, hand_clock, reports)
@@ -359,37 +359,41 @@ class Whole:
         return self.decides.board.look("application/errand.state")
 
 
-def whole(model: Model, clock: Any, test: Callable[[Whole], Awaitable[None]]) -> None:
-    async def within() -> None:
-        made = Whole(model, clock)
-        await made.performer.start()
-        made.give(Start(everyone=False))
-        made.give(Connected("chase", ("base",)))
-        made.give(Acquire("chase", ("base",)))
-        try:
-            await test(made)
-        finally:
-            await made.performer.close()
+@pytest.fixture
+def errand(hand_clock: Any, pybullet: None) -> Callable[..., None]:
+    def run(model: Model, test: Callable[[Whole], Awaitable[None]]) -> None:
+        async def within() -> None:
+            made = Whole(model, hand_clock)
+            await made.performer.start()
+            made.give(Start(everyone=False))
+            made.give(Connected("chase", ("base",)))
+            made.give(Acquire("chase", ("base",)))
+            try:
+                await test(made)
+            finally:
+                await made.performer.close()
 
-    asyncio.run(within())
+        asyncio.run(within())
+
+    return run
 
 
 @BOTH
-def test_a_flow_drives_it_and_goes_on_when_it_has_arrived(model: Model, hand_clock: Any) -> None:
+def test_a_flow_drives_it_and_goes_on_when_it_has_arrived(model: Model, errand: Any) -> None:
     async def test(whole: Whole) -> None:
         while whole.state == "1":
             await whole.advance(0.1)
         assert whole.state == "2"
         assert math.dist(whole.body.pose[:2], (2.0, 1.0)) < 0.15
         # Bodies take their time: it can not have been there sooner.
-        assert hand_clock.time() - 100 > math.dist((0, 0), (2.0, 1.0)) / 0.5
+        assert whole.body.bullet.time > math.dist((0, 0), (2.0, 1.0)) / 0.5
 
-    whole(model, hand_clock, test)
+    errand(model, test)
 
 
 @BOTH
 def test_a_situation_with_a_higher_priority_stops_it_and_gives_the_way_back(
-    model: Model, hand_clock: Any
+    model: Model, errand: Any
 ) -> None:
     async def test(whole: Whole) -> None:
         while math.dist(whole.body.pose[:2], (0.0, 0.0)) < 1.0:
@@ -405,12 +409,12 @@ def test_a_situation_with_a_higher_priority_stops_it_and_gives_the_way_back(
         assert whole.state == "2"
         assert math.dist(whole.body.pose[:2], (2.0, 1.0)) < 0.15
 
-    whole(model, hand_clock, test)
+    errand(model, test)
 
 
 @BOTH
 def test_the_command_of_a_module_that_hangs_runs_out_and_it_stops(
-    model: Model, hand_clock: Any
+    model: Model, errand: Any
 ) -> None:
     async def test(whole: Whole) -> None:
         whole.give(Set({"chased": True}, "eyes"))
@@ -428,10 +432,10 @@ def test_the_command_of_a_module_that_hangs_runs_out_and_it_stops(
         await whole.advance(10)
         assert math.dist(whole.body.pose[:2], stopped[:2]) < 0.01
 
-    whole(model, hand_clock, test)
+    errand(model, test)
 
 
-def test_a_run_with_everything_real_drives_and_stops(tmp_path: Path) -> None:
+def test_a_run_with_everything_real_drives_and_stops(tmp_path: Path, pybullet: None) -> None:
     """More than a metre in its own time, over the sockets, in a process of its own."""
     command = [
         *(sys.executable, "-m", "situ", "run", str(ERRAND), "--state", str(tmp_path)),
