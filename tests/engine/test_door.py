@@ -13,20 +13,27 @@ import aiohttp
 import pytest
 
 from situ.blackboard import gate
+from situ.blackboard.asynchronous import AsyncBoard
+from situ.blackboard.calls import Person
+from situ.blackboard.curve import Curve
 from situ.blackboard.keys import (
     KnownKey,
     RobotKeys,
     add_known,
+    door_to,
+    new_pair,
     new_robot,
     remove_known,
     token_keys,
 )
+from situ.blackboard.link import Link
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.rights import KeyRole
 from situ.document.ready import load_ready
 from situ.engine.live import Live
 from situ.engine.perform import Performer
 from situ.engine.screen import door as doors
+from situ.engine.services import ServicesApart
 
 DEADLINE = 20.0
 LAB = Path(__file__).parent.parent / "blackboard" / "lab"
@@ -327,6 +334,46 @@ def test_a_visitor_whom_the_robot_knows_no_longer_is_sent_away(
         assert await house.status("/board?token=ann's token") == 403
 
     receive(scenario, keys)
+
+
+def test_the_door_of_a_screen_on_another_machine_leaves_to_the_core_whom_it_lets_in(
+    keys: RobotKeys,
+) -> None:
+    project = load_ready(LAB)
+    pair = new_pair("screen")
+    add_known(keys.folder, "screen", KnownKey(pair.public, "service"))
+    own = Curve(pair.public.encode(), pair.secret.encode(), keys.public, "screen")
+
+    async def run() -> None:
+        live = Live(project, "tcp://127.0.0.1:0", "tcp://127.0.0.1:0", keys=keys)
+        core = await live.start()
+        person = Person(role="service", services=("screen",))
+        apart = ServicesApart(
+            AsyncBoard(Link(core.requests, person, keys=own), DEADLINE),
+            ("screen",),
+            lambda submit, tag: Performer(project, submit, tag=tag, services=("screen",)),
+            door_to(keys.public),
+        )
+        try:
+            addresses = await apart.start()
+            async with asyncio.timeout(DEADLINE), aiohttp.ClientSession() as client:
+                house = House(live, client, addresses)
+                async with house.visit("ann's token") as ann:
+                    await ann.ask("hello", version=1, role="operator")
+                    assert (await ann.ask("set", tags={"user.name": "Ann"}))["re"] == "written"
+                assert await house.status() == 403
+                async with house.visit("nobody's token") as nobody:
+                    for _ in range(1_000):
+                        await nobody.socket.send_str('{"do":"hello","id":1,"version":1}')
+                    await nobody.socket.send_str('{"do":"hello","id":1,"version":1}')
+                    message = await nobody.socket.receive()
+                    assert message.type is aiohttp.WSMsgType.CLOSE
+                    assert nobody.socket.close_code == aiohttp.WSCloseCode.TRY_AGAIN_LATER
+        finally:
+            await apart.stop()
+            await live.stop()
+
+    asyncio.run(run())
 
 
 def test_the_keys_of_a_program_open_no_door(keys: RobotKeys) -> None:

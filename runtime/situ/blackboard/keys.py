@@ -17,7 +17,7 @@ import msgspec
 import zmq
 from msgspec import Struct
 
-from situ.blackboard.curve import Curve
+from situ.blackboard.curve import Curve, KeysOf
 from situ.blackboard.rights import ROBOT, Identity, KeyRole
 from situ.document import names
 from situ.errors import UsageError
@@ -264,6 +264,16 @@ def token_keys(token: str) -> tuple[bytes, bytes]:
     digest = hashlib.blake2b(token.encode("utf-8", "replace"), digest_size=32, person=b"situ door")
     secret = _z85(digest.digest())
     return zmq.curve_public(secret), secret
+
+
+def door_to(robot: bytes) -> KeysOf:
+    """For a door on another machine than the robot of this public key: it does not know who is
+    known, and the robot lets in those of its visitors whom it knows."""
+
+    def keys(token: str) -> Curve | None:
+        return Curve(*token_keys(token), robot) if token else None
+
+    return keys
 
 
 def _z85(raw: bytes) -> bytes:

@@ -24,6 +24,8 @@ LARGEST = 1_000_000
 """Bytes of one frame that comes in."""
 HELD = 4_000_000
 """Bytes that wait for a visitor who does not read, before his notices wait in ZeroMQ."""
+PATIENCE = 0.5
+"""Seconds that a visitor has to say goodbye."""
 BEAT = 5.0
 """Seconds between two pings; who answers none for half as long is gone."""
 MOST = 64
@@ -42,7 +44,7 @@ class Door:
         self._core: tuple[str, str] | None = None
         self._keys: KeysOf | None = None
         self._context: zmq.Context[zmq.Socket[bytes]] | None = None
-        self._visitors: set[web.WebSocketResponse] = set()
+        self._visitors: dict[web.WebSocketResponse, _Relay] = {}
 
     def open(self, requests: str, notifications: str, keys: KeysOf | None = None) -> None:
         """Visitors are led to the core at these addresses. keys: None where it has none."""
@@ -56,8 +58,12 @@ class Door:
 
     async def close(self) -> None:
         self._core = None
-        for visitor in list(self._visitors):
-            await visitor.close(code=WSCloseCode.GOING_AWAY, message=b"the robot stops")
+        visitors = dict(self._visitors)
+        bye = (v.close(code=WSCloseCode.GOING_AWAY, message=b"the robot stops") for v in visitors)
+        await asyncio.gather(*bye)
+        for relay in visitors.values():
+            # Who is being sent away already has not let go of it yet, and the context would wait.
+            relay.close()
         if self._context is not None:
             self._context.term()
             self._context = None
@@ -77,10 +83,9 @@ class Door:
             return web.Response(status=503, text=f"{MOST} programs use this door already.\n")
         if self._context is None:
             self._context = zmq.Context()
-        socket = web.WebSocketResponse(max_msg_size=LARGEST, heartbeat=BEAT)
+        socket = web.WebSocketResponse(timeout=PATIENCE, max_msg_size=LARGEST, heartbeat=BEAT)
         await socket.prepare(request)
-        self._visitors.add(socket)
-        relay = _Relay(self._context, *self._core, curve)
+        relay = self._visitors[socket] = _Relay(self._context, *self._core, curve)
         told = asyncio.create_task(relay.tell(socket))
         try:
             async for message in socket:
@@ -97,7 +102,7 @@ class Door:
                     words = b"a frame is a request, +TOPIC or -TOPIC"
                     await socket.close(code=WSCloseCode.POLICY_VIOLATION, message=words)
         finally:
-            self._visitors.discard(socket)
+            del self._visitors[socket]
             told.cancel()
             relay.close()
         return socket
@@ -158,6 +163,8 @@ class _Relay:
 
     def _drain(self) -> None:
         """Takes what the core says, while the visitor keeps up."""
+        if self._dealer.closed:
+            return
         for socket in (self._dealer, self._subscriber):
             while self._size < HELD and has_come(socket):
                 frame = socket.recv(NOW).decode("utf-8", "replace")
@@ -181,6 +188,9 @@ class _Relay:
             return
 
     def close(self) -> None:
+        """May be called again."""
+        if self._dealer.closed:
+            return
         for socket in (self._dealer, self._subscriber):
             self._loop.remove_reader(socket.fileno())
         with contextlib.suppress(zmq.Again):
