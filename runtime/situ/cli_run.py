@@ -368,8 +368,9 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
 
     from situ.blackboard.asynchronous import AsyncBoard
     from situ.blackboard.calls import Person
-    from situ.blackboard.keys import client_keys
+    from situ.blackboard.keys import client_keys, door_to
     from situ.blackboard.link import Link
+    from situ.blackboard.server import check_reach
     from situ.engine.folder import state_folder
     from situ.engine.perform import Performer
     from situ.engine.services import ServicesApart
@@ -400,9 +401,12 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
     keys = robot.own() if robot is not None else None
     if keys is None and not args.insecure:
         keys = client_keys(endpoint, args.keys)
+    web = f"http://{screen[0]}:{screen[1]}"
+    check_reach(web, keyed=keys is not None, insecure=args.insecure)
     person = Person(role="service", services=args.services)
     board = AsyncBoard(Link(endpoint, person, keys=keys), math.inf)
-    apart = ServicesApart(board, args.services, performer, robot.door if robot else None)
+    door = robot.door if robot is not None else door_to(keys.robot) if keys is not None else None
+    apart = ServicesApart(board, args.services, performer, door)
     start = asyncio.create_task(apart.start())
     stop = asyncio.create_task(stopped.wait())
     await asyncio.wait({start, stop}, return_when=asyncio.FIRST_COMPLETED)

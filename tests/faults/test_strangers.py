@@ -88,9 +88,16 @@ def until(ready: Callable[[], bool], board: Any) -> None:
 def test_bound_to_a_network_without_keys_it_does_not_start(
     runtime: Runtime, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    for option in ("--endpoint", "--notify"):
-        arguments = [option, "tcp://0.0.0.0:0", "--state", str(runtime.state)]
-        assert main(["run", str(runtime.project), "--http", "127.0.0.1:0", *arguments]) == 2
+    where = {"--endpoint": "tcp://127.0.0.1:0", "--http": "127.0.0.1:0"}
+    for change in (
+        {"--endpoint": "tcp://0.0.0.0:0"},
+        {"--notify": "tcp://0.0.0.0:0"},
+        {"--http": "0.0.0.0:0"},
+        {"--http": "0.0.0.0:0", "--services": "screen"},
+    ):
+        options = [part for pair in {**where, **change}.items() for part in pair]
+        state = ("--state", str(runtime.state), "--no-restart")
+        assert main(["run", str(runtime.project), *state, *options]) == 2
         said = capfd.readouterr().err
         assert "situ keys new" in said
         assert said.count("\n") == 1
