@@ -18,6 +18,7 @@ from situ.decide.inputs import (
     Touch,
 )
 from situ.decide.robot import Robot
+from situ.decide.trace import Warned
 
 if TYPE_CHECKING:
     from tests.decide.conftest import Build
@@ -63,6 +64,20 @@ def test_what_uses_a_resource_is_mapped_with_the_actions_to_be_answered(build: B
     assert [e.value for e in effects if isinstance(e, Map)] == [None, {"src": "b.ogg"}]
     events, _ = robot.step(Finish(id=movie), 2)
     assert [type(event).__name__ for event in events] == ["Finished", "Event", "Ignored"]
+
+
+def test_what_could_not_be_carried_out_is_warned_of_but_not_what_a_scenario_fails(
+    build: Build,
+) -> None:
+    robot, effects = started(build)
+    events, _ = robot.step(Finish(id=begun(effects, "service"), ok=False, error="nobody there"), 1)
+    (finished,) = [event for event in events if type(event).__name__ == "Finished"]
+    warnings = [event for event in events if isinstance(event, Warned)]
+    assert [(one.message, one.where, one.cause) for one in warnings] == [
+        ("service s failed: nobody there", "app", finished.seq)
+    ]
+    events, _ = robot.step(Finish(action="launch", ok=False, error="was meant"), 2)
+    assert [event for event in events if isinstance(event, Warned)] == []
 
 
 def test_an_answer_that_comes_late_is_passed_over(build: Build) -> None:

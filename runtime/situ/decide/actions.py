@@ -266,8 +266,9 @@ class Actions:
         error: str | None,
         status: int | None,
         cause: int | None,
-    ) -> None:
-        """An action ended, well or badly: results, its event, and what waited for it."""
+    ) -> int:
+        """An action ended, well or badly: results, its event, and what waited for it; the seq of
+        its event."""
         running = self.state.running.pop(action_id)
         step, program = self._world.step, self._program
         outcome = {"result": result} if ok else {"error": error}
@@ -286,6 +287,7 @@ class Actions:
         elif running.action == "movie" and running.name is not None:
             self.state.played.append(running.name)
         self._ended(running.run, running.place, seq)
+        return seq
 
     def _ended(self, number: int, place: int, cause: int | None) -> None:
         run = self.state.runs.get(number)

@@ -179,7 +179,13 @@ class Intake:
     def _finish(self, given: inputs.Finish) -> None:
         for machine, running in self._fitting(given):
             status = None if given.status is UNSET else given.status
-            machine.finish(running, given.ok, given.result, given.error, status, None)
+            action = machine.actions.state.running[running]
+            seq = machine.finish(running, given.ok, given.result, given.error, status, None)
+            if given.id is not None and not given.ok:
+                # Who carried it out says so; in a scenario it was meant.
+                what = f"{action.action} {action.name}" if action.name else action.action
+                why = given.error or "nobody knows why"
+                self._world.step.warn(seq, f"{what} failed: {why}", machine.name)
             return
         if given.id is None:
             what = " ".join(str(x) for x in (given.action, given.name) if x is not None)

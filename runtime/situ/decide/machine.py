@@ -468,10 +468,11 @@ class Machine:
         error: str | None,
         status: int | None,
         cause: int | None,
-    ) -> None:
-        """The running action ``action_id`` ended."""
-        self.actions.finish(action_id, ok, result, error, status, cause)
+    ) -> int:
+        """The running action ``action_id`` ended; the seq of the event that tells it."""
+        seq = self.actions.finish(action_id, ok, result, error, status, cause)
         self._settle_idle()
+        return seq
 
     # -- screen and phrases --------------------------------------------------
 
