@@ -43,7 +43,7 @@ def told(thing: Any) -> str:
 
 
 def members(kind: type) -> Iterator[str]:
-    for name, member in sorted(vars(kind).items()):
+    for name, member in inspect.getmembers(kind):
         if not name.startswith("_") and not isinstance(member, property):
             yield name + told(member)
         elif isinstance(member, property):
@@ -75,7 +75,7 @@ def test_public_names_and_signatures_stay() -> None:
     [(Board, AsyncBoard), (Following, AsyncFollowing), (Authority, AsyncAuthority)],
 )
 def test_both_forms_have_the_same_names_and_parameters(blocking: type, awaited: type) -> None:
-    for name, member in vars(blocking).items():
+    for name, member in inspect.getmembers(blocking):
         if not name.startswith("_"):
             other = getattr(awaited, name)
             assert isinstance(member, property) == isinstance(other, property), name
@@ -92,6 +92,6 @@ def test_whatever_is_public_tells_what_it_does() -> None:
             thing = getattr(module, name)
             assert inspect.getdoc(thing), f"{module.__name__}.{name}"
     for kind in (Board, Following, Authority, situ.testing.Robot):
-        for name, member in vars(kind).items():
+        for name, member in inspect.getmembers(kind):
             if not name.startswith("_"):
                 assert inspect.getdoc(member), f"{kind.__name__}.{name}"

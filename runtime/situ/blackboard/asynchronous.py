@@ -8,8 +8,9 @@ import logging
 from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Iterable, Mapping
 from typing import Any, Generic, TypeVar
 
+from situ.blackboard.authority import Asked
 from situ.blackboard.blocking import PATIENCE, Followed, told
-from situ.blackboard.calls import Call, which
+from situ.blackboard.calls import Call
 from situ.blackboard.driving import Line
 from situ.blackboard.feeds import Change
 from situ.blackboard.protocol import (
@@ -367,42 +368,30 @@ class AsyncFollowing(Generic[T]):
         return f"<{type(self).__name__} {self._feed!r}>"
 
 
-class AsyncAuthority:
+class AsyncAuthority(Asked):
     """As ``Authority``, with ``async with``."""
 
     def __init__(
         self, board: AsyncBoard, resources: tuple[str, ...], optional: tuple[str, ...]
     ) -> None:
+        super().__init__(board.link.dialog, resources, optional)
         self._board = board
-        self.resources = resources
-        self.optional = optional
 
     async def __aenter__(self) -> AsyncAuthority:
-        dialog = self._board.link.dialog
         try:
-            await self._board._answer(dialog.acquire(self, self.resources, self.optional))
+            await self._board._answer(self._begin())
         except Refused:
-            dialog.withdraw(self)
+            self._refused()
             raise
         return self
 
     async def __aexit__(self, *_: object) -> None:
-        board = self._board
-        given_back = board.link.dialog.abandon(self)
+        board, given_back = self._board, self._end()
         # Where the connection is away it is held no longer; the core is told when it is back.
         await board._until(lambda: given_back.finished or not board.connected, board._timeout)
 
-    def __repr__(self) -> str:
-        held = "held" if self.held else "not held"
-        return (
-            f"<{type(self).__name__} over {', '.join((*self.resources, *self.optional))}, {held}>"
-        )
-
-    @property
-    def held(self) -> bool:
-        return self._board.link.dialog.holds.issuperset(self.resources)
-
     async def wait(self, within: float | None = None) -> bool:
+        self._check()
         return await self._board._until(lambda: self.held, within)
 
     async def wait_lost(self, within: float | None = None) -> bool:
@@ -411,5 +400,5 @@ class AsyncAuthority:
     async def command(
         self, value: Any, valid: float | None = None, resource: str | None = None
     ) -> None:
-        named = which((*self.resources, *self.optional), resource)
-        await self._board._answer(self._board.link.dialog.command(named, value, valid))
+        named = self._named(resource)
+        await self._board._answer(self._dialog.command(named, value, valid))

@@ -7,7 +7,8 @@ import logging
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Generic, Protocol, TypeVar
 
-from situ.blackboard.calls import Call, which
+from situ.blackboard.authority import Asked
+from situ.blackboard.calls import Call
 from situ.blackboard.dialog import Dialog
 from situ.blackboard.driving import Driving
 from situ.blackboard.feeds import Change
@@ -350,7 +351,7 @@ class Following(Generic[T]):
         return f"<{type(self).__name__} {self._feed!r}>"
 
 
-class Authority:
+class Authority(Asked):
     """A request for resources: from entering the ``with`` until leaving it.
 
     Authority comes and goes with situations and priorities, without asking again; what
@@ -358,15 +359,14 @@ class Authority:
     """
 
     def __init__(self, board: Board, resources: tuple[str, ...], optional: tuple[str, ...]) -> None:
+        super().__init__(board._dialog, resources, optional)
         self._board = board
-        self.resources = resources
-        self.optional = optional
 
     def __enter__(self) -> Authority:
         try:
-            self._board._ask(lambda d: d.acquire(self, self.resources, self.optional))
+            self._board._ask(lambda _: self._begin())
         except Refused:
-            self._board._dialog.withdraw(self)
+            self._refused()
             raise
         return self
 
@@ -375,23 +375,13 @@ class Authority:
         if driver.closed:
             return
         with driver.lock:
-            given_back = board._dialog.abandon(self)
+            given_back = self._end()
         # Where the connection is away it is held no longer; the core is told when it is back.
         driver.until(lambda: given_back.finished or not board.connected, board._timeout)
 
-    def __repr__(self) -> str:
-        held = "held" if self.held else "not held"
-        return (
-            f"<{type(self).__name__} over {', '.join((*self.resources, *self.optional))}, {held}>"
-        )
-
-    @property
-    def held(self) -> bool:
-        """Whether the module holds all of these resources (the optional ones aside) now."""
-        return self._board._dialog.holds.issuperset(self.resources)
-
     def wait(self, within: float | None = None) -> bool:
         """Waits until it is held; False when ``within`` seconds are over before."""
+        self._check()
         return self._board._driver.until(lambda: self.held, within)
 
     def wait_lost(self, within: float | None = None) -> bool:
@@ -405,6 +395,4 @@ class Authority:
         raised: authority is lost with it (``held``) and comes back by itself.
         resource: which one; may be left out where only one was asked for.
         """
-        self._board._ask(
-            lambda d: d.command(which((*self.resources, *self.optional), resource), value, valid)
-        )
+        self._board._ask(lambda dialog: dialog.command(self._named(resource), value, valid))

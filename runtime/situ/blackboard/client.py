@@ -90,7 +90,8 @@ def person(
         role=role,
         module=module,
         user=_user() if role == "operator" else None,
-        resources=tuple(resources),
+        # A string is one or several, as in XML, and never its letters.
+        resources=tuple(resources.split() if isinstance(resources, str) else resources),
         description=description,
         requires=tuple(requires),
         provides=tuple(provides),

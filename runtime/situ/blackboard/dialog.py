@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
-from situ.blackboard import protocol
+from situ.blackboard import json_values, protocol
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.feeds import Effects, Messages, TraceFeed, Watch
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Malformed, Request
@@ -266,9 +266,9 @@ class Dialog:
 
     def _send(self, call: Call[Any]) -> None:
         try:
-            body = protocol.encode(call.request)
-        except (TypeError, ValueError, OverflowError, RecursionError) as error:
-            call.fail(BlackboardError(f"no JSON value: {error}"))
+            body = json_values.encode(call.request)
+        except BlackboardError as error:
+            call.fail(error)
             return
         call.body = body
         self._calls[call.request.id] = call

@@ -196,7 +196,7 @@ def _granted(core: Core, number: int, module: str) -> protocol.Reply:
 def _command(core: Core, session: Session, request: protocol.Command) -> protocol.Reply:
     module = _acting(session, request.module)
     if request.valid is not None and request.valid <= 0:
-        raise No("invalid", "for is a number of seconds above 0")
+        raise No("invalid", "a command is good for a number of seconds above 0")
     _do(core, inputs.Command(module, request.resource, request.value, request.valid))
     return protocol.Done(id=request.id)
 
