@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import math
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -93,6 +94,23 @@ def test_a_command_for_one_of_several_says_for_which(board: Board) -> None:
             both.command(1)
         with pytest.raises(Refused, match="a command is good for a number of seconds above 0"):
             both.command(1, valid=0, resource="arm")
+
+
+def test_a_loop_that_need_not_wait_leaves_others_their_turn(robot: situ.testing.Robot) -> None:
+    async def go(board: AsyncBoard) -> None:
+        async with board, board.authority("head") as head:
+
+            async def busy() -> None:
+                while True:
+                    await head.wait(1.0)
+
+            task = asyncio.create_task(busy())
+            await asyncio.sleep(0)
+            task.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await task
+
+    robot.run(go(robot.connect_async(module="nod", resources=["head"])))
 
 
 def test_in_asyncio_it_is_the_same(robot: situ.testing.Robot) -> None:

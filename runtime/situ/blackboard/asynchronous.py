@@ -392,9 +392,12 @@ class AsyncAuthority(Asked):
 
     async def wait(self, within: float | None = None) -> bool:
         self._check()
+        # Others have their turn even where nothing is to be waited for.
+        await asyncio.sleep(0)
         return await self._board._until(lambda: self.held, within)
 
     async def wait_lost(self, within: float | None = None) -> bool:
+        await asyncio.sleep(0)
         return await self._board._until(lambda: not self.held, within)
 
     async def command(

@@ -27,7 +27,8 @@ class Robot:
 
     What the test does has its consequences before the call returns: every module that was
     started has computed until it waits again. Time passes only by ``pass_time``, ``until``,
-    ``lose``, and where the test's own thread waits on a board of its own.
+    ``lose`` and the like, and where the test's own thread waits on a board of its own. Threads
+    that a module starts itself take part only while they wait on a board.
     """
 
     def __init__(self, project: Project, seed: int = 0, auto_finish: float | None = None) -> None:
