@@ -36,7 +36,7 @@ def main(target: str) -> int:
             wayland=bool(os.environ.get("WAYLAND_DISPLAY")) and not headless,
         )
     )
-    programs = (system.BROWSER, system.SPEECH, system.BROKER)
+    programs = (system.BROWSER, system.SPEECH, system.BROKER, system.NETWORKS)
     wished = system.missing(programs if target == "test" else ())
     if os.environ.get("CI") == "true":
         needed, wished = needed + wished, []

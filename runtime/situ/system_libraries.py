@@ -70,6 +70,7 @@ _WAYLAND = (
 SPEECH = Need("espeak-ng", "espeak-ng")
 BROWSER = Need("chromium", "chromium")
 BROKER = Need("mosquitto", "mosquitto")
+NETWORKS = Need("ip", "iproute2")
 
 
 def editor(*, x11: bool = False, wayland: bool = False) -> tuple[Need, ...]:
