@@ -8,6 +8,22 @@ export function unit(area) {
   return Math.min(area.clientHeight, area.clientWidth * 1.25) / 100;
 }
 
+// What looks alike is written alike: all of one kind, box and wanted size as small as the one
+// that has the most to say.
+export function even(parts) {
+  const groups = new Map();
+  for (const { node, component } of parts) {
+    if (component.type !== "button" || node.dataset.cut) continue;
+    const key = JSON.stringify([component.width, component.height, component.size]);
+    groups.set(key, [...(groups.get(key) ?? []), node]);
+  }
+  for (const nodes of groups.values()) {
+    const sizes = nodes.map((node) => parseFloat(node.style.fontSize));
+    const least = Math.min(...sizes);
+    for (const node of nodes) node.style.fontSize = `${least}px`;
+  }
+}
+
 // Sets the largest size up to `wanted` px at which `inner` lies inside `box`. Words stay whole
 // unless that makes them much smaller (Japanese may be parted anywhere) or too small to fit.
 export function fit(box, inner, wanted) {

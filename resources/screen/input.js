@@ -2,13 +2,18 @@
 // end, or as soon as `max` characters stand there; left without that, it is written, no more.
 
 import { colour } from "./colours.js";
+import { datePattern, dateRead, dateShown, dateTyped } from "./dates.js";
 import { element } from "./element.js";
 
 const MODES = { text: "text", number: "decimal", date: "text", pin: "numeric" };
+const NARROW = 150; // px: too little for what is typed and a button beside it
 const ALLOWED = { number: /[^0-9.,+-]/g, pin: /[^0-9]/g };
 
 // What a person typed as the value that is sent; undefined: not (yet) one.
-function valueOf(kind, typed) {
+function valueOf(kind, field) {
+  const typed = field.value;
+  // The browser's own date field gives a date or nothing.
+  if (kind === "date" && field.type === "text") return typed === "" ? "" : dateRead(typed);
   if (kind !== "number") return typed;
   const text = typed.trim().replace(",", ".");
   return text !== "" && Number.isFinite(Number(text)) ? Number(text) : undefined;
@@ -31,13 +36,28 @@ export function input(say) {
 
   const send = (how) => {
     if (gone) return;
-    const value = valueOf(shown.kind, field.value);
+    const value = valueOf(shown.kind, field);
     const wrong = value === undefined && (field.value !== "" || how === "use");
     node.classList.toggle("wrong", wrong);
     if (wrong || value === undefined) return;
     if (how === "write" && field.value === sent) return;
     sent = field.value;
     say[how](shown.id, { value });
+  };
+  // With our own keys a date is typed by digits: the browser's calendar is for fine pointers.
+  const adapt = () => {
+    const type = shown.kind === "date" && !say.ownKeys() ? "date" : "text";
+    if (field.type !== type) {
+      field.type = type;
+      write(given ?? "");
+    }
+    field.placeholder = shown.kind === "date" && type === "text" ? datePattern() : "";
+    field.inputMode = say.ownKeys() ? "none" : MODES[shown.kind];
+  };
+  const write = (value) => {
+    const text = field.type === "text" && shown.kind === "date" ? dateShown(value) : value;
+    if (field.value !== text) field.value = text;
+    sent = field.value;
   };
   const full = () => shown.max !== undefined && [...field.value].length >= shown.max;
   const mark = () => {
@@ -46,9 +66,15 @@ export function input(say) {
     node.classList.toggle("can-enter", Boolean(shown.event) && shown.max !== 1 && !empty);
   };
 
+  // Whether fingers are used is known from the first touch on, which may be of this field.
+  node.addEventListener("pointerdown", () => adapt());
   field.addEventListener("input", (event) => {
     const allowed = ALLOWED[shown.kind];
     if (allowed && allowed.test(field.value)) field.value = field.value.replace(allowed, "");
+    if (shown.kind === "date" && field.type === "text") {
+      field.value = dateTyped(field.value);
+      if (dateRead(field.value) !== undefined) send("write");
+    }
     if (shown.max !== undefined && !event.isComposing) {
       const typed = [...field.value];
       // A single letter is replaced by the next one, so that nobody has to find Backspace.
@@ -79,21 +105,19 @@ export function input(say) {
     update(component) {
       shown = component;
       node.style.color = colour(component.color);
-      const type = component.kind === "date" ? "date" : "text";
       field.dataset.kind = component.kind;
-      if (field.type !== type) field.type = type;
-      field.inputMode = say.ownKeys() ? "none" : MODES[component.kind];
+      adapt();
       field.setAttribute("aria-label", component.id);
       // What is being typed stays, unless the robot itself has set something new.
       if (component.value !== given) {
         given = component.value;
-        if (field.value !== given) field.value = given;
-        sent = field.value;
+        write(given);
       }
       mark();
     },
     fit(component, unit) {
-      const letters = component.kind === "date" ? 9 : Math.min(component.max ?? 1, 12);
+      node.classList.toggle("narrow", node.clientWidth < NARROW);
+      const letters = component.kind === "date" ? 12 : Math.min(component.max ?? 1, 12);
       const most = Math.min(node.clientHeight * 0.62, field.clientWidth / (letters * 0.68));
       field.style.fontSize = `${Math.max(14, Math.min(most, (component.size ?? 7) * unit))}px`;
     },

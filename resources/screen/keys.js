@@ -3,8 +3,14 @@
 
 import { element } from "./element.js";
 
-const LETTERS = ["qwertyuiop", "asdfghjkl", "zxcvbnm'-"];
-const NUMBERS = ["123", "456", "789"];
+const DIGITS = "1234567890";
+const LETTERS = {
+  en: ["qwertyuiop", "asdfghjkl", "zxcvbnm'-"],
+  de: ["qwertzuiopü", "asdfghjklöä", "yxcvbnmß-"],
+  fr: ["azertyuiop", "qsdfghjklm", "wxcvbnéèç'-"],
+};
+const ACCENTS = ["àáâãäåæçèé", "êëìíîïñòó", "ôõöøùúûüœ"];
+const PAD = ["123", "456", "789"];
 
 const asked = new URLSearchParams(location.search).get("keyboard");
 const phone = /Android|iPhone|iPad/.test(navigator.userAgent);
@@ -12,19 +18,30 @@ let touched = matchMedia("(pointer: coarse)").matches && !matchMedia("(any-point
 
 export const ownKeys = () => asked === "on" || (asked !== "off" && touched && !phone);
 
+const language = () => document.documentElement.lang.slice(0, 2);
+const lettersHere = () => LETTERS[language()] ?? LETTERS.en;
+const pointHere = () => (["de", "fr", "es", "it", "nl", "pt"].includes(language()) ? "," : ".");
+
 export function keyboard(panel, resized) {
   let field = null;
   let upper = true;
 
-  const type = (text) => {
+  // A date is written from its beginning: its marks are not there to be erased.
+  const focus = () => {
     field.focus();
+    if (field.dataset.kind === "date") field.setSelectionRange(field.value.length, field.value.length);
+  };
+  const type = (text) => {
+    focus();
     // As if typed, so that the field's own rules hold; replaces what is marked.
     field.setRangeText(text, field.selectionStart, field.selectionEnd, "end");
     field.dispatchEvent(new InputEvent("input", { bubbles: true, data: text, inputType: "insertText" }));
-    if (upper && field.dataset.kind === "text") shift(false);
+    if (field.dataset.kind !== "text") return;
+    if (upper) shift(false);
+    if (panel.dataset.page === "accents") build("text", "letters");
   };
   const erase = () => {
-    field.focus();
+    focus();
     const [start, end] = [field.selectionStart, field.selectionEnd];
     field.setRangeText("", start === end ? Math.max(0, start - 1) : start, end, "end");
     field.dispatchEvent(new InputEvent("input", { bubbles: true, inputType: "deleteContentBackward" }));
@@ -48,34 +65,46 @@ export function keyboard(panel, resized) {
     node.setAttribute("aria-label", name);
     node.addEventListener("click", act);
   };
+  const letterKey = (row, letter) => {
+    const big = letter.toUpperCase();
+    // Of ß there is no single capital.
+    if (big.length === 1) key(row, letter, () => type(upper ? big : letter), "letter");
+    else key(row, letter, () => type(letter));
+  };
 
-  const build = (kind) => {
+  const build = (kind, shown) => {
     const rows = [];
     const begin = () => rows[rows.push(element("div", "row")) - 1];
     if (kind === "text") {
-      for (const letters of LETTERS) {
+      const first = begin();
+      for (const digit of DIGITS) key(first, digit, () => type(digit), "digit");
+      const lines = shown === "accents" ? ACCENTS : lettersHere();
+      for (const letters of lines) {
         const row = begin();
-        if (letters === LETTERS[2]) key(row, "⇧", () => shift(!upper), "wide shift", "Shift");
-        for (const letter of letters) {
-          key(row, letter, () => type(upper ? letter.toUpperCase() : letter), "letter");
-        }
-        if (letters === LETTERS[2]) key(row, "⌫", erase, "wide", "Backspace");
+        const isLast = letters === lines.at(-1);
+        if (isLast) key(row, "⇧", () => shift(!upper), "wide shift", "Shift");
+        for (const letter of letters) letterKey(row, letter);
+        if (isLast) key(row, "⌫", erase, "wide", "Backspace");
       }
       const last = begin();
+      const other = shown === "accents" ? "letters" : "accents";
+      key(last, other === "letters" ? "abc" : "áü", () => build("text", other), "wide", other);
       key(last, "␣", () => type(" "), "space", "Space");
       key(last, "OK", enter, "wide enter-key");
     } else {
-      for (const numbers of NUMBERS) {
+      for (const numbers of PAD) {
         const row = begin();
         for (const number of numbers) key(row, number, () => type(number));
       }
       const last = begin();
       key(last, "⌫", erase, "", "Backspace");
       key(last, "0", () => type("0"));
-      if (kind === "number") key(last, ".", () => type("."));
+      if (kind === "number") key(last, pointHere(), () => type(pointHere()));
       key(last, "OK", enter, "enter-key");
     }
     panel.dataset.kind = kind;
+    panel.dataset.page = shown;
+    panel.dataset.language = language();
     panel.replaceChildren(...rows);
   };
 
@@ -86,9 +115,13 @@ export function keyboard(panel, resized) {
 
   const show = (target) => {
     const kind = target?.dataset.kind;
-    field = target && ownKeys() && kind !== "date" ? target : null;
+    const before = field;
+    field = target && ownKeys() ? target : null;
     if (field) {
-      if (panel.hidden || panel.dataset.kind !== kind) build(kind);
+      const { kind: built, language: spoken } = panel.dataset;
+      if (panel.hidden || built !== kind || spoken !== language() || field !== before) {
+        build(kind, "letters");
+      }
       shift(field.value === "");
     }
     if (panel.hidden !== (field === null)) {

@@ -3,7 +3,7 @@
 import { makers } from "./components.js";
 import { colour } from "./colours.js";
 import { element } from "./element.js";
-import { fit, unit } from "./fit.js";
+import { even, fit, unit } from "./fit.js";
 import { keyboard, ownKeys } from "./keys.js";
 import { connect } from "./link.js";
 
@@ -136,6 +136,7 @@ function layout() {
   const size = unit(layer);
   stage.style.setProperty("--unit", `${size}px`);
   for (const part of parts.values()) part.fit?.(part.component, size);
+  even(parts.values());
   if (!caption.hidden) fit(caption, caption.firstElementChild, caption.clientHeight * 0.4);
 }
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import shutil
+import time
 from pathlib import Path
 from typing import Any
 
@@ -339,14 +341,21 @@ def test_the_second_half_of_a_double_tap_does_not_answer_the_next_screen(play: A
         stage.show(text("Are these your initials?"), button())
         await expect(stage.component("yes")).to_be_visible()
         box = await stage.component("yes").bounding_box()
-        await stage.page.mouse.move(box["x"] + 50, box["y"] + 50)
-        await stage.page.mouse.down(click_count=1)
-        await stage.page.mouse.up(click_count=1)
+        hand = await stage.page.context.new_cdp_session(stage.page)
+        began = time.time()
+
+        async def tap(count: int) -> None:
+            # Told when it was made, so that it is a double tap on a slow machine too.
+            place = {"x": box["x"] + 50, "y": box["y"] + 50, "button": "left", "clickCount": count}
+            for moment, kind in ((0.0, "mousePressed"), (0.05, "mouseReleased")):
+                at = {"type": kind, "timestamp": began + moment + 0.2 * (count - 1)}
+                await hand.send("Input.dispatchMouseEvent", place | at)
+
+        await tap(1)
         assert await stage.next() == Use("yes")
         stage.show(text("Shall I show names?", "question"), button(), button("no", "NO", 54))
         await expect(stage.component("no")).to_be_visible()
-        await stage.page.mouse.down(click_count=2)
-        await stage.page.mouse.up(click_count=2)
+        await tap(2)
         await stage.component("no").click()
         assert await stage.next() == Use("no")
 
@@ -377,6 +386,185 @@ def test_a_robot_without_keys_has_them_on_its_screen(play: Any) -> None:
         assert await stage.next() == Use("confirm")
 
     play(scenario, has_touch=True, address="&keyboard=on")
+
+
+async def tap_keys(stage: Any, *names: str) -> None:
+    for name in names:
+        keys = stage.page.locator("#keys")
+        await keys.get_by_role("button", name=name, exact=True).tap()
+
+
+def test_the_keys_have_digits_and_the_letters_of_the_language_and_of_others(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field(event="entered"))
+        typed = stage.component("name").locator("input")
+        await typed.tap()
+        # In German Z stands where others have Y, and Ü beside P.
+        await tap_keys(stage, "z", "ü", "1", "2")
+        await expect(typed).to_have_value("Zü12")
+        # A letter of another language is one page away, and the first page comes back by itself.
+        await tap_keys(stage, "Space", "Shift", "accents", "é", "ß")
+        await expect(typed).to_have_value("Zü12 Éß")
+        await tap_keys(stage, "OK")
+        assert await stage.next() == Use("name", "Zü12 Éß")
+
+    play(scenario, has_touch=True, address="&keyboard=on", tag={"language": "de"}.get)
+
+
+def test_a_number_has_the_decimal_mark_of_the_language(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field("weight", kind="number", event="entered"))
+        await stage.component("weight").locator("input").tap()
+        await tap_keys(stage, "7", "2", ",", "5", "OK")
+        assert await stage.next() == Use("weight", 72.5)
+
+    play(scenario, has_touch=True, address="&keyboard=on", tag={"language": "de"}.get)
+
+
+def test_a_date_is_typed_by_digits_in_the_order_of_the_language(play: Any) -> None:
+    tags: dict[str, Any] = {}
+    written = {
+        "en_GB": ("DD/MM/YYYY", "07051941", "07/05/1941"),
+        "en": ("MM/DD/YYYY", "05071941", "05/07/1941"),
+        "ja": ("YYYY/MM/DD", "19410507", "1941/05/07"),
+        "de": ("TT.MM.JJJJ", "07051941", "07.05.1941"),
+    }
+
+    async def scenario(stage: Any) -> None:
+        for lang, (pattern, digits, shown) in written.items():
+            tags["language"] = lang
+            name = f"born-{lang}"
+            stage.show(field(name, kind="date", event="entered"))
+            typed = stage.component(name).locator("input")
+            await expect(typed).to_have_attribute("placeholder", pattern)
+            await typed.tap()
+            await tap_keys(stage, *digits, "9")
+            await expect(typed).to_have_value(shown)
+            assert await stage.next() == Set({f"user.{name}": "1941-05-07"}, "screen")
+            await tap_keys(stage, "OK")
+            assert await stage.next() == Use(name, "1941-05-07")
+            assert stage.nothing_more()
+            # What the robot sets is shown in the same order.
+            stage.show(field(name, kind="date", event="entered", value="1950-05-07"))
+            await expect(typed).to_have_value(shown.replace("1941", "1950"))
+
+    play(scenario, has_touch=True, address="&keyboard=on", tag=tags.get)
+
+
+def test_a_day_that_there_is_not_is_not_sent(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field("born", kind="date", event="entered"), button())
+        typed = stage.component("born").locator("input")
+        await typed.tap()
+        await tap_keys(stage, *"31021941")
+        await expect(typed).to_have_value("31/02/1941")
+        await tap_keys(stage, "OK")
+        await expect(stage.component("born")).to_have_class(re.compile("wrong"))
+        # Nor is one that is not whole; taken back to its beginning it is none again.
+        await typed.tap()
+        await tap_keys(stage, *["Backspace"] * 7)
+        await expect(typed).to_have_value("3")
+        await stage.component("yes").tap()
+        assert await stage.next() == Use("yes")
+        assert stage.nothing_more()
+
+    play(scenario, has_touch=True, address="&keyboard=on", tag={"language": "en-GB"}.get)
+
+
+def test_keys_are_large_enough_for_a_finger(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        kinds = ("text", "number", "date", "pin")
+        for kind in kinds:
+            stage.show(field(kind, kind=kind))
+            await stage.component(kind).locator("input").tap()
+            await expect(stage.page.locator("#keys")).to_have_attribute("data-kind", kind)
+            sizes = await stage.page.evaluate(
+                "[...document.querySelectorAll('#keys button')].map(one => "
+                "[one.offsetWidth, one.offsetHeight])"
+            )
+            # A centimetre on a screen of 10 inches.
+            assert all(width >= 56 and height >= 56 for width, height in sizes), (kind, sizes)
+
+    play(scenario, has_touch=True, address="&keyboard=on")
+
+
+def test_buttons_that_are_alike_are_written_alike(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        words = ("Medication and everything else", "Games", "TV")
+        stage.show(
+            *(button(f"b{n}", word, 2 + n * 20, width=18) for n, word in enumerate(words)),
+            button("large", "Help", 64, width=34),
+        )
+        await expect(stage.component("large")).to_be_visible()
+        sizes = await stage.page.evaluate(
+            "[...document.querySelectorAll('.button')].map(one => parseFloat(one.style.fontSize))"
+        )
+        assert len(set(sizes[:3])) == 1
+        assert sizes[3] > sizes[0]
+
+    play(scenario)
+
+
+def test_turned_to_portrait_and_back_everything_stays_and_can_be_used(
+    play: Any, media: Path
+) -> None:
+    for name in ("robot.png", "clip.webm"):
+        shutil.copy(example("reception") / "media" / name, media)
+    inside = """() => {
+        const { right, bottom } = document.getElementById("stage").getBoundingClientRect();
+        return [...document.querySelectorAll(".component")].filter((one) => {
+            const box = one.getBoundingClientRect();
+            const inner = one.matches(".text, .button") ? one.firstElementChild : one;
+            return box.x < 0 || box.y < 0 || box.right > right + 1 || box.bottom > bottom + 1
+                || inner.scrollWidth > one.clientWidth + 1
+                || (inner !== one && inner.scrollHeight > one.clientHeight + 1);
+        }).map((one) => one.dataset.id);
+    }"""
+
+    async def scenario(stage: Any) -> None:
+        page = stage.page
+        stage.show(
+            component("text", "hello", 4, 2, 60, 16, text="Good morning! How are you?", size=9),
+            component("image", "robot", 66, 2, 30, 30, src="robot.png"),
+            component("movie", "clip", 4, 20, 28, 26, src="clip.webm"),
+            field(event="e", tag="n", x=34, y=34, width=62, height=14),
+            component(
+                "list", "names", 34, 50, 62, 20, event="c",
+                items=[{"label": one, "value": one} for one in ("Ann", "Bob")],
+            ),
+            component("button", "yes", 4, 74, 44, 22, text="YES", event="y"),
+            component("button", "no", 52, 74, 44, 22, text="NO", event="n"),
+            actions=(7,),
+        )  # fmt: skip
+        await stage.page.wait_for_function("() => document.querySelector('video').currentTime > 0")
+        await page.evaluate("document.querySelectorAll('.component').forEach(n => n.mark = 1)")
+        await page.keyboard.type("Ann")
+        for viewport in (PHONE, {"width": 800, "height": 1280}, KIOSK):
+            await page.set_viewport_size(viewport)
+            await page.evaluate(
+                "new Promise(done => requestAnimationFrame(() => setTimeout(done)))"
+            )
+            assert await page.evaluate(inside) == []
+            await expect(stage.component("name").locator("input")).to_have_value("Ann")
+            await stage.component("yes").click()
+            said = [await stage.next()]
+            if said == [Set({"n": "Ann"}, "screen")]:  # typed, and then left
+                said = [await stage.next()]
+            assert said == [Use("yes")]
+            await page.get_by_text("Bob").click()
+            assert await stage.next() == Use("names", "Bob")
+            await stage.component("name").locator("input").focus()
+            await page.keyboard.press("Enter")
+            assert await stage.next() == Use("name", "Ann")
+        assert await page.evaluate(
+            "[...document.querySelectorAll('.component')].every(n => n.mark)"
+        )
+        # The movie has not begun anew, and ends once.
+        await page.locator("video").evaluate("one => { one.playbackRate = 16; }")
+        assert await stage.next() == Finish(id=7)
+        assert stage.nothing_more()
+
+    play(scenario)
 
 
 @pytest.mark.parametrize("viewport", [KIOSK, PHONE], ids=["kiosk", "phone"])
