@@ -128,11 +128,13 @@ class Performer:
             )
             around = Surroundings(self._project, clock, self._moved, report, self._log)
             try:
-                self._adapter = (self._make_adapter or find(self._project.adapter))(around)
-                await self._adapter.start()
+                adapter = (self._make_adapter or find(self._project.adapter))(around)
+                await adapter.start()
             except BaseException:
                 await self.close()
                 raise
+            # One that has not started is not told to stop.
+            self._adapter = adapter
 
     def open_door(self, addresses: Addresses, keys: KeysOf | None = None) -> None:
         """The core is there: the screen's server leads to it at ``/board``."""
