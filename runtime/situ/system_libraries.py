@@ -12,7 +12,6 @@ import shutil
 from collections.abc import Iterable
 from typing import NamedTuple
 
-
 PATH = os.environ.get("PATH", os.defpath) + ":/usr/sbin"
 """Where programs are looked for: Debian has servers where people's shells do not look."""
 

@@ -34,6 +34,7 @@ from situ.system_libraries import PATH
 DEADLINE = 40.0
 HOSTS = ("core", "arms", "module")
 NEW_NETWORK = 0x40000000
+IP = shutil.which("ip", path=PATH) or "ip"
 PROJECT = {
     "situ.toml": '[project]\nname = "hosts"\napplications = ["a.rbd.xml"]\nspds = "s.spds.xml"\n',
     "a.rbd.xml": '<application name="a"><state no="1"/></application>',
@@ -51,8 +52,7 @@ PROJECT = {
 
 
 def ip(*arguments: str) -> None:
-    program = shutil.which("ip", path=PATH) or "ip"
-    done = subprocess.run([program, *arguments], capture_output=True, text=True)
+    done = subprocess.run([IP, *arguments], capture_output=True, text=True)
     if done.returncode != 0:
         raise OSError(f"ip {' '.join(arguments)}: {done.stderr.strip()}")
 
