@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from situ.blackboard.services import SERVICES
+from situ.blackboard.services import PATIENCE, SERVICES
 
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop
@@ -30,7 +30,7 @@ _log = logging.getLogger("situ.run")
 
 HANDED_ON = (
     *("endpoint", "notify", "http", "keys", "insecure", "services", "adapter", "state", "sync"),
-    *("fresh", "trace", "seed", "speech", "log_level"),
+    *("fresh", "trace", "seed", "speech", "patience", "log_level"),
 )
 """The options that mean something to the processes that are started."""
 
@@ -109,6 +109,14 @@ def add(commands: Any) -> None:
         "--fresh",
         action="store_true",
         help="start anew even if the robot was killed; durable tags stay",
+    )
+    parser.add_argument(
+        "--patience",
+        type=_seconds,
+        default=PATIENCE,
+        metavar="S",
+        help="how long a web service or a module may take to answer an application; "
+        f"{PATIENCE:g} unless given",
     )
     parser.add_argument("--script", metavar="S.jsonl", help="a scenario to play; ends with it")
     parser.add_argument(
@@ -239,6 +247,7 @@ def _run_core(args: argparse.Namespace, project: Project, out: Any, kept: Kept) 
             recovery=kept.recovery,
             keys=_keys(args, project),
             insecure=args.insecure,
+            patience=args.patience,
         )
         core_loop.run(
             deciding,
@@ -303,6 +312,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
             state_dir=state,
             services=args.services,
             voice=voice,
+            timeout=args.patience,
         )
 
     def broker(submit: Any) -> Any:
@@ -330,6 +340,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         recovery=kept.recovery,
         keys=keys,
         insecure=args.insecure,
+        patience=args.patience,
         broker=broker if _has_broker(project) else None,
     )
     addresses = await live.start()
@@ -395,6 +406,7 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
             state_dir=state,
             services=args.services,
             voice=voice,
+            timeout=args.patience,
         )
 
     robot = _keys(args, project)

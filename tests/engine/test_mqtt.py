@@ -7,6 +7,7 @@ import logging
 import shutil
 import socket
 import subprocess
+import sys
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -312,6 +313,7 @@ def test_of_too_many_messages_the_oldest_are_dropped_and_told(broker: Broker) ->
 
     async def scenario() -> None:
         async with bridge(f"mqtt://127.0.0.1:{broker.port}") as (made, robot):
+            await robot.told("can not be used")
             for number in range(QUEUE + 1):
                 made.send("x", number)
             assert [line for line in robot.said if "oldest" in line]
@@ -404,3 +406,63 @@ def test_a_url_that_is_none_ends_the_start(url: str, words: str) -> None:
         asyncio.run(scenario())
     assert "ann" not in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+# -- a whole robot ---------------------------------------------------------------
+
+APPLICATION = """<application name="ward" start="1">
+  <state no="1"><expectedevents>
+    <event name="go" next="2"/>
+    <event next="2"><when><data tag="fall" is="true"/></when></event>
+  </expectedevents></state>
+  <state no="2"><backgroundactions>
+    <message topic="nurse/call"><param name="room">12</param></message>
+  </backgroundactions></state>
+</application>"""
+
+
+async def run(broker: Broker, folder: Path, *options: str) -> str:
+    """``situ run`` until it has called the nurse; its trace. Somebody has fallen already."""
+    (folder / "ward.rbd.xml").write_text(APPLICATION, "utf-8")
+    (folder / "situ.toml").write_text(
+        '[project]\nname = "ward"\napplications = ["ward.rbd.xml"]\n'
+        f'[mqtt]\nurl = "mqtt://127.0.0.1:{broker.port}"\nin = {{ "+/fall" = "tag:fall" }}\n',
+        "utf-8",
+    )
+    trace = folder / "trace.jsonl"
+    command = ["-m", "situ", "run", str(folder), "--endpoint", "tcp://127.0.0.1:0", "--trace"]
+    async with broker.client() as client:
+        await client.subscribe("nurse/#", qos=1)
+        await client.publish("zigbee/fall", b"true", qos=1, retain=True)
+        robot = await asyncio.create_subprocess_exec(
+            *(sys.executable, *command, str(trace), "--state", str(folder / "state")),
+            *("--services", "core", "--no-restart", *options),
+            stdout=subprocess.DEVNULL,
+        )
+        try:
+            async with asyncio.timeout(DEADLINE):
+                async for message in client.messages:
+                    assert (str(message.topic), message.payload) == ("nurse/call", b'{"room":12}')
+                    break
+                if "--script" not in options:
+                    robot.terminate()
+                assert await robot.wait() == 0
+        finally:
+            if robot.returncode is None:
+                robot.kill()
+                await robot.wait()
+    return trace.read_text("utf-8")
+
+
+def test_a_robot_hears_its_broker_and_tells_it(broker: Broker, tmp_path: Path) -> None:
+    trace = asyncio.run(run(broker, tmp_path))
+    assert '"writer":"mqtt"' in trace
+
+
+def test_in_a_played_scenario_messages_go_out_and_nothing_comes_in(
+    broker: Broker, tmp_path: Path
+) -> None:
+    script = tmp_path / "s.jsonl"
+    script.write_text('{"at":0,"event":"go"}\n{"at":0.1,"end":true}\n', "utf-8")
+    trace = asyncio.run(run(broker, tmp_path, "--script", str(script)))
+    assert '"writer":"mqtt"' not in trace

@@ -124,6 +124,21 @@ def runtime(tmp_path: Path) -> Iterator[Runtime]:
         made.kill()
 
 
+@pytest.fixture(scope="module")
+def make_runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[Path], Runtime]]:
+    """Makes one of a project, for all tests of a file; not yet started."""
+    made: list[Runtime] = []
+
+    def make(project: Path) -> Runtime:
+        made.append(Runtime(project, tmp_path_factory.mktemp("robot") / "state"))
+        return made[-1]
+
+    yield make
+    for one in made:
+        if one.running:
+            one.kill()
+
+
 @pytest.fixture
 def chance() -> random.Random:
     """Where a test chooses, it chooses by this."""

@@ -33,6 +33,9 @@ WRITER = "mqtt"
 AGAIN, LONGEST = 1.0, 30.0
 """Seconds before the first try after a loss, twice as long before each further one, and at most."""
 
+CLOSING = 1.0
+"""Seconds that the last messages have to leave."""
+
 QUEUE = 1_000
 """Messages that wait for the broker; of more the oldest are dropped."""
 
@@ -69,6 +72,8 @@ class Bridge:
         self._name = f"situ-{chance.token_hex(6)}"
         self._outgoing: deque[tuple[str, bytes]] = deque(maxlen=QUEUE)
         self._more = asyncio.Event()
+        self._none = asyncio.Event()
+        self._none.set()
         self._told = False
         self._task: asyncio.Task[None] | None = None
 
@@ -77,7 +82,12 @@ class Bridge:
         self._task = asyncio.get_running_loop().create_task(self._keep())
 
     async def close(self) -> None:
+        """Ends it; what was sent last leaves before, where the broker is there."""
         if self._task is not None:
+            if not self._told:
+                with contextlib.suppress(TimeoutError):
+                    async with asyncio.timeout(CLOSING):
+                        await self._none.wait()
             self._task.cancel()
             with contextlib.suppress(asyncio.CancelledError):
                 await self._task
@@ -92,6 +102,7 @@ class Bridge:
         if len(self._outgoing) == QUEUE:
             self._log.warning("%s is away: its oldest message is dropped", self._shown)
         self._outgoing.append((topic, _payload(value)))
+        self._none.clear()
         self._more.set()
 
     # -- the connection ------------------------------------------------------
@@ -155,6 +166,7 @@ class Bridge:
                 # Only now: one that was lost on the way goes again.
                 if self._outgoing and self._outgoing[0] == (topic, payload):
                     self._outgoing.popleft()
+            self._none.set()
             self._more.clear()
             await self._more.wait()
 
