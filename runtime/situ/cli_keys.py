@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from situ.blackboard.identity import KeyRole
     from situ.blackboard.keys import KnownKey
-    from situ.blackboard.rights import KeyRole
     from situ.document.project import Project
 
 ROLES: tuple[KeyRole, ...] = ("viewer", "module", "operator", "service")
@@ -134,7 +134,7 @@ def _add(args: argparse.Namespace) -> int:
     pair = keys.new_pair(args.name)
     entry = keys.KnownKey(pair.public, args.role, write)
     keys.check_known(folder, args.name, entry)
-    keys.new_client(target, pair, name, keys.RobotKey(robot, addresses))
+    keys.new_client(target, pair, name, keys.RobotKey(robot, addresses, args.role))
     keys.add_known(folder, args.name, entry)
     if args.json:
         _print({**said, "folder": str(target), "public": pair.public})
@@ -200,7 +200,8 @@ def _lab(args: argparse.Namespace) -> int:
         # What it provides it may set without being told so here.
         entry = keys.KnownKey(pair.public, role)
         keys.add_known(robot, name, entry)
-        keys.new_client(args.folder / name, pair, project.name, keys.RobotKey(public, addresses))
+        key = keys.RobotKey(public, addresses, role)
+        keys.new_client(args.folder / name, pair, project.name, key)
     if args.json:
         made = {name: str(args.folder / name) for name in people}
         _print({"robot": str(robot), "public": public, "known": made})

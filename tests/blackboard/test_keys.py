@@ -9,10 +9,11 @@ from pathlib import Path
 import pytest
 
 from situ.blackboard import keys
+from situ.blackboard.client import person
 from situ.blackboard.curve import Curve
+from situ.blackboard.identity import ROBOT, Identity, KeyRole
 from situ.blackboard.keys import KnownKey, RobotKey, RobotKeys
 from situ.blackboard.link import reachable
-from situ.blackboard.rights import ROBOT, Identity, KeyRole
 from situ.cli import main
 from situ.errors import UsageError
 
@@ -194,6 +195,15 @@ def test_the_only_robot_of_a_folder_that_was_told_may_have_another_address(tmp_p
         keys.client_keys("tcp://robot.local:5570", tmp_path)
 
 
+def test_who_is_known_as_a_viewer_connects_as_one_unless_he_says_otherwise(mine: Path) -> None:
+    key = RobotKey(keys.new_pair("r").public, (AT,), "viewer")
+    keys.new_client(mine, keys.new_pair("tablet"), "lab", key)
+    found = keys.client_keys(AT)
+    assert person(keys=found).role == "viewer"
+    assert person(role="operator", keys=found).role == "operator"
+    assert person().role == "operator"
+
+
 def test_a_clients_secret_is_for_its_owner_only(mine: Path) -> None:
     make(mine, AT)
     (mine / "secret.toml").chmod(0o604)
@@ -242,7 +252,7 @@ def test_a_robot_and_a_person_are_set_up(
     found = keys.client_keys(AT, folder)
     own = RobotKeys(state / "keys")
     assert found is not None
-    assert found.robot == own.public
+    assert (found.robot, found.role) == (own.public, "operator")
     assert own.identity(found.public.decode()) == Identity("ann", "operator")
     listed = json.loads(situ(capsys, "list", *where, "--json"))
     assert [(one["name"], one["role"]) for one in listed["known"]] == [("ann", "operator")]
@@ -304,7 +314,7 @@ def test_a_lab_is_set_up_in_one_command(tmp_path: Path, capsys: pytest.CaptureFi
     for name, role in roles.items():
         found = keys.client_keys(AT, out / name)
         assert found is not None
-        assert found.robot == own.public
+        assert (found.robot, found.role) == (own.public, role)
         assert own.identity(found.public.decode()) == Identity(name, role)
     assert main(["keys", "lab", str(out), "--project", str(LAB)]) == 2
     assert "there is something already" in capsys.readouterr().err

@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from situ.blackboard import protocol
+from situ.blackboard.identity import ROBOT, Identity, KeyRole
 from situ.blackboard.protocol import AnyRequest, Hello, Request
-from situ.blackboard.rights import ALLOWED, ROBOT, Identity, KeyRole, Rights
+from situ.blackboard.rights import ALLOWED, Rights
 from situ.document.modules import Module, Modules, Provides
 from situ.document.names import is_tag
 from situ.document.project import Project

@@ -16,6 +16,7 @@ from situ.blackboard import gate
 from situ.blackboard.asynchronous import AsyncBoard
 from situ.blackboard.calls import Person
 from situ.blackboard.curve import Curve
+from situ.blackboard.identity import KeyRole
 from situ.blackboard.keys import (
     KnownKey,
     RobotKeys,
@@ -28,7 +29,6 @@ from situ.blackboard.keys import (
 )
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import Addresses
-from situ.blackboard.rights import KeyRole
 from situ.document.ready import load_ready
 from situ.engine.live import Live
 from situ.engine.perform import Performer

@@ -22,9 +22,9 @@ import situ
 from situ.blackboard import keys
 from situ.blackboard.asynchronous import AsyncBoard
 from situ.blackboard.calls import Person
+from situ.blackboard.identity import KeyRole
 from situ.blackboard.keys import KnownKey, RobotKey, client_keys
 from situ.blackboard.link import Link
-from situ.blackboard.rights import KeyRole
 from situ.document.ready import load_ready
 from situ.engine.perform import Performer
 from situ.engine.robots import Surroundings

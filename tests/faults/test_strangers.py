@@ -21,8 +21,8 @@ from zmq.utils.monitor import parse_monitor_message
 import situ
 from situ.blackboard import keys
 from situ.blackboard.curve import Curve
+from situ.blackboard.identity import KeyRole
 from situ.blackboard.keys import KnownKey, RobotKey, RobotKeys
-from situ.blackboard.rights import KeyRole
 from situ.cli import main
 from situ.errors import Refused, Unreachable
 
@@ -310,6 +310,8 @@ def test_a_robot_and_its_seven_computers_are_set_up_in_one_command(
         with pytest.raises(Refused, match="chase may not set"):
             boards["chase"].set("face.direction", 20)
         boards["ann"].set("anything", 1)
+        with situ.connect(runtime.endpoint, keys=out / "t0", timeout=DEADLINE) as looker:
+            assert looker.get("anything") == 1
         for name in boards:
             assert boards[name].get("face.direction") == 10
         with boards["chase"].authority("head") as head:

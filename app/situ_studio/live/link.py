@@ -13,7 +13,7 @@ from typing import Any
 from msgspec import Struct
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
-from situ.blackboard.client import Call, open_link, person
+from situ.blackboard.client import Call, client_keys, person
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import Entry as Standing
 from situ.errors import BlackboardError
@@ -92,7 +92,8 @@ class RobotLink(QObject):
         Raises UsageError where it is no address, or where the keys are not right.
         """
         self.disconnect_robot()
-        link = open_link(endpoint, person())
+        keys = client_keys(endpoint)
+        link = Link(endpoint, person(keys=keys), keys=keys)
         self._link = link
         self._feed = link.dialog.trace(since=1)
         self._restarts = 0

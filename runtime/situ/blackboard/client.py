@@ -17,11 +17,11 @@ from __future__ import annotations
 import getpass
 import os
 from collections.abc import Iterable
-from pathlib import Path
 
 from situ.blackboard.asynchronous import AsyncAuthority, AsyncBoard, AsyncFollowing
 from situ.blackboard.blocking import PATIENCE, Authority, Board, Following
 from situ.blackboard.calls import Call, Person
+from situ.blackboard.curve import Curve
 from situ.blackboard.dialog import Dialog
 from situ.blackboard.driving import Driver
 from situ.blackboard.feeds import Change, Messages, TraceFeed, Watch
@@ -66,9 +66,9 @@ __all__ = [
     "Wanted",
     "Watch",
     "Welcome",
+    "client_keys",
     "connect",
     "connect_async",
-    "open_link",
     "person",
 ]
 
@@ -83,8 +83,12 @@ def person(
     description: str = "",
     requires: Iterable[Need] = (),
     provides: Iterable[Offer] = (),
+    keys: Curve | None = None,
 ) -> Person:
-    """Who connects: with a module's name that module, else the operator at this machine."""
+    """Who connects: with a module's name that module, with the keys of a viewer a viewer, else
+    the operator at this machine."""
+    if role is None and keys is not None and keys.role == "viewer":
+        role = "viewer"
     role = role or ("module" if module is not None else "operator")
     return Person(
         role=role,
@@ -103,11 +107,6 @@ def _user() -> str | None:
         return getpass.getuser()
     except (KeyError, OSError):  # no name for this user's number
         return None
-
-
-def open_link(endpoint: str, who: Person, keys: str | os.PathLike[str] | None = None) -> Link:
-    """The sockets of a client, with its keys where it has some (as in ``connect``)."""
-    return Link(endpoint, who, keys=client_keys(endpoint, None if keys is None else Path(keys)))
 
 
 def connect(
@@ -132,6 +131,7 @@ def connect(
     Raises Unreachable when nobody answers, Refused when the core will not have it (the
     name is taken by another module that lives), UsageError for an address that is none.
     """
+    curve = client_keys(endpoint, keys)
     who = person(
         module,
         resources,
@@ -139,8 +139,9 @@ def connect(
         description=description,
         requires=requires,
         provides=provides,
+        keys=curve,
     )
-    return Board(Driver(open_link(endpoint, who, keys)), timeout)
+    return Board(Driver(Link(endpoint, who, keys=curve)), timeout)
 
 
 def connect_async(
@@ -156,6 +157,7 @@ def connect_async(
     keys: str | os.PathLike[str] | None = None,
 ) -> AsyncBoard:
     """As ``connect``, for asyncio: ``async with connect_async(…) as board``."""
+    curve = client_keys(endpoint, keys)
     who = person(
         module,
         resources,
@@ -163,5 +165,6 @@ def connect_async(
         description=description,
         requires=requires,
         provides=provides,
+        keys=curve,
     )
-    return AsyncBoard(open_link(endpoint, who, keys), timeout)
+    return AsyncBoard(Link(endpoint, who, keys=curve), timeout)

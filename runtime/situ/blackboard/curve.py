@@ -7,17 +7,20 @@ from collections.abc import Callable
 import zmq
 from msgspec import Struct
 
+from situ.blackboard.identity import KeyRole
+
 
 class Curve(Struct, frozen=True):
     """What a client's sockets need: both keys of its own, the robot's public one.
 
-    name: whose keys they are, None where only the keys are known.
+    name: whose keys they are, None where only the keys are known; role: as that robot was told.
     """
 
     public: bytes
     secret: bytes
     robot: bytes
     name: str | None = None
+    role: KeyRole | None = None
 
     def put_on(self, socket: zmq.Socket[bytes]) -> None:
         """To be called before the socket connects."""

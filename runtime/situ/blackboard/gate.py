@@ -17,9 +17,9 @@ from zmq.utils import z85
 from zmq.utils.monitor import parse_monitor_message
 
 from situ.blackboard.audit import Audit
+from situ.blackboard.identity import Identity
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.link import NOW, has_come
-from situ.blackboard.rights import Identity
 
 ZAP = "inproc://zeromq.zap.01"
 LOOK = 1.0

@@ -6,8 +6,9 @@ from msgspec.structs import replace
 
 from situ.blackboard import protocol
 from situ.blackboard.audit import Audit
+from situ.blackboard.identity import Identity
 from situ.blackboard.requests import No
-from situ.blackboard.rights import Identity, Rights
+from situ.blackboard.rights import Rights
 
 _CHANGING = (
     protocol.Set,

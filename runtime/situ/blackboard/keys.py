@@ -18,7 +18,7 @@ import zmq
 from msgspec import Struct
 
 from situ.blackboard.curve import Curve, KeysOf
-from situ.blackboard.rights import ROBOT, Identity, KeyRole
+from situ.blackboard.identity import ROBOT, Identity, KeyRole
 from situ.document import names
 from situ.errors import UsageError
 
@@ -52,11 +52,13 @@ class KnownKey(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=Tr
     door: bool = False
 
 
-class RobotKey(Struct, frozen=True, forbid_unknown_fields=True):
-    """``robots/NAME.toml``: a robot's public key, and the addresses where it is asked."""
+class RobotKey(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """``robots/NAME.toml``: a robot's public key, the addresses where it is asked, and the role
+    that it has been told of this client."""
 
     public: str
     addresses: tuple[str, ...]
+    role: KeyRole | None = None
 
 
 class RobotKeys:
@@ -215,20 +217,20 @@ def client_folder() -> Path:
     return (Path(home) if home else Path.home() / ".config") / "situ" / "keys"
 
 
-def client_keys(endpoint: str, folder: Path | None = None) -> Curve | None:
+def client_keys(endpoint: str, told: str | os.PathLike[str] | None = None) -> Curve | None:
     """The keys for the robot at this address.
 
-    folder: as told; else that of ``client_folder``, where there is one that holds this robot:
-    None where there is none. Raises UsageError where the folder that was told holds no
-    keys, or several robots of which none has this address.
+    told: their folder; else that of ``client_folder`` is meant, if it holds this robot, and None
+    where it does not. Raises UsageError where the folder that was told holds no keys, or several
+    robots of which none has this address.
     """
-    told = folder is not None or bool(os.environ.get("SITU_KEYS"))
-    folder = client_folder() if folder is None else folder
-    if not told and not (folder / SECRET).exists():
+    meant = told is not None or bool(os.environ.get("SITU_KEYS"))
+    folder = client_folder() if told is None else Path(told)
+    if not meant and not (folder / SECRET).exists():
         return None
     robots = {file: _read(file, RobotKey) for file in sorted((folder / ROBOTS).glob("*.toml"))}
     fitting = [robot for robot in robots.values() if endpoint in robot.addresses]
-    if not fitting and not told:
+    if not fitting and not meant:
         return None
     if not fitting and len(robots) == 1:
         # The key, not the address, is what tells this robot from others.
@@ -240,7 +242,10 @@ def client_keys(endpoint: str, folder: Path | None = None) -> Curve | None:
             + (f", only at {known}" if known else "; put the robot's public key there")
         )
     own = _read(folder / SECRET, KeyPair, secret=True)
-    return Curve(own.public.encode(), own.secret.encode(), fitting[0].public.encode(), own.name)
+    robot = fitting[0]
+    return Curve(
+        own.public.encode(), own.secret.encode(), robot.public.encode(), own.name, robot.role
+    )
 
 
 def new_client(folder: Path, pair: KeyPair, robot: str, key: RobotKey) -> None:

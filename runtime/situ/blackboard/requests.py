@@ -11,7 +11,7 @@ from situ.blackboard import presence, protocol
 from situ.blackboard.asking import one_line
 from situ.blackboard.core import Core
 from situ.blackboard.history import Performing, Told, Traced, Unwatched, Watched
-from situ.blackboard.rights import Identity
+from situ.blackboard.identity import Identity
 from situ.blackboard.services import carried_by
 from situ.blackboard.watching import Watching
 from situ.decide import inputs

@@ -6,31 +6,12 @@ is; what is allowed must still be so by the rules of the blackboard.
 
 from __future__ import annotations
 
-from typing import Literal
-
-from msgspec import Struct
-
 from situ.blackboard import protocol
+from situ.blackboard.identity import ROBOT, Identity
 from situ.blackboard.protocol import Request
 from situ.decide.world import untraced
 from situ.document import names
 from situ.document.project import Project
-
-KeyRole = Literal["viewer", "module", "operator", "service"]
-ROBOT = "robot"
-"""Whose key the core's own is."""
-
-
-class Identity(Struct, frozen=True):
-    """Whose key it is. role: the most that he may be; everybody may be a viewer.
-
-    write: patterns of tags that a module may set.
-    """
-
-    name: str
-    role: KeyRole
-    write: tuple[str, ...] = ()
-
 
 _LOOKING = frozenset[type[Request]](
     {

@@ -13,10 +13,10 @@ from urllib.parse import urlsplit
 import zmq
 
 from situ.blackboard import protocol
+from situ.blackboard.identity import Identity
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.link import NOW, has_come
 from situ.blackboard.outbox import Outbox
-from situ.blackboard.rights import Identity
 from situ.errors import UsageError
 
 if TYPE_CHECKING:

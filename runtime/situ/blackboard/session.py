@@ -28,9 +28,9 @@ from situ.blackboard.history import (
     Unwatched,
     Watched,
 )
+from situ.blackboard.identity import Identity
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Malformed
 from situ.blackboard.requests import No, Session, answer
-from situ.blackboard.rights import Identity
 from situ.blackboard.services import SERVICES, carried_by, may_repeat
 from situ.decide import inputs
 from situ.decide.effects import Begin

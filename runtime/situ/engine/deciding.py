@@ -18,10 +18,11 @@ from msgspec.structs import replace
 from situ.blackboard.backlog import Backlog
 from situ.blackboard.core import Core, Heard, Held
 from situ.blackboard.guard import Guard
+from situ.blackboard.identity import Identity
 from situ.blackboard.journal import DurableTags
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.protocol import Addresses
-from situ.blackboard.rights import Identity, Rights
+from situ.blackboard.rights import Rights
 from situ.blackboard.server import Server
 from situ.blackboard.services import PATIENCE, Carried, carried_by, may_repeat
 from situ.blackboard.session import Sessions, lost
