@@ -180,7 +180,7 @@ def lived(espeak: str, tmp_path_factory: pytest.TempPathFactory) -> Lived:
         ):
             film = await screen.showing("clip")
             # It drives, it speaks, the film runs, and nobody has answered yet.
-            await ward.until(2, tag="pose.x")
+            await ward.until(tag="pose.x")
             assert not body.held
             assert ward.told(kind="finished") == []
             await nurse.set("emergency", True)

@@ -32,6 +32,31 @@ class Broken:
             raise RuntimeError("the cable is out")
 
 
+class Unplugged(Broken):
+    """An adapter that can not start, and fails at whatever comes then."""
+
+    async def start(self) -> None:
+        raise UsageError("the robot is not plugged in")
+
+    async def close(self) -> None:
+        raise RuntimeError("it was never opened")
+
+    def apply(self, resource: str, value: Any) -> None:
+        raise RuntimeError("it was never opened")
+
+
+def test_an_adapter_that_can_not_start_says_why_and_is_left_alone(
+    situation: Any, caplog: pytest.LogCaptureFixture
+) -> None:
+    async def scenario() -> None:
+        with pytest.raises(UsageError, match="not plugged in"):
+            async with situation.side(adapter=Unplugged):
+                pass
+
+    asyncio.run(scenario())
+    assert "never opened" not in caplog.text
+
+
 def test_a_message_and_what_a_module_is_asked_are_the_cores_own(situation: Any) -> None:
     async def scenario() -> None:
         async with situation.side() as side:

@@ -213,14 +213,14 @@ class PyBulletRobot:
     # -- where it is, on the blackboard ------------------------------------------
 
     def _tell(self, report: Callable[[dict[str, Any]], None]) -> None:
-        """Reports what changed since the last report; at first all, as the simulated robot."""
+        """Reports what changed since the last report; all when it first moves, as ``sim``."""
         self._told = self.bullet.time
         names = ("pose.x", "pose.y", "pose.heading", "pose.yaw")
         numbers = (*self.pose, self.yaw) if self._model.head is not None else self.pose
         places = zip(names, numbers, strict=False)
         tags = {tag: round(value, 2) + 0.0 for tag, value in places}  # a zero has no sign
         changed = {tag: value for tag, value in tags.items() if self._reported.get(tag) != value}
-        if changed:
+        if changed and (self._reported or any(tags.values())):
             self._reported.update(changed)
             report(changed)
 

@@ -191,7 +191,8 @@ class SimulatedRobot:
     def _tell(self) -> None:
         """Reports what changed since the last report, and again while anything moves.
 
-        At first all: on the blackboard may stand where the robot was before it was started anew.
+        When it first moves, all: on the blackboard may stand where it was before it was started
+        anew.
         """
         assert self._report is not None
         self._next_report = None
@@ -204,7 +205,7 @@ class SimulatedRobot:
             for tag, number in zip(names, places[resource], strict=True)
         }
         changed = {t: v for t, v in tags.items() if self._reported.get(t) != v}
-        if changed:
+        if changed and (self._reported or any(tags.values())):
             self._reported.update(changed)
             self._report(changed)
         if moving:
