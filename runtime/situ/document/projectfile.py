@@ -232,15 +232,29 @@ class ProjectFile:
                 self.problem("bad-tag", said, table, key, pattern)
 
     def _mqtt(self) -> None:
+        url = self.get("mqtt", "url")
+        if isinstance(url, str) and url and not _BROKER.fullmatch(url):
+            said = "names no broker: give mqtt://HOST or mqtts://HOST, a user and a password"
+            told = f"The url {said} stand in the robot's secrets.toml"
+            self.problem("bad-value", told, "mqtt", "url")
         incoming = self.get("mqtt", "in")
         if incoming is None:
             return
         for topic, target in list(incoming.items()):
+            if not topic or not _FILTER.fullmatch(topic):
+                said = "is no topic filter: + is one whole level, # the rest of them"
+                self.problem("bad-value", f"{shown(topic)} {said}", "mqtt", "in", topic)
+                del incoming[topic]
+                continue
             kind, _, name = target.partition(":") if isinstance(target, str) else ("", "", "")
             if not ((kind == "event" and name) or (kind == "tag" and names.is_tag(name))):
                 said = 'must be given as "event:NAME" or "tag:NAME"'
                 self.problem("bad-value", f"What {shown(topic)} means {said}", "mqtt", "in", topic)
                 del incoming[topic]
+
+
+_BROKER = re.compile(r"mqtts?://(\[[0-9a-fA-F:.]+\]|[^\s/@:\[\]?#]+)(:\d{1,5})?/?")
+_FILTER = re.compile(r"#|([^+#/\0]*|\+)(/([^+#/\0]*|\+))*(/#)?")
 
 
 def _is_json(value: Any) -> bool:
