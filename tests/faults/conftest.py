@@ -95,13 +95,21 @@ class Runtime:
     @property
     def memory(self) -> float:
         """Megabytes that it has in memory now."""
-        assert self._process is not None
-        status = Path(f"/proc/{self._process.pid}/status").read_text("utf-8")
-        return int(status.partition("VmRSS:")[2].split()[0]) / 1024
+        return self._status("VmRSS:")
+
+    @property
+    def peak(self) -> float:
+        """The most megabytes that it has had in memory until now."""
+        return self._status("VmHWM:")
 
     @property
     def running(self) -> bool:
         return self._process is not None
+
+    def _status(self, line: str) -> float:
+        assert self._process is not None
+        status = Path(f"/proc/{self._process.pid}/status").read_text("utf-8")
+        return int(status.partition(line)[2].split()[0]) / 1024
 
     def _end(self, number: signal.Signals) -> int:
         assert self._process is not None
@@ -143,6 +151,12 @@ def make_runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[
 def chance() -> random.Random:
     """Where a test chooses, it chooses by this."""
     return random.Random(int(os.environ.get("SITU_SEED", "1")))
+
+
+@pytest.fixture
+def soaking() -> bool:
+    """Whether figures are asserted: nothing else runs."""
+    return SOAK
 
 
 @pytest.fixture
