@@ -231,7 +231,7 @@ def test_gestures_end_where_they_began_and_following_never_ends(model: Model, mo
         assert widest > 15
         assert moves.robot.yaw == pytest.approx(0, abs=1)
         moves.command("head", "follow")
-        await moves.clock.advance(20)
+        await moves.clock.advance(5)
         assert len(moves.ended) == 1
         assert moves.clock.waiting
 
@@ -294,9 +294,9 @@ def test_the_same_commands_at_the_same_times_give_the_same_motion(moves: Any) ->
 
     async def test(moves: Moves) -> None:
         moves.command("base", "goto", place="lobby")
-        await moves.clock.advance(3.3)
+        await moves.clock.advance(1.3)
         moves.robot.apply("base", None)
-        await moves.clock.advance(2)
+        await moves.clock.advance(1)
         poses.append(moves.robot.pose)
 
     moves(husky, test)
@@ -378,7 +378,7 @@ def errand(hand_clock: Any, pybullet: None) -> Callable[..., None]:
     return run
 
 
-@BOTH
+@HUSKY
 def test_a_flow_drives_it_and_goes_on_when_it_has_arrived(model: Model, errand: Any) -> None:
     async def test(whole: Whole) -> None:
         while whole.state == "1":
