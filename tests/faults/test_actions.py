@@ -3,8 +3,12 @@ goes on (quality, *Faults*); and what works, over one real ``situ run``."""
 
 from __future__ import annotations
 
+import json
+import os
 import queue
+import select
 import socket
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -138,3 +142,56 @@ def test_a_module_answers_over_real_sockets(board: Board, robot: Runtime) -> Non
 def test_a_file_of_the_project_is_read_by_a_real_robot(board: Board) -> None:
     assert end(board, "file")[0] == "good"
     assert board.get("quiz") == "Who?"
+
+
+# -- programs ----------------------------------------------------------------
+
+NAP = """import os, signal, sys
+with open(sys.argv[1], "w") as told:
+    told.write(str(os.getpid()))
+signal.pause()
+"""
+NAPS = """<application name="desk" start="idle">
+  <always><expectedevents>
+    <event name="home" next="idle"/><event name="short" next="1"/><event name="kept" next="2"/>
+  </expectedevents></always>
+  <state no="idle"/>
+  <state no="1"><backgroundactions><launch program="nap"/></backgroundactions></state>
+  <state no="2"><backgroundactions><launch program="nap" keep="true"/></backgroundactions></state>
+</application>"""
+
+
+def started(pipe: Path) -> int:
+    """The process id that a program writes when it has started, as a descriptor of it."""
+    return os.pidfd_open(int(pipe.read_text("utf-8")))
+
+
+def has_ended(process: int, within: float) -> bool:
+    return bool(select.select([process], [], [], within)[0])
+
+
+def test_a_program_ends_with_its_state_unless_kept_and_with_the_core_however_it_dies(
+    make_runtime: Callable[[Path], Runtime], tmp_path: Path
+) -> None:
+    (tmp_path / "situ.toml").write_text(PROJECT, "utf-8")
+    (tmp_path / "desk.rbd.xml").write_text(NAPS, "utf-8")
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    robot = make_runtime(tmp_path)
+    robot.state.mkdir()
+    command = json.dumps([sys.executable, "-c", NAP, str(pipe)])
+    (robot.state / "launch.toml").write_text(f"nap = {command}\n", "utf-8")
+    robot.start()
+    with situ.connect(robot.endpoint, timeout=DEADLINE) as board:
+        board.publish("short")
+        short = started(pipe)
+        board.publish("kept")
+        kept = started(pipe)
+        assert has_ended(short, DEADLINE)
+        board.publish("home")
+        assert board.get("application/desk")["state"] == "idle"
+        assert not has_ended(kept, 0)
+        robot.kill()
+        assert has_ended(kept, DEADLINE)
+    for process in (short, kept):
+        os.close(process)
