@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import logging
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 from pathlib import Path
@@ -292,6 +293,25 @@ def test_with_keys_everybody_does_what_his_own_token_allows(keys: RobotKeys) -> 
             assert (change["value"], change["writer"]) == ("Ann", "operator:ann")
 
     receive(scenario, keys)
+
+
+def test_with_keys_it_is_written_down_who_came_from_where(
+    keys: RobotKeys, caplog: pytest.LogCaptureFixture
+) -> None:
+    caplog.set_level(logging.INFO, "situ.audit")
+
+    async def scenario(house: House) -> None:
+        async with house.visit("ann's token"):
+            pass
+        assert await house.status(Authorization="Bearer wrong") == 403
+
+    receive(scenario, keys)
+    public = token_keys("ann's token")[0].decode()
+    lines = [line for line in caplog.messages if "socket=board" in line]
+    assert lines[0].startswith("connected socket=board address=127.0.0.1 name=ann key=")
+    assert public in lines[0]
+    assert "token" not in lines[0]
+    assert lines[1].startswith("refused socket=board address=127.0.0.1 why=")
 
 
 def test_with_keys_the_screens_token_opens_nothing(keys: RobotKeys) -> None:

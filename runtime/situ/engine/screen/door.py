@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import logging
 from collections import deque
 
 import zmq
 from aiohttp import WSCloseCode, WSMsgType, web
 
 from situ.blackboard import protocol
+from situ.blackboard.audit import Audit
 from situ.blackboard.curve import Curve, KeysOf
 from situ.blackboard.link import HELD as NOTICES
 from situ.blackboard.link import NOW, has_come
@@ -39,8 +39,8 @@ class Door:
     core knows him, and holds him to his rights, as anybody else.
     """
 
-    def __init__(self, log: logging.Logger) -> None:
-        self._log = log
+    def __init__(self) -> None:
+        self._audit = Audit()
         self._core: tuple[str, str] | None = None
         self._keys: KeysOf | None = None
         self._context: zmq.Context[zmq.Socket[bytes]] | None = None
@@ -72,11 +72,13 @@ class Door:
         """One visitor until he goes. token: his own; without keys he may come in already."""
         curve = None
         if self._keys is not None:
+            where = {"socket": "board", "address": request.remote or "unknown"}
             curve = self._keys(token)
             if curve is None:
-                self._log.warning("refused the blackboard to %s without a token", request.remote)
+                self._audit.refuse("refused", **where, why="nobody known has this token")
                 return web.Response(status=403, text=_NO_TOKEN)
-            self._log.info("%s is let in from %s", curve.name or "somebody", request.remote)
+            name = {} if curve.name is None else {"name": curve.name}
+            self._audit.tell("connected", **where, **name, key=curve.public.decode())
         if self._core is None:
             return web.Response(status=503, text="The blackboard is not there yet; try again.\n")
         if len(self._visitors) >= MOST:

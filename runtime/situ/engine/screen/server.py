@@ -120,7 +120,7 @@ class ScreenServer:
         self._use = use
         self._ended = ended
         self._log = log
-        self.door = Door(log)
+        self.door = Door()
         self._token = token or secrets.token_urlsafe(24)
         self._folder = resource("screen")
         self._fonts = resource("fonts")
