@@ -413,6 +413,7 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
     keys = robot.own() if robot is not None else None
     if keys is None and not args.insecure:
         keys = client_keys(endpoint, args.keys)
+        logging.getLogger("situ.audit").setLevel(logging.INFO)
     web = f"http://{screen[0]}:{screen[1]}"
     check_reach(web, keyed=keys is not None, insecure=args.insecure)
     person = Person(role="service", services=args.services)
