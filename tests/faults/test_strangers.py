@@ -108,7 +108,8 @@ def test_a_robot_on_a_network_serves_those_whom_it_knows(
 ) -> None:
     ann = house.let_in("ann", "operator")
     house.runtime.endpoint = "tcp://0.0.0.0:0"
-    house.runtime.start("--endpoint", "tcp://0.0.0.0:0", "--notify", "tcp://0.0.0.0:0")
+    network = ("--endpoint", "tcp://0.0.0.0:0", "--notify", "tcp://0.0.0.0:0")
+    house.runtime.start(*network, "--log-level", "error")
     # It can not tell by which of its addresses we see it.
     where = f"tcp://127.0.0.1:{house.runtime.endpoint.rpartition(':')[2]}"
     with (
@@ -124,6 +125,9 @@ def test_a_robot_on_a_network_serves_those_whom_it_knows(
             return await board.get("user.name")
 
     assert asyncio.run(look()) == "Ann"
+    # On standard error, whatever else is logged.
+    assert any("connected socket=requests address=127.0.0.1 name=ann" in x for x in house.log)
+    assert any("changed name=ann do=set what=user.name" in x for x in house.log)
     assert main(["get", "user.name", "--at", where, "--keys", str(ann)]) == 0
     assert capsys.readouterr().out == '"Ann"\n'
 
