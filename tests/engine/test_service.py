@@ -399,6 +399,20 @@ def test_secrets_that_can_not_be_used_fail_the_service_without_being_told(
     assert KEY not in str(finish.error) + caplog.text
 
 
+@pytest.mark.parametrize("key", [f"{KEY}\\n", f"{KEY}\\u0000", f"{KEY}…"])
+def test_a_header_that_can_not_be_sent_is_not_repeated(situation: Any, key: str) -> None:
+    async def scenario() -> None:
+        async with records() as served, situation.side() as side:
+            secrets(situation, listed(served.address + "/**").replace(KEY, key))
+            side.performer.perform(begin(served.address + "/echo", "POST"))
+            finish = await side.answers.finish(7)
+            assert not finish.ok
+            assert "the header X-Key" in str(finish.error)
+            assert KEY not in str(finish.error)
+
+    asyncio.run(scenario())
+
+
 def test_no_log_has_the_secret(situation: Any, caplog: pytest.LogCaptureFixture) -> None:
     async def scenario() -> None:
         async with records() as served, situation.side() as side:

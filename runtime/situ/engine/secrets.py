@@ -105,6 +105,13 @@ class Secrets:
             if one.fits(url):
                 headers |= one.headers
                 query |= one.query
+        for name, value in headers.items():
+            # An error of the library would repeat it.
+            if not (value.isascii() and value.isprintable()):
+                raise ActionFailed(
+                    f"{self._folder}/secrets.toml can not be used: "
+                    f"the header {name} has characters that none can have"
+                )
         return Told(headers, query)
 
     def mqtt(self) -> MqttSecret:
