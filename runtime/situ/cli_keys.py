@@ -54,15 +54,15 @@ def add(commands: Any) -> None:
     remove.add_argument("name", metavar="NAME")
 
     lab = _command(kinds, "lab", _lab, "set up a robot and its computers: a folder for each")
-    lab.add_argument("folder", type=Path, metavar="DIR", help="is made")
+    lab.usage = "%(prog)s [--project PROJECT] [--robot ADDRESS] [--json] DIR [NAME[:ROLE] ...]"
     lab.add_argument(
-        "names",
+        "rest",
         nargs="*",
-        metavar="NAME[:ROLE]",
-        help="a module, or somebody with another role: ann:operator; "
+        metavar="DIR, NAME[:ROLE]",
+        help="the folder, which is made; then modules, or others with their role: ann:operator; "
         "the project's modules unless given",
     )
-    _address(lab)
+    _address(lab, action=_Among, nargs="+")
     lab.add_argument("--json", action="store_true", help="for a program to read")
 
 
@@ -82,10 +82,29 @@ def _command(kinds: Any, name: str, run: Any, about: str) -> argparse.ArgumentPa
     return parser
 
 
-def _address(parser: argparse.ArgumentParser) -> None:
+class _Among(argparse.Action):
+    """Of what follows ``--robot`` addresses are addresses, and all else is what it would be without
+    it: names may stand before and after an option."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: Any,
+        option_string: str | None = None,
+    ) -> None:
+        robots = [value for value in values if "://" in value]
+        if not robots:
+            parser.error(f"--robot {values[0]}: an address is needed, as tcp://10.0.0.5:5570")
+        namespace.robot = [*namespace.robot, *robots]
+        others = [value for value in values if "://" not in value]
+        namespace.others = [*getattr(namespace, "others", ()), *others]
+
+
+def _address(parser: argparse.ArgumentParser, **how: Any) -> None:
     parser.add_argument(
         "--robot",
-        action="append",
+        **{"action": "append", **how},
         default=[],
         metavar="ADDRESS",
         help="where the robot is asked: tcp://10.0.0.5:5570; may be repeated; "
@@ -173,14 +192,18 @@ def _lab(args: argparse.Namespace) -> int:
     from situ.blackboard import keys
     from situ.errors import UsageError
 
+    given = [*args.rest, *getattr(args, "others", ())]
+    if not given:
+        raise UsageError("say which folder is to be made: situ keys lab DIR NAME …")
+    out, names = Path(given[0]), given[1:]
     project = _load(args.project)
     declared = _modules(project)
     people: dict[str, KeyRole] = {}
-    for given in args.names or declared:
-        name, colon, said = given.partition(":")
+    for one in names or declared:
+        name, colon, said = one.partition(":")
         role = next((role for role in ROLES if role == said), None)
         if colon and role is None:
-            raise UsageError(f"{given}: there is no role {said!r}: {', '.join(ROLES)}")
+            raise UsageError(f"{one}: there is no role {said!r}: {', '.join(ROLES)}")
         if not colon and name not in declared:
             raise UsageError(
                 f"{name} is no module of {project.name}: say its role, as {name}:operator"
@@ -190,27 +213,29 @@ def _lab(args: argparse.Namespace) -> int:
         people[name] = role or "module"
     if not people:
         raise UsageError(f"{project.name} has no modules: say who is to be let in")
-    if args.folder.exists() and any(args.folder.iterdir()):
-        raise UsageError(f"{args.folder}: there is something already; give another folder")
-    robot = args.folder / "robot"
+    if out.exists() and any(out.iterdir()):
+        raise UsageError(f"{out}: there is something already; give another folder")
+    robot = out / "robot"
+    pairs = {name: keys.new_pair(name) for name in people}
+    # What a module provides it may set without being told so here.
+    known = {name: keys.KnownKey(pairs[name].public, role) for name, role in people.items()}
+    for name, entry in known.items():
+        keys.check_known(robot, name, entry)
     public = keys.new_robot(robot).public
     addresses = tuple(args.robot) or (project.endpoint,)
     for name, role in people.items():
-        pair = keys.new_pair(name)
-        # What it provides it may set without being told so here.
-        entry = keys.KnownKey(pair.public, role)
-        keys.add_known(robot, name, entry)
+        keys.add_known(robot, name, known[name])
         key = keys.RobotKey(public, addresses, role)
-        keys.new_client(args.folder / name, pair, project.name, key)
+        keys.new_client(out / name, pairs[name], project.name, key)
     if args.json:
-        made = {name: str(args.folder / name) for name in people}
+        made = {name: str(out / name) for name in people}
         _print({"robot": str(robot), "public": public, "known": made})
         return 0
     print(f"{robot}  goes to the robot: its state folder's keys, or situ run --keys")
     for name, role in people.items():
         provides = declared.get(name, ()) if role == "module" else ()
         writes = f", writes {', '.join(provides)}" if provides else ""
-        print(f"{args.folder / name}  goes to {name} ({role}{writes}): ~/.config/situ/keys")
+        print(f"{out / name}  goes to {name} ({role}{writes}): ~/.config/situ/keys")
     return 0
 
 

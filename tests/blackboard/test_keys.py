@@ -321,8 +321,28 @@ def test_a_lab_is_set_up_in_one_command(tmp_path: Path, capsys: pytest.CaptureFi
 
 
 @pytest.mark.parametrize(
+    "words",
+    [
+        "OUT chase ann:operator --project LAB --robot AT",
+        "OUT --robot AT chase ann:operator --project LAB",
+        "--project LAB --robot AT OUT chase ann:operator",
+        "OUT chase --robot AT ann:operator --project LAB",
+    ],
+)
+def test_names_stand_before_and_after_options(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], words: str
+) -> None:
+    meant = {"OUT": str(tmp_path / "out"), "LAB": str(LAB), "AT": AT}
+    situ(capsys, "lab", *(meant.get(word, word) for word in words.split()))
+    assert set(keys.read_known(tmp_path / "out" / "robot")) == {"chase", "ann"}
+    assert keys.client_keys(AT, tmp_path / "out" / "ann") is not None
+
+
+@pytest.mark.parametrize(
     ("given", "why"),
     [
+        ("--robot here", "an address is needed"),
+        ("chase a.b:viewer", "nobody's name"),
         ("bob", "say its role"),
         ("bob:boss", "there is no role 'boss'"),
         ("chase:", "no role ''"),
