@@ -254,7 +254,7 @@ def test_piper_and_its_player_are_killed_when_the_speech_is_cut_off(
 def test_an_engine_that_is_none_is_wrong_usage(
     choice: str, project: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["run", str(project), "--speech", choice]) == 2
+    assert main(["run", str(project), "--no-restart", "--speech", choice]) == 2
     assert "espeak-ng, speech-dispatcher or piper:FILE" in capsys.readouterr().err
 
 

@@ -63,16 +63,17 @@ APPLICATION = """<application name="desk" start="idle">
 def robot(make_runtime: Callable[[Path], Runtime], tmp_path_factory: Any) -> Iterator[Runtime]:
     """A robot that can be heard, without an engine to speak; a web service that is silent."""
     folder = tmp_path_factory.mktemp("desk")
-    with socket.create_server(("127.0.0.1", 0)) as silent, pytest.MonkeyPatch.context() as patch:
+    with socket.create_server(("127.0.0.1", 0)) as silent:
         port = silent.getsockname()[1]
         (folder / "situ.toml").write_text(PROJECT + 'media = "media"\n', "utf-8")
         (folder / "desk.rbd.xml").write_text(APPLICATION.replace("{port}", str(port)), "utf-8")
         (folder / "media").mkdir()
         (folder / "media" / "quiz.json").write_text('[{"q": "Who?"}]', "utf-8")
-        patch.setenv("PATH", str(folder / "none"))
-        patch.setenv("PULSE_SERVER", "/nowhere")
         made = make_runtime(folder)
-        made.start("--patience", str(PATIENCE))
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("PATH", str(folder / "none"))
+            patch.setenv("PULSE_SERVER", "/nowhere")
+            made.start("--patience", str(PATIENCE))
         yield made
 
 
