@@ -23,14 +23,16 @@ if TYPE_CHECKING:
     from situ.document.project import Project
     from situ.engine.live import Live
     from situ.engine.notify import Notifier
+    from situ.engine.record import Recorder
     from situ.engine.recovery import Recovery
     from situ.engine.script import Script
+    from situ.engine.trace_out import TraceOut
 
 _log = logging.getLogger("situ.run")
 
 HANDED_ON = (
     *("endpoint", "notify", "http", "keys", "insecure", "services", "adapter", "state", "sync"),
-    *("fresh", "trace", "seed", "speech", "patience", "log_level"),
+    *("fresh", "trace", "record", "seed", "speech", "patience", "log_level"),
 )
 """The options that mean something to the processes that are started."""
 
@@ -135,6 +137,12 @@ def add(commands: Any) -> None:
     )
     parser.add_argument("--trace", metavar="OUT", help="write the trace here; - is standard output")
     parser.add_argument(
+        "--record",
+        type=Path,
+        metavar="F.mcap",
+        help="record inputs and trace here, to be replayed (situ replay)",
+    )
+    parser.add_argument(
         "--auto-finish",
         type=_seconds,
         metavar="S",
@@ -174,6 +182,8 @@ def run(args: argparse.Namespace) -> int:
         raise UsageError("--auto-finish goes with --script: alive, actions end when they end")
     with contextlib.ExitStack() as stack:
         kept = Kept() if lines is not None else _kept(args, project, stack)
+        if args.record is not None:
+            kept = kept._replace(recorders=(*kept.recorders, _recorder(args, project, kept)))
         out = None
         if args.trace == "-":
             out = sys.stdout.buffer
@@ -196,11 +206,13 @@ class Kept(NamedTuple):
 
     durable: DurableTags | None = None
     recovery: Recovery | None = None
+    recorders: tuple[Recorder, ...] = ()
 
 
 def _kept(args: argparse.Namespace, project: Project, stack: contextlib.ExitStack) -> Kept:
     from situ.blackboard.journal import DurableTags, patterns
     from situ.engine.folder import StateFolder, state_folder
+    from situ.engine.record import RING, Recorder, RingFiles, recorded_files
     from situ.engine.recovery import Recovery
 
     folder = StateFolder(state_folder(args.state, project))
@@ -212,7 +224,21 @@ def _kept(args: argparse.Namespace, project: Project, stack: contextlib.ExitStac
     recovery = Recovery(folder.path, project)
     if args.fresh:
         recovery.forget()
-    return Kept(durable, recovery)
+    ring = Recorder(RingFiles(folder.path / RING), recorded_files(project))
+    return Kept(durable, recovery, (ring,))
+
+
+def _recorder(args: argparse.Namespace, project: Project, kept: Kept) -> Recorder:
+    from situ.engine.record import OneFile, Recorder, recorded_files
+
+    goes_on = kept.recovery is not None and kept.recovery.found is not None
+    return Recorder(OneFile(args.record, goes_on=goes_on), recorded_files(project))
+
+
+def _status(args: argparse.Namespace, kept: Kept, trace: TraceOut | None) -> int:
+    """Whether what was asked for could be written."""
+    told = kept.recorders[-1].torn if args.record is not None else None
+    return (0 if trace is None else trace.status()) or int(told is not None)
 
 
 def _has_broker(project: Project) -> bool:
@@ -245,6 +271,7 @@ def _run_core(args: argparse.Namespace, project: Project, out: Any, kept: Kept) 
             heard=None if trace is None else trace.heard,
             durable=kept.durable,
             recovery=kept.recovery,
+            recorders=kept.recorders,
             keys=_keys(args, project),
             insecure=args.insecure,
             patience=args.patience,
@@ -257,7 +284,7 @@ def _run_core(args: argparse.Namespace, project: Project, out: Any, kept: Kept) 
             lambda addresses: _up(args, _ready_line(project.name, addresses)),
             lambda: _is_the_end(args),
         )
-    return 0 if trace is None else trace.status()
+    return _status(args, kept, trace)
 
 
 def _is_the_end(args: argparse.Namespace) -> bool:
@@ -338,6 +365,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         heard=heard,
         durable=kept.durable,
         recovery=kept.recovery,
+        recorders=kept.recorders,
         keys=keys,
         insecure=args.insecure,
         patience=args.patience,
@@ -350,7 +378,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         _beat(loop, args.notifier)
         if script is None:
             await stopped.wait()
-            return 0 if trace is None else trace.status()
+            return _status(args, kept, trace)
         own = None if keys is None else keys.own()
         board = AsyncBoard(Link(addresses.requests, Person(role="scenario"), keys=own))
         async with board:
@@ -369,7 +397,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
         print(f"{args.script}: {failure}", file=sys.stderr)
     if script.verdict.failures:
         return 1
-    return 0 if trace is None else trace.status()
+    return _status(args, kept, trace)
 
 
 async def _serve(args: argparse.Namespace, project: Project) -> int:
@@ -420,6 +448,8 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
     board = AsyncBoard(Link(endpoint, person, keys=keys), math.inf)
     door = robot.door if robot is not None else door_to(keys.robot) if keys is not None else None
     apart = ServicesApart(board, args.services, performer, door)
+    # However long the core lets itself be waited for: this is no hanging.
+    _beat(loop, args.notifier)
     start = asyncio.create_task(apart.start())
     stop = asyncio.create_task(stopped.wait())
     await asyncio.wait({start, stop}, return_when=asyncio.FIRST_COMPLETED)
@@ -429,7 +459,6 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
         return 0
     try:
         _up(args, _ready_line(project.name, await start))
-        _beat(loop, args.notifier)
         await stop
     finally:
         stop.cancel()

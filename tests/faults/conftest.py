@@ -84,6 +84,19 @@ class Runtime:
         )
         return done.returncode, done.stderr
 
+    def kill_part(self, service: str) -> None:
+        """kill -9 of the process that carries this out; for one that runs ``--apart``."""
+        assert self._process is not None
+        pid = self._process.pid
+        found = []
+        for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split():
+            words = Path(f"/proc/{child}/cmdline").read_bytes().decode().split("\0")
+            # One that has just died, or is just being started, has none yet or no longer.
+            if "--services" in words and words[words.index("--services") + 1] == service:
+                found.append(int(child))
+        (one,) = found
+        os.kill(one, signal.SIGKILL)
+
     def kill(self) -> None:
         """kill -9."""
         self._end(signal.SIGKILL)

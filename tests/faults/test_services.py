@@ -26,6 +26,7 @@ from situ.document.ready import load_ready
 from situ.engine.perform import Performer
 from situ.engine.robots import Surroundings
 from situ.engine.services import ServicesApart
+from situ.errors import Unreachable
 
 if TYPE_CHECKING:
     from tests.faults.conftest import Runtime
@@ -243,3 +244,48 @@ def test_what_a_killed_engine_asked_is_asked_again_and_what_it_ordered_fails(
                 assert second.wait(DEADLINE) == 0
         core.send_signal(signal.SIGTERM)
         assert core.wait(DEADLINE) == 0
+
+
+def test_every_part_of_a_robot_may_be_killed_and_the_robot_goes_on(runtime: Runtime) -> None:
+    runtime.supervised = True
+    runtime.start("--apart")
+    events: queue.Queue[dict[str, Any]] = queue.Queue()
+    with (
+        situ.connect(runtime.endpoint, timeout=DEADLINE) as board,
+        board.watch("application/round") as states,
+    ):
+        version = _waits(states, 0)
+        board.trace(since=1, callback=events.put)
+        for round_, service in enumerate(("screen", "robot", "engine", "core"), start=1):
+            runtime.kill_part(service)
+            _raise(board, "go")
+            # Its state is left again when its time is over; what was before may be summed up.
+            version = _waits(states, version)
+            assert board.get("rounds") == round_
+        last = board.get("rounds")
+        seqs: list[int] = []
+        while True:
+            event = events.get(timeout=DEADLINE)
+            seqs.append(event["seq"])
+            if event["kind"] == "data" and (event["tag"], event["value"]) == ("rounds", last):
+                break
+    assert seqs == list(range(1, len(seqs) + 1))
+    assert runtime.stop() == 0
+    assert runtime.log.read_text("utf-8").count("was killed by signal 9; it is started again") == 4
+
+
+def _waits(states: Any, after: int) -> int:
+    """Returns when the application waits, at a version above that; the version."""
+    while True:
+        state = states.next(DEADLINE)
+        assert state is not None
+        if state.value["state"] == "1" and state.version > after:
+            return int(state.version)
+
+
+def _raise(board: situ.Board, event: str) -> None:
+    """Whether it was raised is not known where the core was killed meanwhile; then it was not."""
+    with contextlib.suppress(Unreachable):
+        board.publish(event)
+        return
+    board.publish(event)
