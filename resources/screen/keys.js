@@ -2,15 +2,7 @@
 // input; phones bring their own. `keyboard=on` or `off` in the address decides it for good.
 
 import { element } from "./element.js";
-
-const DIGITS = "1234567890";
-const LETTERS = {
-  en: ["qwertyuiop", "asdfghjkl", "zxcvbnm'-"],
-  de: ["qwertzuiopü", "asdfghjklöä", "yxcvbnmß-"],
-  fr: ["azertyuiop", "qsdfghjklm", "wxcvbnéèç'-"],
-};
-const ACCENTS = ["àáâãäåæçèé", "êëìíîïñòó", "ôõöøùúûüœ"];
-const PAD = ["123", "456", "789"];
+import { PAD, changed, decimalMark, isChange, pages } from "./layouts.js";
 
 const asked = new URLSearchParams(location.search).get("keyboard");
 const phone = /Android|iPhone|iPad/.test(navigator.userAgent);
@@ -19,12 +11,11 @@ let touched = matchMedia("(pointer: coarse)").matches && !matchMedia("(any-point
 export const ownKeys = () => asked === "on" || (asked !== "off" && touched && !phone);
 
 const language = () => document.documentElement.lang.slice(0, 2);
-const lettersHere = () => LETTERS[language()] ?? LETTERS.en;
-const pointHere = () => (["de", "fr", "es", "it", "nl", "pt"].includes(language()) ? "," : ".");
 
 export function keyboard(panel, resized) {
   let field = null;
   let upper = true;
+  let page = null;
 
   // A date is written from its beginning: its marks are not there to be erased.
   const focus = () => {
@@ -38,7 +29,15 @@ export function keyboard(panel, resized) {
     field.dispatchEvent(new InputEvent("input", { bubbles: true, data: text, inputType: "insertText" }));
     if (field.dataset.kind !== "text") return;
     if (upper) shift(false);
-    if (panel.dataset.page === "accents") build("text", "letters");
+    if (page.once) build("text", pages(language())[0]);
+  };
+  const change = (mark) => {
+    focus();
+    const at = field.selectionEnd;
+    if (at === 0) return;
+    const letter = changed(field.value[at - 1], mark);
+    field.setRangeText(letter, at - 1, at, "end");
+    field.dispatchEvent(new InputEvent("input", { bubbles: true, data: letter, inputType: "insertReplacementText" }));
   };
   const erase = () => {
     focus();
@@ -67,29 +66,30 @@ export function keyboard(panel, resized) {
   };
   const letterKey = (row, letter) => {
     const big = letter.toUpperCase();
+    if (isChange(letter)) key(row, letter, () => change(letter), "soft");
+    else if (letter >= "0" && letter <= "9") key(row, letter, () => type(letter), "soft");
     // Of ß there is no single capital.
-    if (big.length === 1) key(row, letter, () => type(upper ? big : letter), "letter");
+    else if (big.length === 1) key(row, letter, () => type(upper ? big : letter), "letter");
     else key(row, letter, () => type(letter));
   };
 
   const build = (kind, shown) => {
+    page = shown;
     const rows = [];
     const begin = () => rows[rows.push(element("div", "row")) - 1];
     if (kind === "text") {
-      const first = begin();
-      for (const digit of DIGITS) key(first, digit, () => type(digit), "digit");
-      const lines = shown === "accents" ? ACCENTS : lettersHere();
-      for (const letters of lines) {
+      for (const letters of shown.rows) {
         const row = begin();
-        const isLast = letters === lines.at(-1);
+        const isLast = shown.shift && letters === shown.rows.at(-1);
         if (isLast) key(row, "⇧", () => shift(!upper), "wide shift", "Shift");
         for (const letter of letters) letterKey(row, letter);
         if (isLast) key(row, "⌫", erase, "wide", "Backspace");
       }
       const last = begin();
-      const other = shown === "accents" ? "letters" : "accents";
-      key(last, other === "letters" ? "abc" : "áü", () => build("text", other), "wide", other);
+      const other = pages(language()).find((one) => one.name !== shown.name);
+      key(last, other.label, () => build("text", other), "wide", other.name);
       key(last, "␣", () => type(" "), "space", "Space");
+      if (!shown.shift) key(last, "⌫", erase, "wide", "Backspace");
       key(last, "OK", enter, "wide enter-key");
     } else {
       for (const numbers of PAD) {
@@ -99,11 +99,12 @@ export function keyboard(panel, resized) {
       const last = begin();
       key(last, "⌫", erase, "", "Backspace");
       key(last, "0", () => type("0"));
-      if (kind === "number") key(last, pointHere(), () => type(pointHere()));
+      const mark = decimalMark(language());
+      if (kind === "number") key(last, mark, () => type(mark));
       key(last, "OK", enter, "enter-key");
     }
     panel.dataset.kind = kind;
-    panel.dataset.page = shown;
+    panel.dataset.page = shown.name;
     panel.dataset.language = language();
     panel.replaceChildren(...rows);
   };
@@ -120,7 +121,7 @@ export function keyboard(panel, resized) {
     if (field) {
       const { kind: built, language: spoken } = panel.dataset;
       if (panel.hidden || built !== kind || spoken !== language() || field !== before) {
-        build(kind, "letters");
+        build(kind, pages(language())[0]);
       }
       shift(field.value === "");
     }

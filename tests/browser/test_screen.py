@@ -411,6 +411,22 @@ def test_the_keys_have_digits_and_the_letters_of_the_language_and_of_others(play
     play(scenario, has_touch=True, address="&keyboard=on", tag={"language": "de"}.get)
 
 
+def test_japanese_is_typed_in_kana(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        stage.show(field(event="entered"))
+        typed = stage.component("name").locator("input")
+        await typed.tap()
+        # ゛, ゜ and 小 change the letter before; where there is no such letter it stays.
+        await tap_keys(stage, "し", "゛", "よ", "小", "ん", "゛")
+        await expect(typed).to_have_value("じょん")
+        await tap_keys(stage, "ほ", "゛", "゜", "Backspace", "か", "゛", "゛")
+        await expect(typed).to_have_value("じょんか")
+        await tap_keys(stage, "latin", "7", "kana", "え", "OK")
+        assert await stage.next() == Use("name", "じょんか7え")
+
+    play(scenario, has_touch=True, address="&keyboard=on", tag={"language": "ja"}.get)
+
+
 def test_a_number_has_the_decimal_mark_of_the_language(play: Any) -> None:
     async def scenario(stage: Any) -> None:
         stage.show(field("weight", kind="number", event="entered"))
@@ -472,20 +488,26 @@ def test_a_day_that_there_is_not_is_not_sent(play: Any) -> None:
 
 
 def test_keys_are_large_enough_for_a_finger(play: Any) -> None:
+    tags: dict[str, Any] = {}
+    kinds = [("text", lang) for lang in ("en", "de", "fr", "ja")]
+    kinds += [(kind, "ja") for kind in ("number", "date", "pin")]
+
     async def scenario(stage: Any) -> None:
-        kinds = ("text", "number", "date", "pin")
-        for kind in kinds:
-            stage.show(field(kind, kind=kind))
-            await stage.component(kind).locator("input").tap()
-            await expect(stage.page.locator("#keys")).to_have_attribute("data-kind", kind)
+        for kind, lang in kinds:
+            tags["language"] = lang
+            name = f"{kind}-{lang}"
+            stage.show(field(name, kind=kind))
+            await stage.component(name).locator("input").tap()
+            keys = stage.page.locator(f'#keys[data-kind="{kind}"][data-language="{lang}"]')
+            await expect(keys).to_be_visible()
             sizes = await stage.page.evaluate(
                 "[...document.querySelectorAll('#keys button')].map(one => "
                 "[one.offsetWidth, one.offsetHeight])"
             )
             # A centimetre on a screen of 10 inches.
-            assert all(width >= 56 and height >= 56 for width, height in sizes), (kind, sizes)
+            assert all(width >= 56 and height >= 56 for width, height in sizes), (name, sizes)
 
-    play(scenario, has_touch=True, address="&keyboard=on")
+    play(scenario, has_touch=True, address="&keyboard=on", tag=tags.get)
 
 
 def test_buttons_that_are_alike_are_written_alike(play: Any) -> None:
