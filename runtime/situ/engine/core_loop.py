@@ -5,10 +5,10 @@ Without asyncio, HTTP and all that carries out effects: small, and quick to star
 
 from __future__ import annotations
 
+import math
+import select
 import time
 from collections.abc import Callable
-
-import zmq
 
 from situ.blackboard.journal import DurableTags
 from situ.blackboard.protocol import Addresses
@@ -44,21 +44,20 @@ def run(
 
 
 def _serve(deciding: Deciding, waking: Waking, notifier: Notifier) -> None:
-    poller = zmq.Poller()
-    for descriptor in (waking.fileno(), *deciding.descriptors()):
-        poller.register(descriptor, zmq.POLLIN)
-    beat = time.monotonic() if notifier.beat is not None else None
+    awake = waking.fileno()
+    poll = select.poll()
+    for descriptor in (awake, *deciding.descriptors()):
+        poll.register(descriptor, select.POLLIN)
+    beat = None if notifier.beat is None else time.monotonic()
     while not waking.came:
         due = deciding.turn()
-        now = time.monotonic()
         if beat is not None and notifier.beat is not None:
-            if now >= beat:
+            if time.monotonic() >= beat:
                 notifier.tell(**{WATCHDOG: "1"})
-                beat = now + notifier.beat
+                beat = time.monotonic() + notifier.beat
             due = beat if due is None else min(due, beat)
-        # Never before it is due: what is asked too early is asked again and again.
-        left = None if due is None else max(0, int((due - now) * 1000) + 1)
-        if due is not None and due <= now:
-            left = 0
-        if poller.poll(left):
-            waking.take()
+        # Rounded up: what is asked before it is due is asked again and again.
+        left = None if due is None else max(0, math.ceil((due - time.monotonic()) * 1000))
+        for descriptor, _ in poll.poll(left):
+            if descriptor == awake:
+                waking.take()
