@@ -62,6 +62,16 @@ def test_what_is_said_can_be_read_from_the_first_speech_on_that_nobody_heard(
     asyncio.run(scenario())
 
 
+def test_a_screen_apart_from_the_voice_has_a_line_for_it_too(situation: Any) -> None:
+    async def scenario() -> None:
+        for voice, captions in ((EspeakNg(None), True), (EspeakNg("espeak-ng"), False)):
+            services = ("screen",)
+            async with situation.side(voice=voice, sound=True, services=services) as side:
+                assert side.performer.captions == captions
+
+    asyncio.run(scenario())
+
+
 # -- speech-dispatcher -------------------------------------------------------------
 
 

@@ -85,9 +85,10 @@ class Performer:
         self._make_adapter = adapter
         self._log = log or logging.getLogger("situ.engine")
         self._audible = audible() if sound is None else sound
-        self._captions = not self._audible if captions is None else captions
-        self._captioning = captions is None
         self._talks = voices.find("espeak-ng") if voice is None else voice
+        self._captioning = captions is None
+        silent = not self._audible or self._talks.missing is not None
+        self._captions = silent if captions is None else captions
         self._media = MediaFolder(project)
         self._timeout = timeout
         self._launcher = Launcher(state_dir, self._log)
