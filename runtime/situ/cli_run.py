@@ -92,7 +92,8 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--adapter",
         metavar="NAME",
-        help="what moves the robot: sim, pybullet, … (docs/adapters.md); the project's unless given",
+        help="what moves the robot: sim, pybullet, … (docs/adapters.md); the project's unless "
+        "given",
     )
     parser.add_argument("--state", type=Path, metavar="DIR", help="where the robot keeps its state")
     parser.add_argument(

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import pytest
 
-from situ.engine.secrets import ServiceSecret
+from situ.engine.secrets import Secrets, ServiceSecret
 
 
 @pytest.mark.parametrize(
@@ -42,3 +45,19 @@ def test_a_secret_belongs_to_its_host_port_and_path(pattern: str, url: str) -> N
 )
 def test_and_to_no_other(pattern: str, url: str) -> None:
     assert not ServiceSecret(pattern).fits(url)
+
+
+def test_the_page_shows_a_list_that_is_one(tmp_path: Path) -> None:
+    page = (Path(__file__).parents[2] / "docs" / "services.md").read_text("utf-8")
+    (listed,) = [
+        block
+        for block in re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
+        if block.startswith("[[service]]")
+    ]
+    file = tmp_path / "secrets.toml"
+    file.write_text(listed, "utf-8")
+    file.chmod(0o600)
+    secrets = Secrets(tmp_path)
+    assert secrets.web("https://weather.example/now").query.keys() == {"key"}
+    assert secrets.web("https://pager.example/send").headers.keys() == {"Content-Type"}
+    assert secrets.mqtt().ca == str(tmp_path / "ward-ca.pem")
