@@ -125,6 +125,11 @@ class FarBoard:
         self.reply(protocol.Outstanding, effects=effects, next=dict.fromkeys(SERVICES, 1))
         self.deliver()
 
+    def change(self, tag: str, value: Any, version: int) -> None:
+        notice = protocol.Change(tag=tag, value=value, version=version, writer="desk", time=0)
+        self.dialog.hear(protocol.notice(protocol.change_topic(tag), notice), self.now)
+        self.deliver()
+
     def give(self, service: str, number: int, does: Any) -> None:
         notice = protocol.Effect(service=service, number=number, does=does)
         self.dialog.hear(protocol.notice(protocol.effect_topic(service), notice), self.now)
@@ -134,6 +139,10 @@ class FarBoard:
     def deliver(self) -> None:
         while (item := self._effects.take()) is not None:
             self._callback(item)
+        for feed in self.dialog.following():
+            callback: Callable[[Any], None] | None = feed.callback
+            while callback is not None and (change := feed.take()) is not None:
+                callback(change)
 
     def go(self) -> None:
         """Nothing is heard of the core for a lease."""
@@ -279,3 +288,14 @@ def test_the_end_of_what_was_never_given_is_passed_over(far: Far) -> None:
     far.board.said.clear()
     far.recorder.submit(inputs.Finish(id=6))
     assert [one for one in far.board.said if isinstance(one, protocol.Finish)] == []
+
+
+def test_a_screen_whose_engine_is_elsewhere_tells_what_is_being_said(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(ServicesApart, "_addresses", lambda self: Addresses("", ""))
+    far = Far("screen")
+    far.board.come()
+    far.board.change("robot/speech", HELLO, 1)
+    far.board.change("robot/speech", None, 2)
+    assert far.recorder.take() == [("caption", HELLO), ("caption", None)]
