@@ -189,6 +189,23 @@ def test_what_comes_in_is_an_event_or_a_tag(broker: Broker) -> None:
     asyncio.run(scenario())
 
 
+def test_a_message_that_two_filters_fit_does_what_each_says_once(broker: Broker) -> None:
+    asked = {"ward/+": "event:some", "ward/#": "event:all", "ward/7": "tag:seven"}
+
+    async def scenario() -> None:
+        async with joined(broker, asked) as (_, robot, client):
+            await client.publish("ward/7", b"1", qos=1)
+            await client.publish("ward/8/x", b"2", qos=1)
+            assert await given(robot, client, 4) == [
+                Raise("some"),
+                Raise("all"),
+                Set({"seven": 1}, "mqtt"),
+                Raise("all"),
+            ]
+
+    asyncio.run(scenario())
+
+
 def test_what_the_broker_keeps_is_a_tags_value_but_no_event(broker: Broker) -> None:
     async def scenario() -> None:
         async with broker.client() as client:
