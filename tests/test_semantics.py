@@ -10,7 +10,7 @@ import pytest
 
 TESTS = Path(__file__).parent
 PAGE = TESTS.parent / "docs" / "semantics.md"
-FOLDERS = ("blackboard", "decide", "document", "engine", "faults", "rehearse")
+FOLDERS = ("blackboard", "browser", "decide", "document", "engine", "faults", "rehearse")
 FILES = sorted(file for folder in FOLDERS for file in TESTS.glob(f"{folder}/test_*.py"))
 CITED = set(
     re.findall(rf"`((?:{'|'.join(FOLDERS)})/\w+\.py::\w+)`", PAGE.read_text(encoding="utf-8"))
