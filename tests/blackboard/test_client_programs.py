@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import select
 import signal
 import subprocess
@@ -89,25 +90,30 @@ def test_ctrl_c_ends_a_program_that_waits_and_its_name_is_free(running: Any) -> 
     assert is_free(running.endpoint, "chase")
 
 
-@pytest.mark.parametrize("knows", [True, False], ids=["it knows", "it does not know yet"])
-def test_ctrl_c_ends_a_program_while_the_robot_is_away(
-    run_lab: Callable[..., Any], knows: bool
+def test_ctrl_c_ends_a_program_whether_or_not_it_knows_that_the_robot_is_away(
+    run_lab: Callable[..., Any],
 ) -> None:
     core = run_lab()
-    command = [sys.executable, "-c", WAITING, core.endpoint]
-    pipe = subprocess.PIPE
-    with (
-        subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True) as program,
-        situ.connect(core.endpoint, timeout=DEADLINE) as board,
-    ):
-        assert program.stdout is not None
-        assert program.stdout.readline() == "waits\n"
-        board.set("face.visible", "wait for authority")
-        assert program.stdout.readline() == "held True\n"
-        core.kill()
-        if knows:
-            assert program.stdout.readline() == "away True\n"
-        assert interrupt(program).endswith("KeyboardInterrupt\n")
+    with contextlib.ExitStack() as programs:
+
+        def start(module: str, resource: str) -> subprocess.Popen[str]:
+            code = WAITING.replace("chase", module).replace("head", resource)
+            command = [sys.executable, "-c", code, core.endpoint]
+            pipe = subprocess.PIPE
+            return programs.enter_context(
+                subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True)
+            )
+
+        started = start("chase", "head"), start("carry", "base")
+        said = [program.stdout for program in started if program.stdout is not None]
+        assert [out.readline() for out in said] == ["waits\n"] * 2
+        with situ.connect(core.endpoint, timeout=DEADLINE) as board:
+            board.set("face.visible", "wait for authority")
+            assert [out.readline() for out in said] == ["held True\n"] * 2
+            core.kill()
+        assert interrupt(started[0]).endswith("KeyboardInterrupt\n")
+        assert said[1].readline() == "away True\n"
+        assert interrupt(started[1]).endswith("KeyboardInterrupt\n")
 
 
 FORK = """
