@@ -205,7 +205,8 @@ def test_a_project_with_errors_is_not_run(
 def test_a_port_that_is_taken_is_told(
     running: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    command = ["run", str(LAB), "--no-restart", "--state", str(tmp_path), "--endpoint", running.endpoint]
+    command = ["run", str(LAB), "--no-restart", "--state", str(tmp_path)]
+    command += ["--endpoint", running.endpoint]
     assert cli.main(command) == 2
     error = capsys.readouterr().err
     assert "give another address or port 0" in error
