@@ -33,6 +33,7 @@ GROUPS = (
     "cli_simulate",
     "cli_test",
     "cli_why",
+    "cli_replay",
     "cli_run",
     "cli_board",
     "cli_keys",

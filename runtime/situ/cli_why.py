@@ -21,7 +21,10 @@ def add(commands: Any) -> None:
         "needs the project. With --script the scenario is played anew, and no trace is needed.",
     )
     parser.add_argument(
-        "trace", metavar="TRACE", nargs="?", help="a trace of situ simulate or situ trace (.jsonl)"
+        "trace",
+        metavar="TRACE",
+        nargs="?",
+        help="a trace of situ simulate or situ trace (.jsonl), or a recording (.mcap)",
     )
     parser.add_argument("seq", metavar="SEQ", nargs="?", help="the number of an event")
     parser.add_argument("--project", metavar="P", help="the project that ran")

@@ -28,6 +28,9 @@ SECOND = 1_000_000
 Heard = Callable[[list[trace.TraceEvent], float], None]
 """Is told each step's trace events, with the UNIX time."""
 
+Taken = Callable[[int, inputs.AnyInput | None, list[trace.TraceEvent], float], None]
+"""Is told each step: the robot's time in µs, its input, its trace events, the UNIX time."""
+
 
 class Decider(Protocol):
     """The part of ``situ.decide.robot.Robot`` that sessions need."""
@@ -93,7 +96,8 @@ class Core:
     tracing: how many follow the trace. performing: how many carry out each service elsewhere;
     effects: how many effects each service was given, by whomever it is carried out. asking: what
     modules are asked; patience: seconds that they have to answer. heard: as ``Heard``, None:
-    nobody is told. remembers: whether what happens is put into ``Outgoing.past``.
+    nobody is told; taken: as ``Taken``. remembers: whether what happens is put into
+    ``Outgoing.past``.
     """
 
     def __init__(
@@ -122,6 +126,7 @@ class Core:
         self.now = 0
         self.epoch = epoch
         self.heard = heard
+        self.taken: Taken | None = None
         self.remembers = False
         self._robot = robot
         self._durability = durability
@@ -157,6 +162,8 @@ class Core:
         events, effects = self._robot.step(given, self.moment)
         if events:
             self._traced(events)
+        if self.taken is not None:
+            self.taken(self.moment, given, events, self.epoch + self.now / SECOND)
         refused = None
         out = self._out
         if self.remembers:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import logging
 import time
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
 import zmq
@@ -31,9 +31,11 @@ from situ.decide.effects import Begin, Changed
 from situ.decide.priorities import RUNTIME
 from situ.decide.robot import Robot
 from situ.decide.step import SECOND
+from situ.decide.trace import TraceEvent
 from situ.document.project import Project
 from situ.engine.clock import time_of_day
-from situ.engine.recovery import Recovery
+from situ.engine.record import Recorder, Run
+from situ.engine.recovery import Kept, Recovery
 
 _log = logging.getLogger("situ.run")
 
@@ -70,6 +72,7 @@ class Deciding:
         keys: RobotKeys | None = None,
         insecure: bool = False,
         patience: float = PATIENCE,
+        recorders: Sequence[Recorder] = (),
     ) -> None:
         self._project = project
         self._bind = endpoint, notify
@@ -87,6 +90,7 @@ class Deciding:
         self._keys = keys
         self._insecure = insecure
         self._patience = patience
+        self._recorders = recorders
         self._carry: Callable[[Carried], None] = _nobody
         self._started = 0.0
         # When the time of day is to be looked at.
@@ -128,6 +132,8 @@ class Deciding:
         self._stopping = True
         self._core.end()
         self._flush()
+        for recorder in self._recorders:
+            recorder.close()
         if self._recovery is not None and forget:
             self._recovery.forget()
 
@@ -142,6 +148,7 @@ class Deciding:
         self._started = self._clock()
         self._make_core(project, addresses, 0)
         self._core.heard = self._heard
+        self._record(project, None)
         self._sessions.start(
             self._seed,
             self._auto_finish,
@@ -160,6 +167,8 @@ class Deciding:
             self._make_core(project, addresses, kept.seq)
             self._core.backlog.restore(self._recovery.trace(kept))
             self._robot.restore(kept.robot)
+            # What is done again may not have been recorded yet when the process died.
+            self._record(project, kept)
             self._sessions.restore(kept.sessions, past, self._now())
             behind = self._durable.behind(self._robot.board.state) if self._durable else []
             self._core.heard = self._heard
@@ -217,6 +226,14 @@ class Deciding:
     def turn(self) -> float | None:
         """Takes what has come and does what has fallen due, with what follows; when it is to be
         called next at the latest, by the clock. None: not before something comes."""
+        due = self._work()
+        for recorder in self._recorders:
+            then = recorder.tend(self._clock())
+            if then is not None:
+                due = then if due is None else min(due, then)
+        return due
+
+    def _work(self) -> float | None:
         if self._server.drain(self._received, self._flush):
             # Others must have their turn.
             return self._clock()
@@ -225,10 +242,10 @@ class Deciding:
             # Who has sent something by now is not taken for dead: it is drained.
             self._sessions.advance(self._now())
             self._flush()
-            return self.turn()
+            return self._work()
         if self._minute is not None and self._clock() >= self._minute:
             self._keep_clock()
-            return self.turn()
+            return self._work()
         if due is None:
             return self._minute
         # It may ring a little early by the clock's reckoning; never by ours.
@@ -314,6 +331,23 @@ class Deciding:
     def _was_kept(self, held: list[Held], why: str | None) -> None:
         replies = [(one.peer, one.reply if why is None else one.no(why)) for one in held]
         self._server.send(replies, ())
+
+    def _record(self, project: Project, kept: Kept | None) -> None:
+        """Every step from here on is recorded; kept: where a robot that was killed goes on."""
+        if not self._recorders:
+            return
+        runtime = self._sessions.runtime if kept is None else kept.sessions.runtime
+        run = Run(runtime, project)
+        state = None if kept is None else kept.robot
+        for recorder in self._recorders:
+            recorder.begin(run, self._robot, self._wall(), state=state)
+        self._core.taken = self._taken
+
+    def _taken(
+        self, us: int, given: inputs.AnyInput | None, events: list[TraceEvent], moment: float
+    ) -> None:
+        for recorder in self._recorders:
+            recorder.step(us, given, events, moment)
 
     # -- the time of day -----------------------------------------------------
 

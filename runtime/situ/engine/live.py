@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import time
-from collections.abc import Callable, Collection, Coroutine
+from collections.abc import Callable, Collection, Coroutine, Sequence
 from typing import Any, Protocol
 
 from msgspec.structs import replace
@@ -20,6 +20,7 @@ from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.document.project import Project
 from situ.engine.deciding import Deciding
+from situ.engine.record import Recorder
 from situ.engine.recovery import Recovery
 
 CLOSING = 2.0
@@ -79,6 +80,8 @@ class Live:
     durable: keeps durable tags; ``stop`` closes it. recovery: keeps what is needed to go on
     after the process was killed; where it has found such a run, this one goes on from there
     (docs/architecture.md, *How the core comes back*). Both only where nothing is scripted.
+
+    recorders: record every step; ``stop`` ends them.
     """
 
     def __init__(
@@ -101,6 +104,7 @@ class Live:
         insecure: bool = False,
         broker: Callable[[Submit], Broker] | None = None,
         patience: float = PATIENCE,
+        recorders: Sequence[Recorder] = (),
     ) -> None:
         self._loop: asyncio.AbstractEventLoop
         self._deciding = Deciding(
@@ -121,6 +125,7 @@ class Live:
             keys=keys,
             insecure=insecure,
             patience=patience,
+            recorders=recorders,
         )
         self._make = performer
         self._durable = durable

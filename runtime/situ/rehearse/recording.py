@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from situ.decide.trace import TraceEvent, to_fields
 from situ.decide.world import untraced
 from situ.document.project import Project
 from situ.errors import UsageError
+from situ.rehearse import recorded
 from situ.rehearse.expect import Expectations
 from situ.rehearse.scenario import Line
 from situ.rehearse.simulate import simulate
@@ -107,13 +109,20 @@ def record(
 
 
 def read_trace(path: str | Path) -> list[Fields]:
-    """The events of a trace of JSON lines. UsageError where it cannot be read or is no trace."""
+    """The events of a trace of JSON lines, or of a recording (MCAP).
+
+    UsageError where it cannot be read or is no trace.
+    """
     try:
         data = Path(path).read_bytes()
     except (OSError, ValueError) as error:
         raise UsageError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
     events: list[Fields] = []
-    for number, line in enumerate(data.split(b"\n"), 1):
+    lines: Iterable[bytes] = data.split(b"\n")
+    if recorded.is_recording(data):
+        found = recorded.pieces(BytesIO(data), str(path))
+        lines = (piece.text for piece in found if isinstance(piece, recorded.Line))
+    for number, line in enumerate(lines, 1):
         if not line.strip():
             continue
         try:

@@ -1,0 +1,365 @@
+"""Recordings of a running robot: MCAP files, each to be looked at and decided again by itself.
+
+``situ.rehearse.recorded`` says what is in them. A recording costs the robot little and never stops
+it: what can not be written ends the recording, with a line in the log.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import logging
+import math
+import os
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+import msgspec
+from msgspec import Struct
+
+import situ
+from situ.blackboard.backlog import stamped
+from situ.decide.inputs import AnyInput
+from situ.decide.step import SECOND
+from situ.decide.trace import TraceEvent
+from situ.document.project import Project
+from situ.errors import UsageError
+
+if TYPE_CHECKING:
+    from situ.rehearse.recorded import Heading
+
+FLUSH = 1.0
+"""Seconds after which what was recorded is handed to the system."""
+MANY = 64
+"""Messages that are put into the file at once, so that no step waits for many."""
+CHUNK = 256 * 1024
+
+RING = "ring"
+SPAN = 300.0
+"""Seconds that a file of the ring lasts at the most."""
+SIZE = 4_000_000
+"""Bytes that it grows at the most, what heads it not counted."""
+FILES = 16
+"""Files of the ring; the oldest goes when there is one more."""
+RING_BYTES = 64_000_000
+"""The same for what all of them take."""
+
+_log = logging.getLogger("situ.run")
+
+
+class Snapshots(Protocol):
+    """The part of ``situ.decide.robot.Robot`` that a recording needs."""
+
+    def snapshot(self) -> bytes: ...
+
+
+class Run(Struct, frozen=True):
+    """What is recorded. project: as it runs."""
+
+    runtime: str
+    project: Project
+
+    @property
+    def heading(self) -> Heading:
+        from situ.rehearse.recorded import Heading
+
+        project = self.project
+        return Heading(
+            self.runtime,
+            situ.__version__,
+            project.name,
+            _main(project),
+            project.tags,
+            project.private,
+        )
+
+
+class Recorder:
+    """Writes every step, from ``begin`` on, into the first of ``files`` that can be made, then,
+    where it is to be divided, into the next ones, each with the robot's state before it.
+
+    What was taken is in the system's hands ``FLUSH`` seconds later; so ``tend`` must be called
+    when it says, by a clock in seconds that is not the robot's.
+
+    documents: path to text of the project's files.
+    """
+
+    def __init__(self, files: Files, documents: Mapping[str, str]) -> None:
+        self.torn: OSError | None = None
+        self._files = files
+        self._documents = documents
+        self._run: Run | None = None
+        self._robot: Snapshots
+        self._state: bytes | None = None
+        self._waiting: list[tuple[str, float, bytes]] = []
+        self._file: McapFile | None = None
+        self._flush_at: float | None = None
+        self._since = 0.0
+        self._wanted = False
+
+    def begin(
+        self, run: Run, robot: Snapshots, moment: float, *, state: bytes | None = None
+    ) -> None:
+        """From here on. moment: UNIX time. state: the snapshot of a robot that has run before;
+        None: ``Start`` comes first."""
+        self._run, self._robot = run, robot
+        self._waiting = [] if state is None else [("/snapshot", moment, state)]
+        self._wanted = True
+
+    def step(
+        self, us: int, given: AnyInput | None, events: list[TraceEvent], moment: float
+    ) -> None:
+        """One step that was taken. us: the robot's time; moment: UNIX time."""
+        if not self._wanted:
+            return
+        body = _encode({"us": us, "t": us / SECOND, "given": given})
+        self._waiting.append(("/inputs", moment, body))
+        self._waiting += [("/trace", moment, stamped(event, moment)) for event in events]
+
+    def tend(self, now: float) -> float | None:
+        """Writes what is to be written by ``now``; when to call it again, None: after a step."""
+        if not self._waiting and self._flush_at is None:
+            return None
+        if self._flush_at is None:
+            self._flush_at = now + FLUSH
+        try:
+            if now >= self._flush_at:
+                self._flush(now)
+            elif len(self._waiting) >= MANY:
+                self._put(now)
+        except OSError as error:
+            self._tear(error, now)
+        return self._flush_at
+
+    def close(self) -> None:
+        """Ends the file."""
+        try:
+            self._put(self._since)
+            if self._file is not None:
+                self._file.finish()
+        except OSError as error:
+            self._tear(error, math.inf)
+        self._wanted = False
+        self._file = None
+
+    def _flush(self, now: float) -> None:
+        self._flush_at = None
+        self._put(now)
+        if self._file is None:
+            return
+        self._file.flush()
+        if now - self._since >= self._files.span or self._file.grown >= self._files.size:
+            self._file.finish()
+            self._file = None
+            self._state = self._robot.snapshot()
+
+    def _put(self, now: float) -> None:
+        if not self._waiting:
+            return
+        assert self._run is not None
+        if self._file is None:
+            self._file = McapFile(self._files.open(), self._run.heading, self._documents)
+            self._since = now
+            if self._state is not None:
+                self._file.add("/snapshot", self._waiting[0][1], self._state)
+        for topic, moment, body in self._waiting:
+            self._file.add(topic, moment, body)
+        self._waiting.clear()
+
+    def _tear(self, error: OSError, now: float) -> None:
+        self.torn = error
+        self._waiting.clear()
+        self._flush_at = None
+        if self._file is not None:
+            self._file.give_up()
+        self._file = None
+        self._wanted = False
+        _log.error("%s: %s; the recording ends here", self._files.name, error.strerror or error)
+
+
+class Files(Protocol):
+    """Where a recording goes. span, size: of one file, in seconds and bytes."""
+
+    name: str
+    span: float
+    size: float
+
+    def open(self) -> int:
+        """A new file to write into. Raises OSError."""
+
+
+class OneFile:
+    """The file that the user named; made at once. Raises UsageError where it can not be.
+
+    A robot that ``goes_on`` after it was killed leaves alone what it has recorded before: it takes
+    ``NAME-2.mcap``, ``NAME-3.mcap``, …
+    """
+
+    span = size = math.inf
+
+    def __init__(self, path: Path, *, goes_on: bool = False) -> None:
+        self.name = str(path)
+        names: Iterable[Path] = [path]
+        if goes_on and path.exists():
+            names = (path.with_stem(f"{path.stem}-{n}") for n in itertools.count(2))
+        for name in names:
+            try:
+                flags = os.O_EXCL if goes_on else os.O_TRUNC
+                self._file = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_CLOEXEC | flags, 0o600)
+            except FileExistsError:
+                continue
+            except OSError as error:
+                raise UsageError(f"{name}: {error.strerror or error}") from None
+            self.name = str(name)
+            return
+
+    def open(self) -> int:
+        return self._file
+
+
+class RingFiles:
+    """The last minutes of a robot: numbered files in a folder, of which the oldest go."""
+
+    span, size = SPAN, float(SIZE)
+
+    def __init__(self, folder: Path) -> None:
+        self.name = str(folder)
+        self._folder = folder
+
+    def open(self) -> int:
+        self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        found = self.found()
+        number = int(found[-1].stem) + 1 if found else 1
+        sizes = [file.stat().st_size for file in found]
+        while found and (len(found) >= FILES or sum(sizes) > RING_BYTES - SIZE):
+            found.pop(0).unlink(missing_ok=True)
+            sizes.pop(0)
+        file = self._folder / f"{number:08}.mcap"
+        return os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600)
+
+    def found(self) -> list[Path]:
+        """Those that there are, the oldest first."""
+        return sorted(file for file in self._folder.glob("*.mcap") if file.stem.isdecimal())
+
+
+class McapFile:
+    """One MCAP file, into a descriptor that it closes. Every call may raise OSError.
+
+    grown: bytes written after what heads it. ``flush`` makes whole all that was added;
+    ``finish`` ends it with its index; ``give_up`` leaves what is whole.
+    """
+
+    def __init__(self, file: int, heading: Heading, documents: Mapping[str, str]) -> None:
+        from mcap.writer import Writer
+
+        from situ.rehearse import recorded
+
+        self._out = _Out(file)
+        self._counts = dict.fromkeys((recorded.TRACE, recorded.INPUTS, recorded.SNAPSHOT), 0)
+        writer: Any = Writer(self._out, chunk_size=CHUNK)  # type: ignore[arg-type]
+        self._writer = writer
+        writer.start(profile="situ", library=f"situ {situ.__version__}")
+        writer.add_metadata(recorded.NAME, {"heading": _encode(heading).decode(), **_said(heading)})
+        for path, text in documents.items():
+            writer.add_attachment(0, 0, path, _media_type(path), text.encode())
+        schemas = {
+            recorded.TRACE: ("situ.Trace", recorded.trace_schema()),
+            recorded.INPUTS: ("situ.Input", recorded.inputs_schema()),
+            recorded.SNAPSHOT: ("situ.Snapshot", b'{"type":"object"}'),
+        }
+        self._channels = {
+            topic: writer.register_channel(
+                topic, "json", writer.register_schema(name, "jsonschema", schema)
+            )
+            for topic, (name, schema) in schemas.items()
+        }
+        self._head = self._out.tell()
+
+    @property
+    def grown(self) -> int:
+        return self._out.tell() - self._head
+
+    def add(self, topic: str, moment: float, body: bytes) -> None:
+        """A message; moment: UNIX time in s."""
+        self._counts[topic] += 1
+        at = max(0, int(moment * 1e9))
+        self._writer.add_message(self._channels[topic], at, body, at, self._counts[topic])
+
+    def flush(self) -> None:
+        self._writer.flush()
+
+    def finish(self) -> None:
+        self._writer.finish()
+        self._out.flush()
+        self._out.close()
+
+    def give_up(self) -> None:
+        self._out.close()
+
+
+class _Out:
+    """What mcap writes to: handed to the system by ``flush``, all of it or nothing."""
+
+    def __init__(self, file: int) -> None:
+        self._file = file
+        self._buffer = bytearray()
+        self._whole = 0
+
+    def write(self, data: bytes) -> int:
+        self._buffer += data
+        return len(data)
+
+    def tell(self) -> int:
+        return self._whole + len(self._buffer)
+
+    def flush(self) -> None:
+        left = bytes(self._buffer)
+        try:
+            while left:
+                left = left[os.write(self._file, left) :]
+        except OSError:
+            with contextlib.suppress(OSError):
+                os.ftruncate(self._file, self._whole)
+            raise
+        self._whole += len(self._buffer)
+        self._buffer.clear()
+
+    def close(self) -> None:
+        os.close(self._file)
+
+
+def recorded_files(project: Project) -> dict[str, str]:
+    """The documents that a recording holds, as they lie there, by their paths."""
+    paths = [*project.applications, *project.parts, project.spds_file, project.modules_file]
+    paths += [f"texts/{language}.po" for language in project.texts]
+    if project.toml is not None:
+        paths.append(project.toml)
+    root = Path(project.root)
+    return {path: (root / path).read_text("utf-8") for path in paths if path is not None}
+
+
+def _main(project: Project) -> str:
+    """The file that the project is read from."""
+    if project.toml is not None:
+        return project.toml
+    return next(iter(project.applications), project.spds_file or project.modules_file or "")
+
+
+def _said(heading: Heading) -> dict[str, str]:
+    """The heading for people."""
+    masked = "yes: it can not be replayed" if heading.masked else "no"
+    return {
+        "runtime": heading.runtime,
+        "version": heading.version,
+        "project": heading.project,
+        "masked": masked,
+    }
+
+
+def _media_type(path: str) -> str:
+    kinds = {".xml": "application/xml", ".toml": "application/toml"}
+    return kinds.get(Path(path).suffix, "text/plain")
+
+
+_encode = msgspec.json.Encoder().encode
