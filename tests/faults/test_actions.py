@@ -35,7 +35,7 @@ APPLICATION = """<application name="desk" start="idle">
     <event name="cuff" next="6"/><event name="file" next="7"/>
   </expectedevents></state>
   <state no="1"><backgroundactions>
-    <service name="silent" url="http://127.0.0.1:{port}/" failed="bad"/>
+    <service name="silent" url="http://127.0.0.1:1/" failed="bad"/>
   </backgroundactions><expectedevents><event name="bad" next="bad"/></expectedevents></state>
   <state no="2"><backgroundactions>
     <service name="silent" url="board:silent/answer" failed="bad"/>
@@ -59,16 +59,23 @@ APPLICATION = """<application name="desk" start="idle">
 </application>"""
 
 
+def desk(folder: Path) -> Path:
+    """The project, with its media."""
+    (folder / "situ.toml").write_text(PROJECT + 'media = "media"\n', "utf-8")
+    (folder / "desk.rbd.xml").write_text(APPLICATION, "utf-8")
+    (folder / "media").mkdir()
+    (folder / "media" / "quiz.json").write_text('[{"q": "Who?"}]', "utf-8")
+    return folder
+
+
 @pytest.fixture(scope="module")
 def robot(make_runtime: Callable[[Path], Runtime], tmp_path_factory: Any) -> Iterator[Runtime]:
     """A robot that can be heard, without an engine to speak; a web service that is silent."""
-    folder = tmp_path_factory.mktemp("desk")
+    folder = desk(tmp_path_factory.mktemp("desk"))
     with socket.create_server(("127.0.0.1", 0)) as silent:
         port = silent.getsockname()[1]
-        (folder / "situ.toml").write_text(PROJECT + 'media = "media"\n', "utf-8")
-        (folder / "desk.rbd.xml").write_text(APPLICATION.replace("{port}", str(port)), "utf-8")
-        (folder / "media").mkdir()
-        (folder / "media" / "quiz.json").write_text('[{"q": "Who?"}]', "utf-8")
+        written = folder / "desk.rbd.xml"
+        written.write_text(APPLICATION.replace(":1/", f":{port}/"), "utf-8")
         made = make_runtime(folder)
         with pytest.MonkeyPatch.context() as patch:
             patch.setenv("PATH", str(folder / "none"))
@@ -143,6 +150,34 @@ def test_a_module_answers_over_real_sockets(board: Board, robot: Runtime) -> Non
 def test_a_file_of_the_project_is_read_by_a_real_robot(board: Board) -> None:
     assert end(board, "file")[0] == "good"
     assert board.get("quiz") == "Who?"
+
+
+def test_a_module_answers_a_core_that_was_killed_meanwhile(
+    make_runtime: Callable[[Path], Runtime], tmp_path: Path
+) -> None:
+    robot = make_runtime(desk(tmp_path))
+    robot.start()
+    with (
+        situ.connect(robot.endpoint, "cuff", timeout=DEADLINE) as cuff,
+        situ.connect(robot.endpoint, timeout=DEADLINE) as board,
+        cuff.requests("measure") as requests,
+        board.watch("application/desk") as where,
+    ):
+        board.publish("cuff")
+        request = requests.next(DEADLINE)
+        assert request is not None
+        robot.kill()
+        request.answer({"systolic": 121})
+        robot.start()
+        states: list[str] = []
+        while states[-1:] != ["good"]:
+            change = where.next(DEADLINE)
+            assert change is not None, states
+            states.append(change.value["state"])
+        assert board.get("bp") == 121
+        # It was asked once.
+        assert requests.next(0) is None
+    assert robot.stop() == 0
 
 
 # -- programs ----------------------------------------------------------------
