@@ -136,7 +136,12 @@ class Running:
         out = self.process.stdout
         self._reader = threading.Thread(target=lambda: said.put(out.readline()))
         self._reader.start()
-        ready = json.loads(said.get(timeout=DEADLINE))
+        try:
+            ready = json.loads(said.get(timeout=DEADLINE))
+        except (queue.Empty, ValueError):
+            # Nobody else knows of it yet, so nobody else would end it.
+            self.kill()
+            raise
         self.endpoint: str = ready["requests"]
         self.notifications: str = ready["notifications"]
         self.http: str | None = ready["http"]
