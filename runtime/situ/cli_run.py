@@ -6,35 +6,26 @@ import argparse
 import contextlib
 import logging
 import math
-import os
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from situ.blackboard.services import PATIENCE, SERVICES
 
 if TYPE_CHECKING:
-    from asyncio import AbstractEventLoop
-    from collections.abc import Mapping
-
     from situ.blackboard.client import AsyncBoard
     from situ.blackboard.journal import DurableTags
     from situ.blackboard.keys import RobotKeys
     from situ.document.project import Project
     from situ.engine.live import Live
-    from situ.engine.notify import Notifier
+    from situ.engine.readiness import Readiness
     from situ.engine.record import Recorder
     from situ.engine.recovery import Recovery
     from situ.engine.script import Script
     from situ.engine.trace_out import TraceOut
 
 _log = logging.getLogger("situ.run")
-
-HANDED_ON = (
-    *("endpoint", "notify", "http", "keys", "insecure", "services", "adapter", "state", "sync"),
-    *("fresh", "trace", "record", "seed", "speech", "patience", "log_level"),
-)
-"""The options that mean something to the processes that are started."""
 
 
 def add(commands: Any) -> None:
@@ -156,18 +147,21 @@ def add(commands: Any) -> None:
 
 def run(args: argparse.Namespace) -> int:
     if args.script is None and not (args.no_restart or args.supervised):
-        return _keep_running(args)
+        from situ.engine.again import keep_running
+
+        return keep_running(vars(args))
     from msgspec.structs import replace
 
     from situ.document.ready import load_ready
-    from situ.engine.notify import Notifier
+    from situ.engine.readiness import Readiness
     from situ.errors import UsageError
     from situ.rehearse import scenario
 
     if args.apart:
         raise UsageError("--apart goes neither with --script nor with --no-restart")
-    args.notifier = Notifier(os.environ)
-    args.parent = os.getppid()
+    args.readiness = Readiness(
+        supervised=args.supervised, as_json=args.json, aside=args.trace == "-"
+    )
     project = load_ready(args.project)
     if args.adapter is not None:
         project = replace(project, adapter=args.adapter)
@@ -256,6 +250,7 @@ def _run_core(args: argparse.Namespace, project: Project, out: Any, kept: Kept) 
     from situ.engine.trace_out import TraceOut
     from situ.engine.waking import Waking
 
+    readiness: Readiness = args.readiness
     endpoint = project.endpoint if args.endpoint is None else args.endpoint
     with Waking(signal.SIGINT, signal.SIGTERM) as waking:
         trace = None
@@ -280,17 +275,12 @@ def _run_core(args: argparse.Namespace, project: Project, out: Any, kept: Kept) 
         core_loop.run(
             deciding,
             waking,
-            args.notifier,
+            readiness.notifier,
             kept.durable,
-            lambda addresses: _up(args, _ready_line(project.name, addresses)),
-            lambda: _is_the_end(args),
+            partial(readiness.up, project.name),
+            readiness.is_the_end,
         )
     return _status(args, kept, trace)
-
-
-def _is_the_end(args: argparse.Namespace) -> bool:
-    """Whether the next start begins anew: not where who would start it again was killed."""
-    return not args.supervised or os.getppid() == int(args.parent)
 
 
 async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any, kept: Kept) -> int:
@@ -374,9 +364,8 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
     )
     addresses = await live.start()
     try:
-        # Standard output is the trace's where it was asked for there.
-        _up(args, _ready_line(project.name, addresses))
-        _beat(loop, args.notifier)
+        args.readiness.up(project.name, addresses)
+        args.readiness.beat(loop)
         if script is None:
             await stopped.wait()
             return _status(args, kept, trace)
@@ -393,7 +382,7 @@ async def _run(args: argparse.Namespace, project: Project, lines: Any, out: Any,
                 return 1
             await play
     finally:
-        await live.stop(forget=_is_the_end(args))
+        await live.stop(forget=args.readiness.is_the_end())
     for failure in script.verdict.failures:
         print(f"{args.script}: {failure}", file=sys.stderr)
     if script.verdict.failures:
@@ -450,7 +439,7 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
     door = robot.door if robot is not None else door_to(keys.robot) if keys is not None else None
     apart = ServicesApart(board, args.services, performer, door)
     # However long the core lets itself be waited for: this is no hanging.
-    _beat(loop, args.notifier)
+    args.readiness.beat(loop)
     start = asyncio.create_task(apart.start())
     stop = asyncio.create_task(stopped.wait())
     await asyncio.wait({start, stop}, return_when=asyncio.FIRST_COMPLETED)
@@ -459,7 +448,7 @@ async def _serve(args: argparse.Namespace, project: Project) -> int:
         await asyncio.gather(start, return_exceptions=True)
         return 0
     try:
-        _up(args, _ready_line(project.name, await start))
+        args.readiness.up(project.name, await start)
         await stop
     finally:
         stop.cancel()
@@ -490,91 +479,6 @@ def _keys(args: argparse.Namespace, project: Project) -> RobotKeys | None:
 async def _play(script: Script, live: Live, board: AsyncBoard, clients: int) -> None:
     await live.clients(clients)
     await script.play(live, board)
-
-
-def _ready_line(name: str, addresses: Any) -> str:
-    """What is said with ``--json`` when all is ready."""
-    import msgspec
-
-    return msgspec.json.encode({"project": name, **msgspec.to_builtins(addresses)}).decode()
-
-
-def _up(args: argparse.Namespace, line: str) -> None:
-    """All is ready: tells who waits for it."""
-    from situ.engine.notify import ADDRESSES, READY
-
-    if args.supervised:
-        args.notifier.tell(**{READY: "1", ADDRESSES: line})
-        return
-    _say_ready(args, line)
-    args.notifier.tell(**{READY: "1"})
-
-
-def _say_ready(args: argparse.Namespace, line: str) -> None:
-    if not args.json:
-        import msgspec
-
-        said = msgspec.json.decode(line)
-        screen = f" screen {said['http']}" if said["http"] is not None else ""
-        line = f"situ run: {said['project']} ready at {said['requests']}{screen}"
-    # Standard output is the trace's where it was asked for there.
-    print(line, file=sys.stderr if args.trace == "-" else sys.stdout, flush=True)
-
-
-def _beat(loop: AbstractEventLoop, notifier: Notifier) -> None:
-    """Says that we live, from now on, where somebody wants to know."""
-    from situ.engine.notify import WATCHDOG
-
-    if notifier.beat is not None:
-        notifier.tell(**{WATCHDOG: "1"})
-        loop.call_later(notifier.beat, _beat, loop, notifier)
-
-
-def _keep_running(args: argparse.Namespace) -> int:
-    """Runs all in processes that are started again when they die."""
-    import msgspec
-
-    from situ.engine.parts import supervise
-
-    parts = args.services if args.apart else args.services[:1]
-    begun: set[str] = set()
-
-    def command(part: str, fresh: bool, told: Mapping[str, str]) -> list[str]:
-        known = {name: msgspec.json.decode(line) for name, line in told.items()}
-        services = part if args.apart else ",".join(args.services)
-        given = dict(
-            vars(args), services=services, fresh=fresh or (args.fresh and part not in begun)
-        )
-        begun.add(part)
-        if core := known.get(parts[0]):
-            given["endpoint"] = core["requests"]
-            if part == parts[0]:
-                given["notify"] = core["notifications"]
-        if part in known and known[part]["http"] is not None:
-            # Pages that are open find the screen where it was.
-            given["http"] = known[part]["http"].partition("//")[2].partition("/")[0]
-        return _arguments(given)
-
-    def ready(told: Mapping[str, str]) -> None:
-        lines = [msgspec.json.decode(line) for line in told.values()]
-        http = next((line["http"] for line in lines if line["http"] is not None), None)
-        _say_ready(args, msgspec.json.encode({**lines[0], "http": http}).decode())
-
-    return supervise(parts, command, ready)
-
-
-def _arguments(given: Mapping[str, Any]) -> list[str]:
-    """The command line of one supervised process."""
-    arguments = ["run", given["project"], "--supervised"]
-    for name in HANDED_ON:
-        value = given.get(name)
-        option = f"--{name.replace('_', '-')}"
-        if value is True:
-            arguments.append(option)
-        elif value is not None and value is not False:
-            host_and_port = isinstance(value, tuple)
-            arguments += [option, f"{value[0]}:{value[1]}" if host_and_port else str(value)]
-    return arguments
 
 
 def _files(project: Project) -> dict[str, str]:

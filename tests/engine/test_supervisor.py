@@ -18,6 +18,7 @@ import pytest
 
 import situ
 from situ import cli_run
+from situ.engine.again import HANDED_ON
 from situ.engine.notify import Listener, Notifier
 from situ.engine.supervisor import CLOSING, DEATHS, GIVEN_UP, HANGS, STARTING, Supervisor
 
@@ -234,7 +235,7 @@ def test_every_option_of_situ_run_is_handed_on_or_the_supervisors_own() -> None:
     names = set(vars(commands.choices["run"].parse_args(["x"]))) - {"run", "project"}
     own = {"apart", "no_restart", "supervised", "json"}
     played = {"script", "speed", "clients", "auto_finish"}
-    assert names == {*cli_run.HANDED_ON, *own, *played} - {"log_level"}
+    assert names == {*HANDED_ON, *own, *played} - {"log_level"}
 
 
 def test_a_robot_that_is_killed_goes_on_where_it_was_and_ends_when_it_is_told(
