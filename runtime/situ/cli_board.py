@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
@@ -47,6 +49,12 @@ def add(commands: Any) -> None:
     trace = _command(commands, "trace", _trace, "follow the trace (one JSON object a line)")
     trace.add_argument(
         "--since", type=int, metavar="SEQ", help="from this event on; 1: all there is"
+    )
+    trace.add_argument(
+        "--record",
+        type=Path,
+        metavar="F.mcap",
+        help="record it here instead of printing it; it can be looked at, not decided again",
     )
     _waits(trace)
 
@@ -186,18 +194,46 @@ def _table(rows: list[tuple[str, ...]]) -> None:
 
 def _trace(args: argparse.Namespace) -> int:
     with _connect(args, "viewer") as board, board.trace(args.since) as events:
+        if args.record is not None:
+            return _record(args, board, events)
         for event in _coming(args, board, events):
             _print(event)
     return 0
 
 
-def _coming(args: argparse.Namespace, board: Board, following: Following[T]) -> Iterator[T]:
-    """What comes, until the robot ends. One that was killed is waited for: it may come back."""
+def _record(args: argparse.Namespace, board: Board, events: Following[dict[str, Any]]) -> int:
+    from situ.engine.trace_file import TraceFile
+
+    said = board.documents()
+    file = TraceFile(args.record, said.project, said.files)
+    flushed = time.monotonic()
+    try:
+        for event in _coming(args, board, events, file.flush):
+            file.add(event)
+            if time.monotonic() - flushed > PATIENCE:
+                flushed = time.monotonic()
+                file.flush()
+    finally:
+        file.close()
+    return 0
+
+
+def _coming(
+    args: argparse.Namespace,
+    board: Board,
+    following: Following[T],
+    idle: Callable[[], None] = lambda: None,
+) -> Iterator[T]:
+    """What comes, until the robot ends. One that was killed is waited for: it may come back.
+
+    idle: called while nothing comes."""
     while True:
         item = following.next(PATIENCE)
         if item is not None:
             yield item
-        elif board.stopped and not args.wait:
+            continue
+        idle()
+        if board.stopped and not args.wait:
             print(f"situ: {args.at}: the robot has ended", file=sys.stderr)
             return
 

@@ -98,6 +98,35 @@ def test_trace_ends_with_the_robot(
     assert capsys.readouterr().err == f"situ: {robot.endpoint}: the robot has ended\n"
 
 
+def test_a_trace_is_recorded_instead_of_printed(
+    run_lab: Callable[..., Any], tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    robot, file, trace = run_lab(), tmp_path / "run.mcap", ["trace", "--since", "1"]
+    command = [sys.executable, "-m", "situ", *trace, "--at", robot.endpoint]
+    with ThreadPoolExecutor() as pool, subprocess.Popen(command, stdout=subprocess.PIPE) as process:
+        where = ["--at", robot.endpoint, "--record", str(file)]
+        following = pool.submit(cli.main, [*trace, *where])
+        # So that there is something; it has heard of it when it ends.
+        with situ.connect(robot.endpoint) as board:
+            board.set("x", 1)
+            assert process.stdout is not None
+            printed = process.stdout.readline()
+            while b'"x"' not in printed.splitlines()[-1]:
+                printed += process.stdout.readline()
+            for number in count(2):
+                board.set("x", number)
+                if file.exists() and file.stat().st_size:
+                    break
+        assert robot.stop() == 0
+        assert following.result(DEADLINE) == 0
+        printed += process.stdout.read()
+    capfd.readouterr()
+    assert cli.main(["replay", str(file)]) == 0
+    assert capfd.readouterr().out.encode() == printed
+    assert cli.main(["replay", str(file), "--decide"]) == 2
+    assert "holds a trace without inputs" in capfd.readouterr().err
+
+
 def test_with_wait_the_next_start_is_waited_for(run_lab: Callable[..., Any]) -> None:
     robot = run_lab()
     command = [sys.executable, "-m", "situ", "watch", "x", "--wait", "--at", robot.endpoint]

@@ -23,6 +23,7 @@ from situ.blackboard.backlog import stamped
 from situ.decide.inputs import AnyInput
 from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent
+from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
 from situ.errors import UsageError
 
@@ -60,8 +61,7 @@ class Run(Struct, frozen=True):
     runtime: str
     project: Project
 
-    @property
-    def heading(self) -> Heading:
+    def heading(self, documents: Iterable[str]) -> Heading:
         from situ.rehearse.recorded import Heading
 
         project = self.project
@@ -69,7 +69,7 @@ class Run(Struct, frozen=True):
             self.runtime,
             situ.__version__,
             project.name,
-            _main(project),
+            main_file(documents),
             project.tags,
             project.private,
         )
@@ -159,7 +159,9 @@ class Recorder:
             return
         assert self._run is not None
         if self._file is None:
-            self._file = McapFile(self._files.open(), self._run.heading, self._documents)
+            self._file = McapFile(
+                self._files.open(), self._run.heading(self._documents), self._documents
+            )
             self._since = now
             if self._state is not None:
                 self._file.add("/snapshot", self._waiting[0][1], self._state)
@@ -339,11 +341,10 @@ def recorded_files(project: Project) -> dict[str, str]:
     return {path: (root / path).read_text("utf-8") for path in paths if path is not None}
 
 
-def _main(project: Project) -> str:
-    """The file that the project is read from."""
-    if project.toml is not None:
-        return project.toml
-    return next(iter(project.applications), project.spds_file or project.modules_file or "")
+def main_file(documents: Iterable[str]) -> str:
+    """The one that the project is read from: ``situ.toml``, else there is only one."""
+    paths = list(documents)
+    return PROJECT_FILE if PROJECT_FILE in paths else next(iter(paths), "")
 
 
 def _said(heading: Heading) -> dict[str, str]:

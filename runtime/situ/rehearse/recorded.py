@@ -209,18 +209,26 @@ def bare(line: bytes) -> bytes:
 
 def _project(heading: Heading, documents: list[Document], name: str) -> Project:
     """The project as it ran."""
+    project = loaded(heading, documents)
+    if project is None:
+        raise UsageError(f"{name}: the project that it holds can not be read")
+    return replace(project, name=heading.project, tags=heading.tags)
+
+
+def loaded(heading: Heading, documents: Iterable[Document]) -> Project | None:
+    """The project that these documents are; None where they are none."""
     with tempfile.TemporaryDirectory() as place:
         for document in documents:
             path = PurePosixPath(document.path)
             if path.is_absolute() or ".." in path.parts:
-                raise UsageError(f"{name}: {document.path} leads out of the project")
+                return None
             file = Path(place, path)
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(document.data)
-        project, problems = folder.load(Path(place, heading.file))
-    if project is None:
-        raise UsageError(f"{name}: its project can not be read: {problems[0]}")
-    return replace(project, name=heading.project, tags=heading.tags)
+        try:
+            return folder.load(Path(place, heading.file))[0]
+        except UsageError:
+            return None
 
 
 @functools.cache

@@ -1,0 +1,57 @@
+"""The trace of a running robot, recorded by who follows it (``situ trace --record``)."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+import situ
+from situ.engine.record import McapFile, OneFile, main_file
+from situ.rehearse.recorded import TRACE, Document, Heading, loaded
+
+
+class TraceFile:
+    """A recording of a trace without inputs, of which ``flush`` makes whole what was added.
+
+    The events of a core that was started anew go to the next file (``OneFile``). Raises UsageError
+    where a file can not be made, OSError where it can not be written.
+    """
+
+    def __init__(self, path: Path, project: str, documents: dict[str, str]) -> None:
+        self._path = path
+        self._documents = documents
+        self._heading = _heading(project, documents)
+        self._last = 0
+        self._file = self._open(goes_on=False)
+
+    def add(self, event: dict[str, Any]) -> None:
+        """An event as the robot tells it."""
+        if event["seq"] <= self._last:
+            self._file.finish()
+            self._file = self._open(goes_on=True)
+        self._last = event["seq"]
+        moment = datetime.fromisoformat(event["time"]).timestamp()
+        self._file.add(TRACE, moment, msgspec.json.encode(event))
+
+    def flush(self) -> None:
+        self._file.flush()
+
+    def close(self) -> None:
+        self._file.finish()
+
+    def _open(self, *, goes_on: bool) -> McapFile:
+        file = OneFile(self._path, goes_on=goes_on).open()
+        return McapFile(file, self._heading, self._documents)
+
+
+def _heading(name: str, documents: dict[str, str]) -> Heading:
+    """What runs there, as far as its documents tell."""
+    bare = Heading(version=situ.__version__, project=name, file=main_file(documents))
+    files = [Document(path, text.encode()) for path, text in documents.items()]
+    project = loaded(bare, files)
+    if project is None:
+        return bare
+    return msgspec.structs.replace(bare, tags=project.tags, private=project.private)
