@@ -3,12 +3,15 @@ without a gap*)."""
 
 from __future__ import annotations
 
+import contextlib
+import select
 from collections.abc import Callable, Iterator
 
 import pytest
 import zmq
 
 from situ.blackboard.outbox import LARGE, Outbox
+from situ.blackboard.server import Server
 
 DEADLINE = 20_000
 """Milliseconds."""
@@ -138,3 +141,26 @@ def test_where_nobody_can_be_cut_off_large_messages_are_dropped(make: Make) -> N
         pass
     outbox.send(bytes(LARGE))
     assert stalled.recv() == bytes(LARGE)
+
+
+def test_requests_that_the_core_has_no_time_for_stay_with_the_client(make: Make) -> None:
+    context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
+    server = Server("tcp://127.0.0.1:0", "tcp://127.0.0.1:0", context=context)
+    client = make(zmq.DEALER, SNDHWM=1, SNDTIMEO=200)
+    client.connect(server.requests)
+    sent = 0
+    with contextlib.suppress(zmq.Again):
+        while sent < 200:
+            client.send(b"%d " % sent + bytes(2 * SIZE))
+            sent += 1
+    assert sent < 200
+    came: list[bytes] = []
+    poll = select.poll()
+    for descriptor in server.descriptors():
+        poll.register(descriptor, select.POLLIN)
+    while len(came) < sent:
+        more = server.drain(lambda peer, body, who: came.append(body), lambda: None)
+        assert more or len(came) == sent or poll.poll(DEADLINE)
+    assert [body.split()[0] for body in came] == [b"%d" % number for number in range(sent)]
+    server.close()
+    context.term()

@@ -73,6 +73,8 @@ class Server:
                 socket.setsockopt(zmq.MAXMSGSIZE, protocol.MAXIMUM)
                 socket.setsockopt(zmq.SNDHWM, HELD)
                 socket.setsockopt(zmq.HANDSHAKE_IVL, SHAKE)
+            # More than are answered together need not wait here: the rest stays with the client.
+            self._router.setsockopt(zmq.RCVHWM, TOGETHER)
             # Else a reply to who has gone would vanish unseen and a slow one would block.
             self._router.setsockopt(zmq.ROUTER_MANDATORY, 1)
             self.requests = _bind(self._router, requests)
