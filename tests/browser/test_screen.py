@@ -81,6 +81,38 @@ def test_every_component_is_shown_where_the_designer_put_it(play: Any, media: Pa
     play(scenario)
 
 
+def test_every_component_has_its_colours_and_its_side(play: Any, media: Path) -> None:
+    for name in ("robot.png", "clip.webm"):
+        shutil.copy(example("reception") / "media" / name, media)
+    looks = {"fill": "#ffeeaa", "color": "#b3261e", "align": "right"}
+    inside = """name => {
+        const one = document.querySelector(`[data-id=${name}]`);
+        const inner = one.querySelector("img, video, input, .item, span");
+        const side = getComputedStyle(inner);
+        return inner.matches("img, video") ? side.objectPosition : side.textAlign;
+    }"""
+
+    async def scenario(stage: Any) -> None:
+        stage.show(
+            text("Hello", **looks),
+            button(**looks),
+            field(**looks),
+            names("Ann", **looks),
+            component("image", "robot", 70, 0, 30, 20, src="robot.png", **looks),
+            component("movie", "clip", 70, 30, 30, 20, src="clip.webm", **looks),
+        )
+        for name in ("hello", "yes", "name", "names", "robot", "clip"):
+            await expect(stage.component(name)).to_have_css(
+                "background-color", "rgb(255, 238, 170)"
+            )
+            side = await stage.page.evaluate(inside, name)
+            assert side == ("100% 50%" if name in ("robot", "clip") else "right"), name
+        for name in ("hello", "yes", "name", "names"):
+            await expect(stage.component(name)).to_have_css("color", "rgb(179, 38, 30)")
+
+    play(scenario)
+
+
 def test_a_button_is_used_by_a_click_and_by_the_keyboard(play: Any) -> None:
     async def scenario(stage: Any) -> None:
         stage.show(button(), button("no", "NO", 54))
