@@ -230,6 +230,26 @@ def test_a_core_that_stops_holds_the_robot_at_once(far: Far) -> None:
     assert far.recorder.take() == []
 
 
+def test_a_core_that_refuses_is_told_of_once_and_the_robot_holds_once(
+    far: Far, caplog: pytest.LogCaptureFixture
+) -> None:
+    far.board.come(base({"vx": 1}))
+    far.recorder.take()
+    for _ in range(3):
+        far.board.go()
+        hello = [one for one in far.board.said if isinstance(one, protocol.Hello)][-1]
+        refused = protocol.Refused(id=hello.id, code="name", message="robot is taken")
+        far.board.dialog.receive(protocol.encode(refused), far.board.now)
+    assert far.recorder.take() == ["hold"]
+    told = [record.getMessage() for record in caplog.records]
+    assert told == [
+        "tcp://192.0.2.1:5570: without the core: it does not answer",
+        "tcp://192.0.2.1:5570: without the core: robot is taken",
+    ]
+    far.board.come(base({"vx": 1}))
+    assert far.recorder.take() == [base({"vx": 1})]
+
+
 def test_without_a_robot_nothing_is_held(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ServicesApart, "_addresses", lambda self: Addresses("", ""))
     far = Far("engine")

@@ -75,6 +75,8 @@ class ServicesApart:
         self._door = door
         self._performer: Performing
         self._runtime: str | None = None
+        # Why there is no core, as it was told last; None while there is one.
+        self._problem: str | None = None
         # What was last applied to each resource, and all actions that were given to the
         # performer and have not ended.
         self._applied: dict[str, Map] = {}
@@ -131,17 +133,25 @@ class ServicesApart:
     def _changed(self) -> None:
         """The connection came or went, or the core is another one."""
         if not self._dialog.connected:
-            if "robot" in self._services:
-                self._hold()
+            self._alone()
             return
         welcome = self._dialog.welcome
         assert welcome is not None
+        self._problem = None
         if self._runtime not in (None, welcome.runtime):
             # The robot began anew: nothing of before means anything any longer.
             _log.warning("the core was started anew: what the one before had begun is ended")
             self._end_all()
         self._runtime = welcome.runtime
         self._performer.open_door(self._addresses(), self._door)
+
+    def _alone(self) -> None:
+        problem = str(self._dialog.problem or "it does not answer")
+        if problem != self._problem:
+            _log.warning("%s: without the core: %s", self._board.link.endpoint, problem)
+        first, self._problem = self._problem is None, problem
+        if first and "robot" in self._services:
+            self._hold()
 
     def _hold(self) -> None:
         self._performer.hold()
