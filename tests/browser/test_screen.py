@@ -590,7 +590,9 @@ def test_turned_to_portrait_and_back_everything_stays_and_can_be_used(
             component("button", "no", 52, 74, 44, 22, text="NO", event="n"),
             actions=(7,),
         )  # fmt: skip
-        await stage.page.wait_for_function("() => document.querySelector('video').currentTime > 0")
+        await page.wait_for_function("() => document.querySelector('video').currentTime > 0")
+        # It must not end before it is told to.
+        await page.locator("video").evaluate("one => { one.playbackRate = 0.0625; }")
         await page.evaluate("document.querySelectorAll('.component').forEach(n => n.mark = 1)")
         await page.keyboard.type("Ann")
         for viewport in (PHONE, {"width": 800, "height": 1280}, KIOSK):
