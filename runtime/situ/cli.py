@@ -34,6 +34,7 @@ GROUPS = (
     "cli_test",
     "cli_why",
     "cli_replay",
+    "cli_report",
     "cli_run",
     "cli_board",
     "cli_keys",
