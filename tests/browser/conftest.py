@@ -111,9 +111,9 @@ class Theatre:
         self.loop.close()
 
     @contextlib.asynccontextmanager
-    async def window(self, address: str) -> AsyncIterator[Page]:
-        """A page of its own, before the screen at that address."""
-        context = await self._browser.new_context(viewport=KIOSK)
+    async def window(self, address: str, **options: Any) -> AsyncIterator[Page]:
+        """A page of its own, before the screen at that address. options: the window's."""
+        context = await self._browser.new_context(**{"viewport": KIOSK} | options)
         try:
             context.set_default_timeout(DEADLINE * 1000)
             page = await context.new_page()

@@ -486,6 +486,11 @@ def _project(**more: Any) -> Project:
         ({"durable": ("a", "b")}, "durable tags b added", True),
         ({"settings": ()}, "setting a gone", True),
         ({"settings": (Setting("a", "B"),)}, "setting a: label “A” → “B”", False),
+        (
+            {"settings": (Setting("a", "A", "text", ("b", "c")),)},
+            "setting a: choices “” → “b, c”",
+            True,
+        ),
         ({"media": "pictures"}, "folder of media none → “pictures”", True),
         ({"adapter": "ros2"}, "adapter “sim” → “ros2”", True),
         ({"mqtt": Mqtt("mqtt://here", {})}, "mqtt x gone, was “event:y”", True),

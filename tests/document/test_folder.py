@@ -42,6 +42,11 @@ private = ["user.**", "bp.**"]
 tag = "medication.morning"
 label = "Morning round"
 type = "time"
+[[setting]]
+tag = "medication.voice"
+label = "Voice"
+type = "choice"
+choices = ["soft", "loud"]
 """
 APPLICATION = """\
 <application name="reception"><state no="1"><backgroundactions><speech>Hello {user.name}</speech>
@@ -119,7 +124,10 @@ def test_a_whole_project_is_read(write: Write) -> None:
         incoming={"zigbee/+/fall": "event:fallDetected", "room/temp": "tag:room.temperature"},
     )
     assert project.private == ("user.**", "bp.**")
-    assert project.settings == (Setting("medication.morning", "Morning round", "time"),)
+    assert project.settings == (
+        Setting("medication.morning", "Morning round", "time"),
+        Setting("medication.voice", "Voice", "choice", ("soft", "loud")),
+    )
 
 
 def test_folder_and_its_situ_toml_are_the_same_project(write: Write) -> None:
@@ -179,6 +187,15 @@ def test_robot_local_toml_overrides_what_is_per_robot(write: Write) -> None:
         ("project = 3\n", "situ.toml", "bad-value", 1),
         ("[setting]\ntag = 'a'\n", "situ.toml", "bad-value", 1),
         ("[[setting]]\ntag = 'A'\n", "situ.toml", "bad-tag", 2),
+        ("[[setting]]\ntag = 'a'\ntype = 'tim'\n", "situ.toml", "bad-value", 3),
+        ("[[setting]]\ntag = 'a'\ntype = 'choice'\n", "situ.toml", "bad-value", 3),
+        (
+            "[[setting]]\ntag = 'a'\ntype = 'choice'\nchoices = ['b', 'b']\n",
+            "situ.toml",
+            "bad-value",
+            3,
+        ),
+        ("[[setting]]\ntag = 'a'\nchoices = ['b', 'c']\n", "situ.toml", "bad-value", 1),
         ("[tags]\na = 1\n'B c' = 2\n", "situ.toml", "bad-tag", 3),
         ("[tags]\na = nan\n", "situ.toml", "bad-value", 2),
         ("[tags]\na = 2020-01-01\n", "situ.toml", "bad-value", 2),
@@ -479,7 +496,10 @@ def test_malformed_texts_are_told_with_their_line(write: Write) -> None:
 
 def test_a_setting_that_is_lost_at_a_restart_is_a_warning(write: Write) -> None:
     toml = TOML.replace('tags = ["medication.*"]', "tags = []")
-    assert told(write(situ_toml=toml)) == [("situ.toml", "setting-not-durable", 24)]
+    assert told(write(situ_toml=toml)) == [
+        ("situ.toml", "setting-not-durable", 24),
+        ("situ.toml", "setting-not-durable", 28),
+    ]
 
 
 def test_parts_are_read_and_checked_too(write: Write) -> None:

@@ -200,6 +200,9 @@ def _settings(before: Project, after: Project) -> list[Change]:
             if first != then:
                 said = f"setting {tag}: {field} {shown(first)} → {shown(then)}"
                 add(("setting", tag), said, field != "label")
+        if old_form.choices != new_form.choices:
+            first, then = ", ".join(old_form.choices), ", ".join(new_form.choices)
+            add(("setting", tag), f"setting {tag}: choices {shown(first)} → {shown(then)}")
     return changes
 
 

@@ -14,13 +14,20 @@ from situ.document.modules import Module, Modules
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 
+SETTING_TYPES = ("text", "number", "time", "date", "boolean", "choice")
+"""What a setting may be; times are ``HH:MM``, dates ``YYYY-MM-DD``, a choice one of its texts."""
+
 
 class Setting(Struct, frozen=True):
-    """``[[setting]]``: a form with which end users change a durable tag."""
+    """``[[setting]]``: a form with which end users change a durable tag.
+
+    choices: for the type ``choice`` only, in the order in which they are shown.
+    """
 
     tag: str
     label: str = ""
     type: str = "text"
+    choices: tuple[str, ...] = ()
 
 
 class Mqtt(Struct, frozen=True):

@@ -15,7 +15,7 @@ from typing import Any
 from situ.document import names
 from situ.document.datatypes import shown
 from situ.document.problem import Problem
-from situ.document.project import Mqtt, Setting
+from situ.document.project import SETTING_TYPES, Mqtt, Setting
 
 MAX_BYTES = 1_000_000
 
@@ -42,7 +42,7 @@ KEYS: dict[str, dict[str, str]] = {
     "places": {"*": _ANY},
     "mqtt": {"url": _TEXT, "in": _TABLE},
     "privacy": {"private": _TEXTS},
-    "setting": {"tag": _TEXT, "label": _TEXT, "type": _TEXT},
+    "setting": {"tag": _TEXT, "label": _TEXT, "type": _TEXT, "choices": _TEXTS},
 }
 """Every table and its keys; ``*`` stands for names of the designer's own."""
 
@@ -86,7 +86,8 @@ class ProjectFile:
         return Mqtt(url=url or "", incoming=incoming or {})
 
     def settings(self) -> tuple[Setting, ...]:
-        return tuple(Setting(**one) for one in (self.tables or {}).get("setting", ()))
+        listed = (self.tables or {}).get("setting", ())
+        return tuple(Setting(**one | {"choices": tuple(one.get("choices", ()))}) for one in listed)
 
     # -- reading -----------------------------------------------------------------
 
@@ -164,6 +165,8 @@ class ProjectFile:
             if not names.is_tag(found.get("tag", "")):
                 said = f"needs a tag, not {shown(str(one.get('tag', '')))}"
                 self.problem("bad-tag", f"A [[setting]] {said}", "setting", "tag")
+            elif (wrong := _wrong_form(found)) is not None:
+                self.problem("bad-value", wrong, "setting", "type", found.get("type", ""))
             else:
                 kept.append(found)
         return kept
@@ -255,6 +258,21 @@ class ProjectFile:
 
 _BROKER = re.compile(r"mqtts?://(\[[0-9a-fA-F:.]+\]|[^\s/@:\[\]?#]+)(:\d{1,5})?/?")
 _FILTER = re.compile(r"#|([^+#/\0]*|\+)(/([^+#/\0]*|\+))*(/#)?")
+
+
+def _wrong_form(setting: dict[str, Any]) -> str | None:
+    """What is wrong with the kind of a ``[[setting]]``; None where people can fill it in."""
+    kind = setting.get("type", "text")
+    if kind not in SETTING_TYPES:
+        near = get_close_matches(kind[:40], SETTING_TYPES, n=1, cutoff=0.0)[0]
+        every = ", ".join(SETTING_TYPES)
+        return f"No setting is a {shown(kind)}; did you mean {near}? There are {every}"
+    choices = setting.get("choices", [])
+    if kind != "choice":
+        return f'Choices are for the type "choice", not {kind}' if choices else None
+    if len(set(choices)) < 2 or len(set(choices)) < len(choices) or "" in choices:
+        return 'A choice needs choices = ["a", "b"]: two texts or more, each once'
+    return None
 
 
 def _is_json(value: Any) -> bool:

@@ -116,7 +116,12 @@ class Performer:
             self._player = Player(self._audible, clock, self._log)
         if "screen" in self._services:
             server = ScreenServer(
-                self._media, self._later, self._movie_ended, self._log, token=self._key()
+                self._media,
+                self._later,
+                self._movie_ended,
+                self._log,
+                token=self._key(),
+                settings=self._project.settings,
             )
             await server.start(*self._address)
             self._screen = server

@@ -56,6 +56,10 @@ class Door:
         """Whether a visitor needs a token of his own."""
         return self._keys is not None
 
+    def knows(self, token: str) -> bool:
+        """Whether, with keys, somebody has this token."""
+        return self._keys is not None and self._keys(token) is not None
+
     async def close(self) -> None:
         self._core = None
         visitors = dict(self._visitors)

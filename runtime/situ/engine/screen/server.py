@@ -21,9 +21,11 @@ from aiohttp import WSCloseCode, WSMsgType, web
 from msgspec import UNSET, Struct, UnsetType
 
 from situ.decide.inputs import AnyInput, Set, Touch, Use
+from situ.document.project import Setting
 from situ.engine.media import MediaFolder
 from situ.engine.screen.content import Content, Shown, content
 from situ.engine.screen.door import Door
+from situ.engine.screen.pages import Pages
 from situ.errors import UsageError
 from situ.resources import resource
 
@@ -104,7 +106,8 @@ class ScreenServer:
     """Serves one screen to any number of pages; all show the same.
 
     use: gets what people do. ended(action, error): a movie's end. token: 32 random
-    characters unless given. door: leads to the blackboard once it is opened.
+    characters unless given. door: leads to the blackboard once it is opened. settings:
+    the forms of the page ``/settings``.
     """
 
     def __init__(
@@ -115,6 +118,7 @@ class ScreenServer:
         log: logging.Logger,
         *,
         token: str | None = None,
+        settings: Sequence[Setting] = (),
     ) -> None:
         self._media = media
         self._use = use
@@ -124,6 +128,13 @@ class ScreenServer:
         self._token = token or secrets.token_urlsafe(24)
         self._folder = resource("screen")
         self._fonts = resource("fonts")
+        self._beside = Pages(
+            self._folder,
+            settings,
+            self._admits,
+            lambda: self.door.keyed,
+            {"Content-Security-Policy": POLICY},
+        )
         self._content = Content()
         self._caption: dict[str, str] | None = None
         self._captions = False
@@ -158,6 +169,7 @@ class ScreenServer:
         app.router.add_get("/media/{path:.+}", self._on_media)
         app.router.add_get("/ws", self._on_socket)
         app.router.add_get("/board", self._on_board)
+        self._beside.route(app.router)
         runner = web.AppRunner(app, access_log=None, handle_signals=False, shutdown_timeout=0.5)
         await runner.setup()
         try:
@@ -287,13 +299,19 @@ class ScreenServer:
         if origin not in (None, _own(request)):
             self._log.warning("refused the blackboard to a page of %s", origin)
             return web.Response(status=403, text="The blackboard is not for other pages.\n")
-        scheme, _, given = request.headers.get("Authorization", "").partition(" ")
-        token = given.strip() if scheme.lower() == "bearer" else request.query.get("token", "")
-        # Where everybody has a token of his own, the screen's opens nothing here.
-        if not (self.door.keyed or self._right(token) or self._known(request)):
+        # The door itself knows everybody's own tokens, and writes down whom it refuses.
+        if not self.door.keyed and not self._admits(request):
             self._log.warning("refused the blackboard to %s without the token", request.remote)
             return web.Response(status=403, text=_REFUSED)
-        return await self.door.visit(request, token)
+        return await self.door.visit(request, _token(request))
+
+    def _admits(self, request: web.Request) -> bool:
+        """Whether who asks may come in by the door."""
+        token = _token(request)
+        # Where everybody has a token of his own, the screen's opens nothing here.
+        if self.door.keyed:
+            return self.door.knows(token)
+        return self._right(token) or self._known(request)
 
     async def _keep_told(self, page: web.WebSocketResponse, changed: asyncio.Event) -> None:
         """Sends the latest state whenever it changed: a slow page skips, and piles up nothing."""
@@ -365,6 +383,12 @@ class ScreenServer:
             self._log.info("%s was used when it was gone already", used.component)
             return None
         return shown
+
+
+def _token(request: web.Request) -> str:
+    """What the request shows at the door; empty where it shows nothing."""
+    scheme, _, given = request.headers.get("Authorization", "").partition(" ")
+    return given.strip() if scheme.lower() == "bearer" else request.query.get("token", "")
 
 
 def _own(request: web.Request) -> str:

@@ -1,0 +1,94 @@
+// Values of a setting's type: what a person fills in, what it means, how it is told.
+// `read` gives {value}, null where it was left empty, or {wrong: a word's key}.
+
+const TIME = /^([01]\d|2[0-3]):[0-5]\d$/;
+const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/;
+
+function input(kind, more) {
+  const node = document.createElement("input");
+  Object.assign(node, { type: kind, autocomplete: "off" }, more);
+  return node;
+}
+
+function day(text) {
+  const moment = new Date(`${text}T00:00Z`);
+  return !Number.isNaN(moment.getTime()) && moment.toISOString().startsWith(text);
+}
+
+// One line that is typed, saved by its button or Enter.
+function typed(node, fits, meaning = (text) => text) {
+  return {
+    node,
+    field: node,
+    atOnce: false,
+    put(value) { node.value = value === null || !fits(value) ? "" : String(value); },
+    fits: (value) => value === null || fits(value),
+    read() {
+      if (node.validity.badInput) return { wrong: node.dataset.kind };
+      const text = node.value.trim();
+      if (text === "") return { value: null };
+      const value = meaning(text);
+      return value === undefined ? { wrong: node.dataset.kind } : { value };
+    },
+  };
+}
+
+const makers = {
+  text: () => typed(input("text", { maxLength: 10000 }), (value) => typeof value === "string"),
+  number() {
+    // A field of the browser's type number takes other commas than people type.
+    const node = input("text", { inputMode: "decimal" });
+    const meaning = (text) => {
+      const value = NUMBER.test(text) ? Number(text.replace(",", ".")) : NaN;
+      return Number.isFinite(value) ? value : undefined;
+    };
+    return typed(node, (value) => typeof value === "number", meaning);
+  },
+  time: () => typed(input("time"), (value) => TIME.test(value), (text) => TIME.exec(text)?.[0]),
+  date() {
+    const node = input("date", { min: "0001-01-01", max: "9999-12-31" });
+    return typed(node, (value) => typeof value === "string" && day(value), (text) => (day(text) ? text : undefined));
+  },
+  boolean() {
+    const node = input("checkbox");
+    node.setAttribute("role", "switch");
+    return {
+      node,
+      field: node,
+      atOnce: true,
+      put(value) { node.checked = value === true; },
+      fits: (value) => value === null || typeof value === "boolean",
+      read: () => ({ value: node.checked }),
+    };
+  },
+  choice({ choices, tag }) {
+    const node = document.createElement("div");
+    node.className = "choices";
+    node.setAttribute("role", "radiogroup");
+    const radios = choices.map((choice) => {
+      const label = node.appendChild(document.createElement("label"));
+      const radio = label.appendChild(input("radio", { name: tag, value: choice }));
+      label.append(choice);
+      return radio;
+    });
+    return {
+      node,
+      field: null,
+      atOnce: true,
+      put(value) { for (const one of radios) one.checked = one.value === value; },
+      fits: (value) => value === null || choices.includes(value),
+      read: () => ({ value: radios.find((one) => one.checked)?.value ?? null }),
+    };
+  },
+};
+
+export function field(form) {
+  const made = makers[form.type](form);
+  made.node.dataset.kind = form.type;
+  return made;
+}
+
+// A value as people read it, in the page's language.
+export function told(value) {
+  return typeof value === "string" ? value : JSON.stringify(value);
+}
