@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import Any
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from situ.rehearse.recorded import Piece
 
 
 def add(commands: Any) -> None:
@@ -21,22 +26,65 @@ def add(commands: Any) -> None:
         action="store_true",
         help="feed the inputs to the robot's decisions again and compare the traces",
     )
+    parser.add_argument(
+        "--role",
+        choices=("operator", "viewer"),
+        default="operator",
+        help="who is to see it: for a viewer private values are •••, and inputs are left out; "
+        "operator unless given",
+    )
+    parser.add_argument(
+        "-o", dest="out", type=Path, metavar="OUT.mcap", help="make another recording of it here"
+    )
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    return _decide(args) if args.decide else _print(args)
+    from situ.errors import UsageError
+
+    if args.decide and (args.role == "viewer" or args.out is not None):
+        raise UsageError("--decide goes neither with --role viewer nor with -o")
+    if args.decide:
+        return _decide(args)
+    return _print(args) if args.out is None else _export(args)
+
+
+def _pieces(args: argparse.Namespace) -> Iterator[Piece]:
+    """What this role may see of it."""
+    from situ.rehearse.masking import masked
+    from situ.rehearse.recorded import Torn, read
+
+    found = read(args.recording)
+    for piece in masked(found) if args.role == "viewer" else found:
+        if isinstance(piece, Torn):
+            _say(args, "it breaks off here: the robot still runs, or was killed")
+        else:
+            yield piece
 
 
 def _print(args: argparse.Namespace) -> int:
-    from situ.rehearse.recorded import Line, Torn, read
+    from situ.rehearse.recorded import Line
 
-    for piece in read(args.recording):
+    for piece in _pieces(args):
         if isinstance(piece, Line):
             sys.stdout.buffer.write(piece.text + b"\n")
-        elif isinstance(piece, Torn):
-            _say(args, "it breaks off here: the robot still runs, or was killed")
     sys.stdout.buffer.flush()
+    return 0
+
+
+def _export(args: argparse.Namespace) -> int:
+    from situ.engine.record import OneFile
+    from situ.engine.recording_copy import write
+    from situ.errors import UsageError
+
+    if args.out.exists() and args.out.samefile(args.recording):
+        raise UsageError(f"{args.out}: this is the recording itself; give another file")
+    try:
+        write(OneFile(args.out), _pieces(args))
+    except OSError as error:
+        raise UsageError(f"{args.out}: {error.strerror or error}") from None
+    if args.role == "viewer":
+        _say(args, f"{args.out} is masked: it can be looked at, not replayed with --decide")
     return 0
 
 

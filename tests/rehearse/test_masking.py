@@ -1,0 +1,269 @@
+"""``[privacy]``: private values are ••• to all but operators where recordings are read or exported
+(formats.md, *A project*; architecture.md)."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.rehearse.recorded_robot import Recorded
+
+from situ import cli
+from situ.decide import inputs
+from situ.decide.step import SECOND
+from situ.document.ready import load_ready
+from situ.engine.record import OneFile, Recorder, recorded_files
+from situ.rehearse import masking
+from situ.rehearse.masking import HIDDEN, Mask
+from situ.rehearse.recorded import Document, Heading, Snapshot, Taken, read
+
+WARD = """<application name="ward">
+  <state no="1">
+    <screen><components>
+      <input id="name" x="1" y="1" width="80" height="9" size="6" tag="user.name" event="go"/>
+    </components></screen>
+    <expectedevents><event name="go" next="2"/></expectedevents>
+  </state>
+  <state no="2">
+    <screen><components>
+      <text id="hello" x="1" y="1" width="80" height="9" size="6">Hello {user.name}</text>
+      <text id="free" x="1" y="20" width="80" height="9" size="6">Good morning</text>
+    </components></screen>
+    <backgroundactions>
+      <speech>Dear {user.name}, good morning</speech>
+      <set tag="card">For {user.name}</set>
+      <service name="find" url="http://localhost/find?who={user.name}">
+        <result tag="bp.now" path="bp"/></service>
+    </backgroundactions>
+  </state>
+</application>"""
+TOML = """[project]
+name = "ward"
+applications = ["ward.rbd.xml"]
+[privacy]
+private = ["user.**", "bp.**"]
+"""
+
+
+@pytest.fixture
+def ward(tmp_path: Path) -> Path:
+    folder = tmp_path / "ward"
+    folder.mkdir()
+    (folder / "ward.rbd.xml").write_text(WARD, encoding="utf-8")
+    (folder / "situ.toml").write_text(TOML, encoding="utf-8")
+    return folder
+
+
+@pytest.fixture
+def file(ward: Path, tmp_path: Path) -> Path:
+    """A recording in which Ann Lee tells her name, and her blood pressure is asked for."""
+    file = tmp_path / "run.mcap"
+    play(Recorded(ward, made(file, ward)))
+    return file
+
+
+def made(file: Path, ward: Path) -> Recorder:
+    return Recorder(OneFile(file), recorded_files(load_ready(ward)))
+
+
+def play(run: Recorded) -> None:
+    run.at(SECOND, inputs.Use("name", "Ann Lee"))
+    run.at(
+        2 * SECOND,
+        inputs.Finish(action="service", name="find", result={"bp": {"sys": 143}, "ward": "B"}),
+    )
+    run.recorder.close()
+
+
+def trace(out: str) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in out.splitlines()]
+
+
+def test_a_viewer_sees_all_but_what_is_private(
+    file: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(["replay", str(file)]) == 0
+    whole = capfd.readouterr().out
+    assert "Ann Lee" in whole
+    assert "143" in whole
+    assert cli.main(["replay", str(file), "--role", "viewer"]) == 0
+    shown = capfd.readouterr().out
+    for secret in ("Ann", "ann", "Lee", "143"):
+        assert secret not in shown
+    before, after = trace(whole), trace(shown)
+    # Nothing is missing, and what is not private stands as it stood.
+    own = ("kind", "seq", "t", "cause", "application", "state", "tag", "name", "writer")
+    for name in own:
+        assert [e.get(name) for e in after] == [e.get(name) for e in before]
+    hidden = {e["tag"]: e["value"] for e in after if e["kind"] == "data"}
+    assert hidden.pop("service/find")["ok"] is True
+    assert hidden == {"user.name": HIDDEN, "card": HIDDEN, "bp.now": HIDDEN}
+    screen = next(e for e in after if e["kind"] == "screen" and e["state"] == "2")
+    assert [c["text"] for c in screen["components"]] == [HIDDEN, "Good morning"]
+    assert [c["size"] for c in screen["components"]] == [6, 6]
+    said = {e["action"]: e for e in after if e["kind"] == "action"}
+    (found,) = (e for e in after if e["kind"] == "finished" and e["action"] == "service")
+    assert found["result"] == HIDDEN
+    assert said["speech"]["text"] == said["service"]["url"] == HIDDEN
+
+
+def test_a_masked_export_says_that_it_can_not_be_replayed(
+    file: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "shown.mcap"
+    assert cli.main(["replay", str(file), "--role", "viewer", "-o", str(out)]) == 0
+    assert "masked" in capfd.readouterr().err
+    heading, *rest = read(out)
+    assert isinstance(heading, Heading)
+    assert heading.masked
+    # Neither inputs nor documents: they would tell it.
+    assert not [piece for piece in rest if isinstance(piece, (Taken, Snapshot, Document))]
+    assert b"Ann" not in b"".join(repr(piece).encode() for piece in (heading, *rest))
+    cli.main(["replay", str(file), "--role", "viewer"])
+    shown = capfd.readouterr().out
+    for options in ((), ("--role", "viewer")):
+        assert cli.main(["replay", str(out), *options]) == 0
+        assert capfd.readouterr().out == shown
+    assert cli.main(["replay", str(out), "--decide"]) == 2
+    assert "masked" in capfd.readouterr().err
+
+
+def test_an_operator_s_export_is_whole(
+    file: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "copy.mcap"
+    assert cli.main(["replay", str(file), "-o", str(out)]) == 0
+    assert list(read(out)) == list(read(file))
+    assert cli.main(["replay", str(out), "--decide"]) == 0
+
+
+def test_a_ring_s_file_hides_what_was_known_before_it_began(
+    ward: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    first = Recorded(ward, made(tmp_path / "first.mcap", ward))
+    first.at(SECOND, inputs.Set({"user.name": "Ann Lee"}, "nod"))
+    first.recorder.close()
+    file = tmp_path / "second.mcap"
+    run = Recorded(ward, made(file, ward), state=first.robot.snapshot())
+    run.at(2 * SECOND, inputs.Raise("go"))
+    run.at(3 * SECOND)
+    run.recorder._waiting.append(("/inputs", 1.7e9, b'{"us":3000000,"t":3.0,"given":null}'))
+    run.recorder.close()
+    assert cli.main(["replay", str(file), "--role", "viewer"]) == 0
+    shown = capfd.readouterr().out
+    assert HIDDEN in shown
+    assert "Ann" not in shown
+    copy = tmp_path / "copy.mcap"
+    assert cli.main(["replay", str(file), "-o", str(copy)]) == 0
+    assert list(read(copy)) == list(read(file))
+
+
+def test_a_file_that_breaks_off_is_masked_too(
+    file: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    file.write_bytes(file.read_bytes()[:-200])
+    assert cli.main(["replay", str(file), "--role", "viewer"]) == 0
+    out, told = capfd.readouterr()
+    assert HIDDEN in out
+    assert "breaks off" in told
+
+
+def test_what_does_not_go_together_is_2(
+    file: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    for options in (
+        ("--decide", "--role", "viewer"),
+        ("--decide", "-o", str(tmp_path / "x.mcap")),
+        ("-o", str(file)),
+        ("-o", str(tmp_path / "none" / "x.mcap")),
+    ):
+        before = file.read_bytes()
+        assert cli.main(["replay", str(file), *options]) == 2
+        assert len(capfd.readouterr().err.splitlines()) == 1
+        assert file.read_bytes() == before
+
+
+def data(tag: str, value: Any) -> dict[str, Any]:
+    return {"kind": "data", "tag": tag, "value": value}
+
+
+def speech(text: Any) -> dict[str, Any]:
+    return {"kind": "action", "action": "speech", "name": None, "text": text}
+
+
+@pytest.mark.parametrize(
+    ("value", "text", "hidden"),
+    [
+        ("Ann", "Hello Ann!", True),
+        ("Ann", "HELLO ANN", True),
+        ("Ann", "http://x/?q=%41nn+Lee", True),
+        ("田中", "田中さん", True),
+        ("A", "Are these your initials: A S?", True),
+        ("A", "A day as any other a day", True),
+        ("A", "Are you a friend?", False),
+        (120, "Your blood pressure is 120 over 80", True),
+        (120, "Room 1204", False),
+        (120.0, 120, True),
+        (120, 121, False),
+        (1, True, False),
+        (True, "true", False),
+        ("", "anything", False),
+        (None, "null", False),
+        (["Ann", {"last": "Lee"}], {"Lee": 1}, True),
+        ([{"last": "Lee"}], ["x", {"y": "Lee"}], True),
+        ("Ann", None, False),
+    ],
+)
+def test_what_holds_a_private_value_is_hidden_whole(value: Any, text: Any, hidden: bool) -> None:
+    (_, said) = Mask(["user.*"]).step([data("user.x", value), speech(text)])
+    assert (HIDDEN in json.dumps(said, ensure_ascii=False)) == hidden
+    if not hidden:
+        assert said == speech(text)
+
+
+def test_patterns_reach_into_values() -> None:
+    mask = Mask(["user.name", "names.1"])
+    (user,) = mask.step([data("user", {"name": "Ann", "room": 7})])
+    assert user["value"] == {"name": HIDDEN, "room": 7}
+    (names,) = mask.step([data("names", ["Bo", "Cy"])])
+    assert names["value"] == ["Bo", HIDDEN]
+    assert mask.step([speech("Ann"), speech("Bo")]) == [speech(HIDDEN), speech("Bo")]
+
+
+def test_a_deletion_is_no_secret_and_what_was_there_stays_one() -> None:
+    told = Mask(["user.*"]).step([data("user.x", "Ann"), data("user.x", None), speech("Ann")])
+    assert [told[1]["value"], told[2]["text"]] == [None, HIDDEN]
+
+
+def test_where_components_stand_is_no_secret() -> None:
+    component = {"type": "text", "id": "3", "x": 3, "y": 3, "text": "3", "items": [{"id": 3}]}
+    value = {"components": [component]}
+    told = Mask(["bp"]).step([data("bp", 3), {"kind": "mapping", "value": value}])[1]
+    shown = {"text": HIDDEN, "items": [{"id": HIDDEN}]}
+    assert told["value"]["components"] == [{**component, **shown}]
+
+
+def test_only_so_many_are_known_and_the_last_seen_stay(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(masking, "MANY", 2)
+    mask = Mask(["user"])
+    for name in ("Ann", "Bob", "Ann", "Cyd"):
+        mask.step([data("user", name)])
+    told = mask.step([speech("Ann"), speech("Bob"), speech("Cyd")])
+    assert [one["text"] for one in told] == [HIDDEN, "Bob", HIDDEN]
+
+
+@settings(max_examples=100)
+@given(st.text(min_size=2), st.text(), st.text())
+def test_no_text_that_holds_a_private_text_is_shown(secret: str, left: str, right: str) -> None:
+    if len(secret.strip()) > 1 and not masking._is_number(secret.strip().casefold()):
+        told = Mask(["user"]).step([data("user", secret), speech(left + secret + right)])
+        assert told[1]["text"] == HIDDEN
+
+
+def test_without_private_tags_nothing_is_hidden() -> None:
+    events = [data("user.name", "Ann"), speech("Hello Ann")]
+    assert Mask(()).step(events) == events
