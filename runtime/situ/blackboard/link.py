@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import zmq
 from msgspec.structs import replace
+from zmq.backend import zmq_poll
 
 from situ.blackboard.calls import Person
 from situ.blackboard.curve import Curve
@@ -21,7 +22,7 @@ HELD = 10_000
 
 # As plain numbers: these stand in the way of every message, and pyzmq's enumerations are slow.
 NOW = int(zmq.DONTWAIT)
-_EVENTS, _INCOMING = int(zmq.EVENTS), int(zmq.POLLIN)
+INCOMING, MORE, _EVENTS = int(zmq.POLLIN), int(zmq.RCVMORE), int(zmq.EVENTS)
 
 
 class Link:
@@ -66,6 +67,7 @@ class Link:
         self._context = zmq.Context() if context is None else context
         self._dealer = self._context.socket(zmq.DEALER)
         self._subscriber = self._context.socket(zmq.SUB)
+        self._sockets = [(self._dealer, INCOMING), (self._subscriber, INCOMING)]
         self._told: str | None = None
         self._listening: str | None = None
         self._closed = False
@@ -106,15 +108,19 @@ class Link:
             self._receive()
 
     def _receive(self) -> None:
-        while has_come(self._dealer):
-            frames = self._dealer.recv_multipart(NOW)
-            if len(frames) == 1:
-                self.dialog.receive(frames[0], self.clock())
-        while has_come(self._subscriber):
-            frames = self._subscriber.recv_multipart(NOW)
-            if len(frames) == 1:
-                self.dialog.hear(frames[0], self.clock())
-        self.dialog.tick(self.clock())
+        dialog = self.dialog
+        while come := zmq_poll(self._sockets, 0):
+            for one, _ in come:
+                socket = self._dealer if one is self._dealer else self._subscriber
+                frame = socket.recv(NOW)
+                if socket.getsockopt(MORE):
+                    # Nobody who speaks this protocol sends such.
+                    socket.recv_multipart(NOW)
+                elif socket is self._dealer:
+                    dialog.receive(frame, self.clock())
+                else:
+                    dialog.hear(frame, self.clock())
+        dialog.tick(self.clock())
 
     def _send(self) -> bool:
         """Whether something was sent; only then may the descriptors have missed news."""
@@ -166,4 +172,4 @@ _EVERY = ("0.0.0.0", "[::]", "*")
 
 def has_come(socket: zmq.Socket[bytes]) -> bool:
     """Whether there is something to receive. Cheaper than to try, and to be told no."""
-    return bool(int(socket.getsockopt(_EVENTS)) & _INCOMING)
+    return bool(int(socket.getsockopt(_EVENTS)) & INCOMING)
