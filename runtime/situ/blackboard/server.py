@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 import zmq
+from zmq.backend import zmq_poll
 
 from situ.blackboard import protocol
 from situ.blackboard.identity import Identity
 from situ.blackboard.keys import RobotKeys
-from situ.blackboard.link import NOW, has_come
+from situ.blackboard.link import INCOMING, MORE, NOW
 from situ.blackboard.outbox import Outbox
 from situ.errors import UsageError
 
@@ -79,6 +80,7 @@ class Server:
             self._router.setsockopt(zmq.ROUTER_MANDATORY, 1)
             self.requests = _bind(self._router, requests)
             self.notifications = _bind(self._publisher, notifications)
+            self._sockets = [(self._router, INCOMING), (self._publisher, INCOMING)]
             self._replies = Outbox(self._router, self.requests)
             self._notices = Outbox(self._publisher, self.notifications)
         except BaseException:
@@ -96,43 +98,48 @@ class Server:
 
         True where more may be waiting: then call again soon, the descriptors may not tell.
         """
-        taken = 0
         gate = self.gate
         if gate is not None and gate.drain():
             # Nobody but the client itself can tell which connections are a key's.
             self._replies.close_all()
             self._notices.close_all()
+        # Who comes alone does not wait for another look; what came meanwhile is taken together.
+        taken, together = 0, 1
         for _ in range(TURN):
-            if not has_come(self._router):
-                if not taken:
-                    return self._subscriptions()
-                taken = 0
-                answer()
-                continue
-            # A request is one frame; of anything else the sessions say what is wrong.
-            if gate is None:
-                peer, *frames = self._router.recv_multipart(NOW)
-                received(peer, frames[0] if len(frames) == 1 else b"", None)
-            else:
-                first, *parts = self._router.recv_multipart(NOW, copy=False)
-                body = parts[0].bytes if len(parts) == 1 else b""
-                received(first.bytes, body, gate.who(parts[-1]))
-            taken += 1
-            if taken == TOGETHER:
-                taken = 0
+            come = zmq_poll(self._sockets, 0)
+            if not come and not taken:
+                return False
+            for socket, _ in come:
+                if socket is self._publisher:
+                    self._subscribed()
+                else:
+                    self._take(received)
+                    taken += 1
+            if taken and (not come or taken == together):
+                taken, together = 0, TOGETHER
                 answer()
         if taken:
             answer()
         return True
 
-    def _subscriptions(self) -> bool:
-        for _ in range(TURN):
-            if not has_come(self._publisher):
-                return False
-            frame = self._publisher.recv(NOW)
-            if frame.startswith(b"\x01" + protocol.ECHO):
-                self._publisher.send(frame[1:] + b"\n" + _ECHO, NOW)
-        return True
+    def _take(self, received: Received) -> None:
+        """One message. A request is one frame; of anything else the sessions say what is wrong."""
+        router, gate = self._router, self.gate
+        if gate is not None:
+            first, *parts = router.recv_multipart(NOW, copy=False)
+            body = parts[0].bytes if len(parts) == 1 else b""
+            received(first.bytes, body, gate.who(parts[-1]))
+            return
+        peer, body = router.recv(NOW), router.recv(NOW)
+        if router.getsockopt(MORE):
+            router.recv_multipart(NOW)
+            body = b""
+        received(peer, body, None)
+
+    def _subscribed(self) -> None:
+        frame = self._publisher.recv(NOW)
+        if frame.startswith(b"\x01" + protocol.ECHO):
+            self._publisher.send(frame[1:] + b"\n" + _ECHO, NOW)
 
     def send(self, replies: Iterable[tuple[Any, bytes]], notices: Iterable[bytes]) -> None:
         """Sends; a peer that has gone or does not read loses its reply.
