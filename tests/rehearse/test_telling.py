@@ -101,6 +101,13 @@ def test_the_steps_of_a_trace_begin_with_outside_input_or_later() -> None:
         (trace.Cancelled(1, 0, None, "a", "launch", "g"), "launch g is cancelled"),
         (trace.Suspend(1, 0, None, "a", ("r",)), "a is suspended: it does not hold r"),
         (trace.Resume(1, 0, None, "a", ()), "a goes on"),
+        (
+            trace.Transition(1, 0, None, "a", "1", "2", None, writer="operator:ann"),
+            "a goes from 1 to 2 by operator:ann",
+        ),
+        (trace.Paused(1, 0, None, "a", "1", 3), "a is paused in 1 by breakpoint 3"),
+        (trace.Paused(1, 0, None, "a", "1", None, "o"), "a is paused in 1 by o"),
+        (trace.Resumed(1, 0, None, "a", "1", 3, "o"), "a is no longer paused, by o"),
         (trace.Warned(1, 0, None, "so", "there"), "warning: so"),
         (trace.Failed(1, 0, None, "so", "there"), "error: so"),
     ],

@@ -300,8 +300,10 @@ class Actions:
                 self._go_on(number, cause)
 
     def _next_voice(self, cause: int | None) -> None:
-        while self.state.voice and not any(
-            r.action in ("speech", "sound") for r in self.state.running.values()
+        while (
+            self.state.voice
+            and not self.suspended
+            and not any(r.action in ("speech", "sound") for r in self.state.running.values())
         ):
             waiting, self.state.voice = self.state.voice, []
             number, place = waiting[0]
@@ -370,6 +372,12 @@ class Actions:
                 if mark == INTERRUPTED:
                     self._start(number, place, cause)
             self._go_on(number, cause)
+
+    def release(self, cause: int | None) -> None:
+        """After a pause: what came to its turn meanwhile begins."""
+        self.suspended = False
+        self._next_voice(cause)
+        self.resume(cause)
 
     def lose(self, resource: str, cause: int | None) -> None:
         """An optional resource was lost: its actions are not begun again."""

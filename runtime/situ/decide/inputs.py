@@ -112,6 +112,61 @@ class Finish(Input, frozen=True):
     id: int | None = None
 
 
+class Break(Input, frozen=True):
+    """A breakpoint: on a ``state`` (its path), on transitions (``from``, ``to`` or both; paths)
+    or on a ``situation``; exactly one of these.
+
+    application: None where there is only one, or, on a situation, for all of them. when: what
+    stands inside of a ``<when>``, as text; only while it holds does the breakpoint pause.
+    """
+
+    writer: str
+    application: str | None = None
+    state: str | None = None
+    source: str | None = field(name="from", default=None)
+    to: str | None = None
+    situation: str | None = None
+    when: str | None = None
+
+
+class Unbreak(Input, frozen=True):
+    """A breakpoint is taken away; id None: all are."""
+
+    writer: str
+    id: int | None = None
+
+
+class Pause(Input, frozen=True):
+    """application None: all of them. One that is paused already stays as it is."""
+
+    writer: str
+    application: str | None = None
+
+
+class Resume(Input, frozen=True):
+    """application None: all of them. One that is not paused stays as it is."""
+
+    writer: str
+    application: str | None = None
+
+
+class Step(Input, frozen=True):
+    """The next thing of a paused application; None where there is only one application."""
+
+    writer: str
+    application: str | None = None
+
+
+class Goto(Input, frozen=True):
+    """The application, None where there is only one, leaves its state for ``state`` (a path)."""
+
+    writer: str
+    state: str
+    application: str | None = None
+
+
+Debugging = Break | Unbreak | Pause | Resume | Step | Goto
+
 AnyInput = (
     Start
     | Set
@@ -125,4 +180,5 @@ AnyInput = (
     | Lost
     | Connected
     | Finish
+    | Debugging
 )

@@ -170,6 +170,11 @@ class Intake:
             self._refuse(no, module)
         return no is None
 
+    def _debug(self, given: inputs.Debugging) -> None:
+        no = self._settling.debugger.accept(given)
+        if no is not None:
+            self._refuse(no, given.writer)
+
     def _refuse(self, message: str, where: str) -> None:
         self._world.step.error(None, message, where)
         self._world.step.effects.append(Refuse(message))
@@ -246,4 +251,10 @@ ACCEPT: dict[type[inputs.Input], Callable[[Intake, Any], None]] = {
     inputs.Lost: Intake._lost,
     inputs.Connected: Intake._connect,
     inputs.Finish: Intake._finish,
+    inputs.Break: Intake._debug,
+    inputs.Unbreak: Intake._debug,
+    inputs.Pause: Intake._debug,
+    inputs.Resume: Intake._debug,
+    inputs.Step: Intake._debug,
+    inputs.Goto: Intake._debug,
 }

@@ -50,7 +50,8 @@ class Raised(Struct):
 class MachineState(Struct):
     """no: the path of the innermost state. stacks: by level, the states to go back to.
     entered: the outermost level of the states entered last. stale: keys of the unnamed events
-    that may hold now, each with what caused that.
+    that may hold now, each with what caused that. paused: by the debugger, at the breakpoint
+    ``stopped``, if at one. passing: what is judged next passes the breakpoints on transitions.
     """
 
     no: str = ""
@@ -61,6 +62,9 @@ class MachineState(Struct):
     begun: bool = False
     granted: int | None = None
     stale: dict[int, int | None] = {}
+    paused: bool = False
+    stopped: int | None = None
+    passing: bool = False
     timeout: TimeoutState = field(default_factory=TimeoutState)
     display: DisplayState = field(default_factory=DisplayState)
     actions: ActionsState = field(default_factory=ActionsState)
@@ -91,7 +95,7 @@ class Machine:
         self.timeouts.state = state.timeout
         self.display.state = state.display
         self.actions.state = state.actions
-        self.actions.suspended = state.suspended
+        self.actions.suspended = state.suspended or state.paused
 
     # -- what the robot asks -------------------------------------------------
 
@@ -178,14 +182,17 @@ class Machine:
 
     def _judge_done(self, name: str, holder: str, seq: int) -> None:
         """A part has ended: ``done.x``, or else ``done``, for the state that holds it alone."""
-        named = self.here.named
-        level = next((n for n, one in enumerate(self.here.levels) if one.path == holder), None)
-        taken = self._first([one for one in named.get(name, ()) if one.level == level])
+        taken = self._first(self._of_holder(name, holder))
         if taken is not None:
             self._take(taken, seq)
             return
         second = self._step.trace(trace.Event, seq, self.name, DONE)
-        self._offer(DONE, [one for one in named.get(DONE, ()) if one.level == level], second)
+        self._offer(DONE, self._of_holder(DONE, holder), second)
+
+    def _of_holder(self, name: str, holder: str) -> list[Candidate]:
+        """The expected events of this name that the state ``holder`` has of its own."""
+        level = next((n for n, one in enumerate(self.here.levels) if one.path == holder), None)
+        return [one for one in self.here.named.get(name, ()) if one.level == level]
 
     def unnamed(self) -> Candidate | None:
         """The first unnamed event that holds now."""
@@ -258,6 +265,7 @@ class Machine:
         cause: int | None,
         event: str | None,
         timeout: bool | UnsetType,
+        writer: str | UnsetType = UNSET,
     ) -> None:
         """Leaves the state of ``level`` with all inside it for another of the same file."""
         step, levels = self._step, self.here.levels
@@ -275,7 +283,9 @@ class Machine:
         elif self.program.goes_back:
             stack.append(source.no)
         target = source.prefix + to
-        seq = step.trace(trace.Transition, cause, self.name, source.path, target, event, timeout)
+        seq = step.trace(
+            trace.Transition, cause, self.name, source.path, target, event, timeout, writer
+        )
         if keys:
             self.actions.begin(keys, self.program.innermost[target], seq)
         self._enter(target, level, seq)
@@ -457,6 +467,84 @@ class Machine:
             self.timeouts.stop()
         elif clock.due is None:
             self.timeouts.restart()
+
+    # -- the debugger ---------------------------------------------------------
+
+    def hold(self) -> None:
+        """Its timeout stands still, and nothing new of its actions begins."""
+        self.state.paused = True
+        self.timeouts.hold()
+        self.actions.suspended = True
+
+    def release(self, cause: int | None) -> None:
+        """Its timeout counts on, and what came to its turn meanwhile begins."""
+        self.state.paused = False
+        self.timeouts.release()
+        if not self.state.suspended:
+            self.actions.release(cause)
+            self._settle_idle()
+
+    def advance(self) -> None:
+        """Judges the next thing now; where none waits, the timeout falls due."""
+        clock = self.timeouts.clock
+        if self.may_resume():
+            self.resume()
+        elif (taken := self.unnamed()) is not None:
+            self.take_unnamed(taken)
+        elif (raised := self.earliest()) is not None:
+            self.judge_event(raised)
+        elif clock is not None and clock.due is not None:
+            rings = self.here.next is None
+            self.due()
+            if rings:
+                self.judge_event(self.state.queue[-1])
+
+    def go_to(self, path: str, writer: str) -> None:
+        """Leaves the state for another, which an operator names."""
+        levels = self.here.levels
+        level = max(n for n, one in enumerate(levels) if path.startswith(one.prefix))
+        to = path.removeprefix(levels[level].prefix)
+        self._move(to, level, [], None, None, UNSET, writer)
+        self._settle_idle()
+        if self.state.paused:
+            self.hold()
+
+    def next_way(self) -> tuple[str, str, int | None] | None:
+        """From where to where what is judged next would lead, and its cause; None: nowhere."""
+        if self.may_resume():
+            taken, cause = self._first(self.here.named.get(RESUMED, ())), self.state.granted
+        elif (taken := self.unnamed()) is not None:
+            cause = self.state.stale[taken.key]
+        else:
+            raised = self.earliest()
+            if raised is None or self.state.suspended:
+                return None
+            cause = raised.cause
+            if raised.holder is None:
+                taken = self._first(self.here.named.get(raised.name, ()))
+            else:
+                done = self._of_holder(raised.name, raised.holder)
+                taken = self._first(done) or self._first(self._of_holder(DONE, raised.holder))
+        if taken is None or taken.next is None:
+            return None
+        return (*self._leads(taken.next, taken.level), cause)
+
+    def timeout_way(self) -> tuple[str, str, int | None] | None:
+        """The same of the timeout."""
+        here, clock = self.here, self.timeouts.clock
+        assert clock is not None
+        level = here.timeout_level
+        if here.next is None or (here.next == BACK and not self.state.stacks[level]):
+            return None
+        return (*self._leads(here.next, level), clock.cause)
+
+    def _leads(self, to: str, level: int) -> tuple[str, str]:
+        source = self.here.levels[level]
+        if to == AGAIN:
+            to = source.no
+        elif to == BACK:
+            to = self.state.stacks[level][-1]
+        return source.path, source.prefix + to
 
     # -- actions that end ----------------------------------------------------
 

@@ -22,6 +22,7 @@ from msgspec import Struct
 from situ.decide import inputs
 from situ.decide.board import Board, Entry
 from situ.decide.conditions import ConditionsState
+from situ.decide.debugger import DebuggerState
 from situ.decide.effects import AnyEffect, Begin, Map
 from situ.decide.intake import ACCEPT, Intake
 from situ.decide.machine import Machine, MachineState
@@ -50,6 +51,7 @@ class RobotState(Struct):
     moment: int
     count: int
     at_rest: bool
+    debugger: DebuggerState
 
 
 class Robot:
@@ -146,7 +148,10 @@ class Robot:
             cause = machine.actions.state.running[timer.token].seq
             machine.finish(timer.token, True, None, None, None, cause)
         else:
-            self._machines[int(name)].due()
+            machine = self._machines[int(name)]
+            debugger = self._settling.debugger
+            if not (debugger.active and debugger.stops_timeout(machine)):
+                machine.due()
 
     def _is_live(self, timer: Timer) -> bool:
         kind, _, name = timer.owner.partition(":")
@@ -191,7 +196,7 @@ class Robot:
                 world.priorities.state, world.state, [m.state for m in self._machines],
                 settling.situations.state if settling.situations is not None else None,
                 self._presence.state, world.auto_finish, settling.moment, settling.count,
-                settling.at_rest,
+                settling.at_rest, settling.debugger.state,
             )
         )  # fmt: skip
 
@@ -214,3 +219,4 @@ class Robot:
         self._presence.state = state.presence
         settling.moment, settling.count = state.moment, state.count
         settling.at_rest = state.at_rest
+        settling.debugger.restore(state.debugger)

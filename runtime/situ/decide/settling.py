@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from situ.decide.debugger import Debugger
 from situ.decide.machine import Machine, Raised
 from situ.decide.presence import Presence
 from situ.decide.priorities import RUNTIME
@@ -39,12 +40,14 @@ class Settling:
         self.situations: Situations | None = None
         if project.spds is not None:
             self.situations = Situations(project.spds, world.conditions, world.board, world.step)
+        self.debugger = Debugger(world)
         self._shown: list[Machine] = []
         self._heard: list[Machine] = []
 
     def run(self, machines: list[Machine]) -> None:
         """These are the robot's applications."""
         self.machines = machines
+        self.debugger.run(machines)
         self._shown = [one for one in machines if one.program.has_screens]
         self._heard = [one for one in machines if one.program.has_phrases]
 
@@ -52,12 +55,14 @@ class Settling:
         """Goes round until nothing is left; live screens at the end."""
         if self.situations is not None:
             self.observe()
+        if self.debugger.active:
+            self.debugger.look(0)
         for machine in self.machines:
             state = machine.state
             if state.queue or state.stale or state.suspended:
                 self._go_round()
                 break
-        self.at_rest = not self.livelocked
+        self.at_rest = not (self.livelocked or self.debugger.active)
         if self._heard:
             self.listen()
         for machine in self._shown:
@@ -65,25 +70,45 @@ class Settling:
 
     def _go_round(self) -> None:
         while (follows := self._follows()) is not None and self._may_go_on():
+            seen = len(self._world.step.events)
             follows()
             self.observe()
+            if self.debugger.active:
+                self.debugger.look(seen)
 
     def _follows(self) -> Callable[[], object] | None:
         if self.livelocked:
             return None
-        for machine in self.machines:
+        debugger = self.debugger
+        if not debugger.active:
+            turn = self._turn(self.machines)
+        else:
+            turn = self._turn(debugger.free())
+            while turn is not None and debugger.stops(turn[0]):
+                turn = self._turn(debugger.free())
+        return None if turn is None else turn[1]
+
+    def _turn(self, machines: list[Machine]) -> tuple[Machine, Callable[[], object]] | None:
+        """Whose turn it is, and for what."""
+        for machine in machines:
             if machine.may_resume():
-                return machine.resume
-        for machine in self.machines:
+                return machine, machine.resume
+        for machine in machines:
             taken = machine.unnamed()
             if taken is not None:
-                return partial(machine.take_unnamed, taken)
+                return machine, partial(machine.take_unnamed, taken)
         first: tuple[Machine, Raised] | None = None
-        for machine in self.machines:
+        for machine in machines:
             found = machine.earliest()
             if found is not None and (first is None or found.order < first[1].order):
                 first = machine, found
-        return None if first is None else partial(first[0].judge_event, first[1])
+        if first is None:
+            return None
+        machine, raised = first
+        if raised.order <= self.debugger.state.backlog and not raised.own:
+            # It waited during a pause; each input counts anew.
+            self.count = 0
+        return machine, partial(machine.judge_event, raised)
 
     def _may_go_on(self) -> bool:
         """Counts one more of what must not go on for ever."""

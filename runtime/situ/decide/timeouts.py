@@ -18,10 +18,13 @@ class Clock(Struct):
 
 
 class TimeoutState(Struct):
-    """clock: None where the state has no timeout. token: of the timer that counts."""
+    """clock: None where the state has no timeout. token: of the timer that counts. held: since
+    when (µs) the application is paused; its own time, in which the clock counts, stands still.
+    """
 
     token: int = 0
     clock: Clock | None = None
+    held: int | None = None
 
 
 class Timeouts:
@@ -65,8 +68,23 @@ class Timeouts:
         clock = self.state.clock
         self.state.token += 1
         if clock is not None and clock.due is not None:
-            clock.remaining = clock.due - self._step.now
+            clock.remaining = clock.due - self._now()
             clock.due = None
+
+    def hold(self) -> None:
+        """The application's time stands still from now on; what begins meanwhile counts then."""
+        if self.state.held is None:
+            self.state.held = self._step.now
+            self.state.token += 1
+
+    def release(self) -> None:
+        """The application's time goes on."""
+        held, clock = self.state.held, self.state.clock
+        assert held is not None
+        self.state.held = None
+        if clock is not None and clock.due is not None:
+            clock.remaining = clock.due - held
+            self._run()
 
     def leave(self) -> None:
         """The state that it belonged to is left."""
@@ -77,5 +95,10 @@ class Timeouts:
         clock = self.state.clock
         assert clock is not None
         self.state.token += 1
-        clock.due = self._step.now + clock.remaining
-        self._step.at(clock.due, TIMEOUT, self._owner, self.state.token, clock.started)
+        clock.due = self._now() + clock.remaining
+        if self.state.held is None:
+            self._step.at(clock.due, TIMEOUT, self._owner, self.state.token, clock.started)
+
+    def _now(self) -> int:
+        held = self.state.held
+        return self._step.now if held is None else held

@@ -104,13 +104,16 @@ class Enter(TraceEvent, frozen=True):
 
 
 class Transition(TraceEvent, frozen=True):
-    """event: None for a timeout (then ``timeout`` is true) and for an unnamed event."""
+    """event: None for a timeout (then ``timeout`` is true), for an unnamed event, and where an
+    operator sent the application there (then ``writer`` is who).
+    """
 
     application: str
     source: str = field(name="from")
     to: str
     event: str | None
     timeout: bool | UnsetType = UNSET
+    writer: str | UnsetType = UNSET
 
 
 class Screen(TraceEvent, frozen=True):
@@ -172,6 +175,24 @@ class Suspend(TraceEvent, frozen=True):
 class Resume(TraceEvent, frozen=True):
     application: str
     missing: tuple[str, ...]
+
+
+class Paused(TraceEvent, frozen=True):
+    """breakpoint: the id of that which paused it; None where the ``writer`` did."""
+
+    application: str
+    state: str
+    breakpoint: int | None
+    writer: str | UnsetType = UNSET
+
+
+class Resumed(TraceEvent, frozen=True):
+    """breakpoint: that at which it had paused, or None. writer: who let it go on."""
+
+    application: str
+    state: str
+    breakpoint: int | None
+    writer: str
 
 
 class Warned(TraceEvent, frozen=True, tag="warning"):

@@ -17,7 +17,9 @@ from situ.decide.step import Step
 from situ.document.project import Project
 
 KEPT = ("robot/", "module/", "application/")
-KEPT_TAGS = ("situation", "listen")
+BREAKPOINTS = "debugger.breakpoints"
+PAUSED = "debugger.paused"
+KEPT_TAGS = ("situation", "listen", BREAKPOINTS, PAUSED)
 _UNTRACED = (*KEPT, "clock.")
 
 

@@ -79,7 +79,7 @@ def _data(teller: Teller, event: Fields) -> str:
 
 
 def _transition(teller: Teller, event: Fields) -> str:
-    by = "the timeout" if event.get("timeout") else "an unnamed event"
+    by = "the timeout" if event.get("timeout") else event.get("writer", "an unnamed event")
     if event["event"] is not None:
         by = event["event"]
     source = teller.state(event["application"], event["from"])
@@ -112,6 +112,11 @@ def _ignored(teller: Teller, event: Fields) -> str:
 def _finished(teller: Teller, event: Fields) -> str:
     what = action_words(event)
     return f"{what} ends {'well' if event['ok'] else 'badly: ' + str(event.get('error'))}"
+
+
+def _who(event: Fields) -> str:
+    """The operator, or the breakpoint where nobody else did it."""
+    return str(event.get("writer", f"breakpoint {event['breakpoint']}"))
 
 
 def _at(verb: str) -> Callable[[Teller, Fields], str]:
@@ -148,6 +153,8 @@ _TOLD: dict[str, Callable[[Teller, Fields], str]] = {
         f"{e['application']} is suspended: it does not hold {words.listed(e['missing'])}"
     ),
     "resume": lambda teller, e: f"{e['application']} goes on",
+    "paused": lambda teller, e: f"{_at('is paused in')(teller, e)} by {_who(e)}",
+    "resumed": lambda teller, e: f"{e['application']} is no longer paused, by {_who(e)}",
     "warning": lambda teller, e: f"warning: {e['message']}",
     "error": lambda teller, e: f"error: {e['message']}",
 }
