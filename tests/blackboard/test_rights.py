@@ -34,7 +34,17 @@ ANN = Identity("ann", "operator")
 ARM = Identity("arm", "service")
 CORE = Identity(ROBOT, "service")
 
-LOOKING = ("heartbeat", "get", "watch", "unwatch", "trace", "documents", "modules", "bye")
+LOOKING = (
+    "heartbeat",
+    "get",
+    "watch",
+    "unwatch",
+    "trace",
+    "documents",
+    "expected",
+    "modules",
+    "bye",
+)
 CHANGING = {
     "set": "module operator service scenario",
     "publish": "module operator scenario",

@@ -21,6 +21,7 @@ from situ.blackboard.watching import Watching
 from situ.decide import inputs, trace
 from situ.decide.board import Board
 from situ.decide.effects import AnyEffect, Begin, Changed, Refuse
+from situ.decide.expected import Expectation
 from situ.document.project import Project
 
 SECOND = 1_000_000
@@ -45,6 +46,8 @@ class Decider(Protocol):
     def due(self) -> int | None: ...
 
     def outstanding(self) -> Sequence[Carried]: ...
+
+    def expected(self) -> dict[str, Expectation]: ...
 
 
 class Durability(Protocol):
@@ -136,6 +139,10 @@ class Core:
     @property
     def board(self) -> Board:
         return self._robot.board
+
+    def expected(self) -> dict[str, Expectation]:
+        """What each application expects now."""
+        return self._robot.expected()
 
     def due(self) -> int | None:
         """When the robot does something by itself, in µs of its time."""

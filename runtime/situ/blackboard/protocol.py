@@ -20,6 +20,7 @@ import msgspec
 from msgspec import UNSET, Struct, UnsetType, field
 
 from situ.blackboard.services import Carried
+from situ.decide.expected import Expectation
 from situ.errors import BlackboardError
 
 VERSION = 1
@@ -233,6 +234,10 @@ class Documents(Request, frozen=True, kw_only=True):
     """The files of the project as the robot runs it."""
 
 
+class Expected(Request, frozen=True, kw_only=True):
+    """What each application expects now."""
+
+
 class Modules(Request, frozen=True, kw_only=True):
     """Who is declared, who is connected, and what is wanted."""
 
@@ -271,6 +276,7 @@ AnyRequest = (
     | Answer
     | Trace
     | Documents
+    | Expected
     | Modules
     | Disclose
     | Bye
@@ -436,6 +442,12 @@ class Files(Reply, frozen=True, kw_only=True):
     files: dict[str, str]
 
 
+class Expectations(Reply, frozen=True, kw_only=True):
+    """To expected: by application, in the project's order."""
+
+    applications: dict[str, Expectation]
+
+
 class ModuleState(Struct, frozen=True):
     """A module, or an application (then ``application`` is true and it is always present)."""
 
@@ -476,6 +488,7 @@ AnyReply = (
     | Outstanding
     | Questions
     | Files
+    | Expectations
     | ModuleStates
 )
 
@@ -499,6 +512,7 @@ REPLIES: dict[type[Request], type[Reply]] = {
     Answer: Done,
     Trace: Traced,
     Documents: Files,
+    Expected: Expectations,
     Modules: ModuleStates,
     Disclose: Done,
     Bye: Done,

@@ -306,6 +306,10 @@ def _documents(core: Core, session: Session, request: protocol.Documents) -> pro
     return protocol.Files(id=request.id, project=core.project.name, files=dict(core.files))
 
 
+def _expected(core: Core, session: Session, request: protocol.Expected) -> protocol.Reply:
+    return protocol.Expectations(id=request.id, applications=core.expected())
+
+
 def _modules(core: Core, session: Session, request: protocol.Modules) -> protocol.Reply:
     states = presence.modules(core.project, core.modules, core.holders)
     wanted = presence.wanted(states, lambda tag: core.board.get(tag) is not None)
@@ -409,6 +413,7 @@ _ANSWERS: dict[type[protocol.Request], Callable[[Core, Session, Any], protocol.R
     protocol.Answer: _answer,
     protocol.Trace: _trace,
     protocol.Documents: _documents,
+    protocol.Expected: _expected,
     protocol.Modules: _modules,
     protocol.Disclose: _disclose,
     protocol.Bye: _lost,

@@ -21,6 +21,7 @@ _LOOKING = frozenset[type[Request]](
         protocol.Unwatch,
         protocol.Trace,
         protocol.Documents,
+        protocol.Expected,
         protocol.Modules,
         protocol.Bye,
     }

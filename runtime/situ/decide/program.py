@@ -69,10 +69,12 @@ class Candidate:
 
     key: tells it from all others of its application. level: at which it is defined. back: whether
     it goes back, which needs a state to go back to. tags: of an unnamed one, those that its
-    guard looks at.
+    guard looks at. when: the guard as written.
     """
 
-    __slots__ = ("actions", "back", "guard", "key", "level", "name", "next", "says", "tags")
+    __slots__ = (
+        "actions", "back", "guard", "key", "level", "name", "next", "says", "tags", "when",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -91,6 +93,7 @@ class Candidate:
         self.says = [say.text for say in source.says]
         self.actions = actions
         self.guard = guard
+        self.when = source.when
         self.tags = tags
 
 

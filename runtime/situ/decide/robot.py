@@ -24,6 +24,7 @@ from situ.decide.board import Board, Entry
 from situ.decide.conditions import ConditionsState
 from situ.decide.debugger import DebuggerState
 from situ.decide.effects import AnyEffect, Begin, Map
+from situ.decide.expected import Expectation, expected
 from situ.decide.intake import ACCEPT, Intake
 from situ.decide.machine import Machine, MachineState
 from situ.decide.presence import Presence, PresenceState
@@ -87,6 +88,10 @@ class Robot:
     def modules(self) -> dict[str, bool]:
         """Every module known here, whether it is present."""
         return self._presence.modules()
+
+    def expected(self) -> dict[str, Expectation]:
+        """What each application expects now, by its name."""
+        return expected(self._world, self._machines)
 
     # -- steps ---------------------------------------------------------------
 
