@@ -84,7 +84,7 @@ def test_every_component_is_shown_where_the_designer_put_it(play: Any, media: Pa
 def test_every_component_has_its_colours_and_its_side(play: Any, media: Path) -> None:
     for name in ("robot.png", "clip.webm"):
         shutil.copy(example("reception") / "media" / name, media)
-    looks = {"fill": "#ffeeaa", "color": "#b3261e", "align": "right"}
+    looks: dict[str, Any] = {"fill": "#ffeeaa", "color": "#b3261e", "align": "right"}
     inside = """name => {
         const one = document.querySelector(`[data-id=${name}]`);
         const inner = one.querySelector("img, video, input, .item, span");
