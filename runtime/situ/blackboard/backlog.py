@@ -98,8 +98,8 @@ def _with_time(line: bytes, moment: float) -> bytes:
 
 def time_text(moment: float) -> str:
     """RFC 3339 in UTC with microseconds: ``2026-01-02T03:04:05.678900Z``."""
-    at = datetime.fromtimestamp(moment, UTC)
-    return f"{at:%Y-%m-%dT%H:%M:%S}.{at.microsecond:06d}Z"
+    # Not by strftime: every event that is recorded or followed has one.
+    return datetime.fromtimestamp(moment, UTC).isoformat(timespec="microseconds")[:26] + "Z"
 
 
 _encoder = msgspec.json.Encoder()
