@@ -90,7 +90,7 @@ class Asking:
 
     def due(self) -> int | None:
         """When ``overdue`` next has something, in µs."""
-        if not self.heeds:
+        if not self._asked or not self.heeds:
             return None
         return min((one.due for one in self._asked.values()), default=None)
 

@@ -148,9 +148,12 @@ class Sessions:
 
     def due(self) -> int | None:
         """When ``advance`` is to be called next, in µs; None: not before a message comes."""
-        robot = None if self._scripted else self._core.due()
-        dues = (robot, self._core.asking.due(), self._look)
-        return min((due for due in dues if due is not None), default=None)
+        core, due = self._core, self._look
+        # Without a list: it is asked twice a message.
+        for one in (None if self._scripted else core.due(), core.asking.due()):
+            if one is not None and (due is None or one < due):
+                due = one
+        return due
 
     def take(self) -> Outgoing:
         """What is to be sent and carried out since the last call."""
