@@ -13,11 +13,15 @@ from typing import TYPE_CHECKING, Any, TypeVar
 if TYPE_CHECKING:
     from situ.blackboard.client import Board, Following
     from situ.blackboard.protocol import ModuleState, Role
+    from situ.engine.trace_file import TraceFile
+    from situ.rehearse.masking import Mask
 
 T = TypeVar("T")
 
 PATIENCE = 1.0
 """Seconds that the robot has to answer."""
+TOGETHER = 0.1
+"""Seconds in which the events of one step have come, also those of a page that was asked for."""
 
 
 def add(commands: Any) -> None:
@@ -55,6 +59,12 @@ def add(commands: Any) -> None:
         type=Path,
         metavar="F.mcap",
         help="record it here instead of printing it; it can be looked at, not decided again",
+    )
+    trace.add_argument(
+        "--role",
+        choices=("viewer", "operator"),
+        default="viewer",
+        help="as whom: a viewer, as unless given, is shown ••• for what is private",
     )
     _waits(trace)
 
@@ -193,22 +203,62 @@ def _table(rows: list[tuple[str, ...]]) -> None:
 
 
 def _trace(args: argparse.Namespace) -> int:
-    with _connect(args, "viewer") as board, board.trace(args.since) as events:
+    from situ.engine.trace_file import TraceFile, heading
+
+    with _connect(args, args.role) as board, board.trace(args.since) as events:
+        said = board.documents()
+        head = heading(said.project, said.files, masked=args.role == "viewer")
+        mask = _mask(board, head.private) if head.masked and head.private else None
         if args.record is not None:
-            return _record(args, board, events)
-        for event in _coming(args, board, events):
+            documents = {} if head.masked else said.files
+            return _record(args, board, events, TraceFile(args.record, head, documents), mask)
+        for event in _coming_masked(args, board, events, mask):
             _print(event)
     return 0
 
 
-def _record(args: argparse.Namespace, board: Board, events: Following[dict[str, Any]]) -> int:
-    from situ.engine.trace_file import TraceFile
+def _mask(board: Board, private: tuple[str, ...]) -> Mask:
+    from situ.rehearse.masking import Mask
 
-    said = board.documents()
-    file = TraceFile(args.record, said.project, said.files)
+    mask = Mask(private)
+    for tag, entry in board.entries("**").items():
+        mask.know(tag, entry.value)
+    return mask
+
+
+def _coming_masked(
+    args: argparse.Namespace,
+    board: Board,
+    events: Following[dict[str, Any]],
+    mask: Mask | None,
+    idle: Callable[[], None] = lambda: None,
+) -> Iterator[dict[str, Any]]:
+    if mask is None:
+        yield from _coming(args, board, events, idle)
+        return
+    step: list[dict[str, Any]] = []
+    for event in _coming(args, board, events, idle):
+        step.append(event)
+        # What is private may be told only by the last event of a step.
+        while (more := events.next(TOGETHER)) is not None:
+            if more["t"] != event["t"]:
+                yield from mask.step(step)
+                event, step = more, []
+            step.append(more)
+        yield from mask.step(step)
+        step = []
+
+
+def _record(
+    args: argparse.Namespace,
+    board: Board,
+    events: Following[dict[str, Any]],
+    file: TraceFile,
+    mask: Mask | None,
+) -> int:
     flushed = time.monotonic()
     try:
-        for event in _coming(args, board, events, file.flush):
+        for event in _coming_masked(args, board, events, mask, file.flush):
             file.add(event)
             if time.monotonic() - flushed > PATIENCE:
                 flushed = time.monotonic()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import select
+import signal
 import subprocess
 import sys
 from collections.abc import Callable
@@ -18,6 +19,7 @@ import situ
 from situ import cli
 from situ.blackboard.server import Server, check_reach
 from situ.errors import UsageError
+from situ.rehearse.recorded import Heading, Line, read
 
 DEADLINE = 20.0
 LAB = Path(__file__).parent / "lab"
@@ -124,7 +126,44 @@ def test_a_trace_is_recorded_instead_of_printed(
     assert cli.main(["replay", str(file)]) == 0
     assert capfd.readouterr().out.encode() == printed
     assert cli.main(["replay", str(file), "--decide"]) == 2
-    assert "holds a trace without inputs" in capfd.readouterr().err
+    assert "masked" in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("role", ["viewer", "operator"])
+def test_a_trace_shows_viewers_nothing_private(running: Any, role: str, tmp_path: Path) -> None:
+    name, file = f"Ann {role}", tmp_path / "run.mcap"
+    trace = ["trace", "--role", role, "--at", running.endpoint, "--since", "1"]
+    with situ.connect(running.endpoint) as board:
+        board.set({"private.name": name, "greeting": f"Good morning, {name}!"})
+        board.set("last", role)
+        for more in ([], ["--record", str(file)]):
+            command = [sys.executable, "-m", "situ", *trace, *more]
+            with subprocess.Popen(command, stdout=subprocess.PIPE) as process:
+                assert process.stdout is not None
+                if more:
+                    for number in count():
+                        board.set("number", number)
+                        if file.exists() and file.stat().st_size:
+                            break
+                else:
+                    lines = [process.stdout.readline()]
+                    while f'"tag":"last","value":"{role}"'.encode() not in lines[-1]:
+                        lines.append(process.stdout.readline())
+                process.send_signal(signal.SIGINT)
+    told = [json.loads(line) for line in lines]
+    shown = {e["tag"]: e["value"] for e in told if e["kind"] == "data"}
+    recorded = list(read(file))
+    heading = recorded[0]
+    assert isinstance(heading, Heading)
+    kept = b"".join(piece.text for piece in recorded if isinstance(piece, Line))
+    if role == "viewer":
+        assert shown["private.name"] == shown["greeting"] == "•••"
+        assert b"Ann viewer" not in kept
+        assert heading.masked
+    else:
+        assert (shown["private.name"], shown["greeting"]) == (name, f"Good morning, {name}!")
+        assert name.encode() in kept
+        assert not heading.masked
 
 
 def test_with_wait_the_next_start_is_waited_for(run_lab: Callable[..., Any]) -> None:

@@ -20,10 +20,10 @@ class TraceFile:
     where a file can not be made, OSError where it can not be written.
     """
 
-    def __init__(self, path: Path, project: str, documents: dict[str, str]) -> None:
+    def __init__(self, path: Path, heading: Heading, documents: dict[str, str]) -> None:
         self._path = path
         self._documents = documents
-        self._heading = _heading(project, documents)
+        self._heading = heading
         self._last = 0
         self._file = self._open(goes_on=False)
 
@@ -47,11 +47,12 @@ class TraceFile:
         return McapFile(file, self._heading, self._documents)
 
 
-def _heading(name: str, documents: dict[str, str]) -> Heading:
+def heading(name: str, documents: dict[str, str], *, masked: bool) -> Heading:
     """What runs there, as far as its documents tell."""
-    bare = Heading(version=situ.__version__, project=name, file=main_file(documents))
+    bare = Heading(version=situ.__version__, project=name, file=main_file(documents), masked=masked)
     files = [Document(path, text.encode()) for path, text in documents.items()]
     project = loaded(bare, files)
     if project is None:
         return bare
-    return msgspec.structs.replace(bare, tags=project.tags, private=project.private)
+    tags = {} if masked else project.tags
+    return msgspec.structs.replace(bare, tags=tags, private=project.private)
