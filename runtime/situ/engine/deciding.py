@@ -315,6 +315,8 @@ class Deciding:
 
     def _take_snapshot(self) -> None:
         if self._recovery is not None:
+            for recorder in self._recorders:
+                recorder.flush(self._clock())
             state = self._sessions.state()
             self._recovery.snapshot(self._started, self._robot, state, self._core.backlog)
             self._core.remembers = True

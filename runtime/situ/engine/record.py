@@ -122,15 +122,25 @@ class Recorder:
         if not self._waiting and self._flush_at is None:
             return None
         if self._flush_at is None:
-            self._flush_at = now + FLUSH
+            # What heads a file goes at once: a robot that is killed soon has begun, too.
+            self._flush_at = now if self._file is None else now + FLUSH
         try:
             if now >= self._flush_at:
                 self._flush(now)
             elif len(self._waiting) >= MANY:
                 self._put(now)
         except OSError as error:
-            self._tear(error, now)
+            self._tear(error)
         return self._flush_at
+
+    def flush(self, now: float) -> None:
+        """Hands over what was taken, before what else tells of it is forgotten."""
+        if self._file is None:
+            return
+        try:
+            self._flush(now)
+        except OSError as error:
+            self._tear(error)
 
     def close(self) -> None:
         """Ends the file."""
@@ -139,7 +149,7 @@ class Recorder:
             if self._file is not None:
                 self._file.finish()
         except OSError as error:
-            self._tear(error, math.inf)
+            self._tear(error)
         self._wanted = False
         self._file = None
 
@@ -169,7 +179,7 @@ class Recorder:
             self._file.add(topic, moment, body)
         self._waiting.clear()
 
-    def _tear(self, error: OSError, now: float) -> None:
+    def _tear(self, error: OSError) -> None:
         self.torn = error
         self._waiting.clear()
         self._flush_at = None
