@@ -6,6 +6,7 @@ No thread: the sockets of a gate are drained by whoever drains the server's.
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import socket as sockets
 import time
@@ -69,8 +70,7 @@ class Gate:
         while has_come(self._zap):
             self._zap.send_multipart(self._admit(self._zap.recv_multipart(NOW)), NOW)
         for monitor in self._monitors:
-            for address in monitor.refused():
-                why = "it does not speak CURVE, or not with this robot's key"
+            for address, why in monitor.refused():
                 self.audit.refuse("refused", socket=monitor.name, address=address, why=why)
         gone, self._gone = self._gone, False
         return gone
@@ -118,10 +118,10 @@ class _Monitor:
         accepted = int(zmq.EVENT_ACCEPTED)
         self.socket = socket.get_monitor_socket(accepted | _FAILED | _ENDED)
         self._addresses: dict[int, str] = {}
-        self._failed = False
+        self._failed: str | None = None
 
-    def refused(self) -> list[str]:
-        """The addresses of those that were turned away since the last call."""
+    def refused(self) -> list[tuple[str, str]]:
+        """The addresses of those that did not come in since the last call, and why."""
         found = []
         while has_come(self.socket):
             event = parse_monitor_message(self.socket.recv_multipart(NOW))
@@ -131,17 +131,27 @@ class _Monitor:
             elif kind == _ENDED:
                 # The end of a connection follows its failure, and only it has the descriptor.
                 address = self._addresses.pop(value, "unknown")
-                if self._failed:
-                    self._failed = False
-                    found.append(address)
+                if self._failed is not None:
+                    found.append((address, self._failed))
+                    self._failed = None
             else:
-                self._failed = True
+                self._failed = _why(kind, value)
         return found
 
     def close(self) -> None:
         self.refused()
         self._watched.disable_monitor()
         self.socket.close(0)
+
+
+def _why(kind: int, value: int) -> str:
+    """What a failed handshake was: where ZeroMQ has no detail, value is what the system said."""
+    if kind == int(zmq.EVENT_HANDSHAKE_FAILED_NO_DETAIL):
+        if value in (errno.EPIPE, errno.ECONNRESET):
+            return "it went away before it had shown a key"
+        if value == errno.EAGAIN:
+            return "it has not shown a key in time"
+    return "it does not speak CURVE, or not with this robot's key"
 
 
 def _address(descriptor: int) -> str:
