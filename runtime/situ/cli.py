@@ -37,6 +37,7 @@ GROUPS = (
     "cli_report",
     "cli_run",
     "cli_board",
+    "cli_debug",
     "cli_keys",
 )
 """The modules of the command line, in the order in which ``situ --help`` lists them."""

@@ -135,6 +135,25 @@ def test_what_people_change_is_written_down_without_its_values(
     ]
 
 
+def test_what_an_operator_does_to_applications_is_written_down(
+    house: House, caplog: pytest.LogCaptureFixture
+) -> None:
+    house.hello("ann", ANN, role="operator")
+    caplog.clear()
+    house.ask("ann", ANN, "break", application="desk", **{"from": "1", "to": "2"})
+    house.ask("ann", ANN, "pause")
+    house.ask("ann", ANN, "goto", state="2")
+    house.ask("ann", ANN, "resume", application="desk")
+    house.ask("ann", ANN, "unbreak")
+    assert told(caplog) == [
+        "changed name=ann do=break what=desk,1,2",
+        'changed name=ann do=pause what=""',
+        "changed name=ann do=goto what=2",
+        "changed name=ann do=resume what=desk",
+        'changed name=ann do=unbreak what=""',
+    ]
+
+
 def test_nobody_takes_up_the_session_of_another(house: House) -> None:
     session = house.hello("a", ANN, role="operator")["session"]
     assert house.hello("b", BOB, role="operator", session=session)["code"] == "name"

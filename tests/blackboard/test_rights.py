@@ -59,6 +59,7 @@ CHANGING = {
     "answer": "module",
     "disclose": "module",
     "perform": "service",
+    **dict.fromkeys(("break", "unbreak", "pause", "resume", "step", "goto"), "operator"),
 }
 KINDS: dict[str, type[Request]] = {
     str(kind.__struct_config__.tag): kind for kind in get_args(AnyRequest)

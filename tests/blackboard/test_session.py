@@ -336,6 +336,49 @@ def test_a_viewer_changes_nothing(hand: Any, do: str) -> None:
     assert [e["kind"] for e in traced(hand) if e["t"] > 0] == []
 
 
+def test_an_operator_debugs_and_the_trace_tells_who(hand: Any) -> None:
+    hand.hello("looker", role="viewer")
+    hand.hello("desk", role="operator", user="ann")
+    hand.hello("eyes")
+    hand.ask("desk", "break", application="desk", state="2")
+    hand.ask("eyes", "publish", event="go")
+    names = ["debugger.breakpoints", "debugger.paused", "application/desk"]
+    found = hand.ask("desk", "get", names=names)["entries"]
+    (breakpoint,) = found["debugger.breakpoints"]["value"]
+    assert (breakpoint["id"], breakpoint["state"]) == (1, "2")
+    assert found["debugger.paused"]["value"] == {"desk": 1}
+    for do in ("unbreak", "resume", "pause"):
+        assert hand.ask("desk", do)["re"] == "done"
+    hand.ask("desk", "goto", application="desk", state="1")
+    assert hand.ask("desk", "goto", application="desk", state="9")["code"] == "refused"
+    told = [(e["kind"], e.get("writer")) for e in traced(hand) if "writer" in e]
+    assert told[-4:] == [
+        ("data", "operator:ann"),
+        ("resumed", "operator:ann"),
+        ("paused", "operator:ann"),
+        ("transition", "operator:ann"),
+    ]
+
+
+@pytest.mark.parametrize("do", ["break", "unbreak", "pause", "resume", "step", "goto"])
+def test_only_an_operator_debugs(hand: Any, do: str) -> None:
+    hand.hello("eyes")
+    fields = {"state": "1"} if do in ("break", "goto") else {}
+    assert hand.ask("eyes", do, **fields)["code"] == "role"
+
+
+def test_what_an_operator_who_is_lost_paused_stays_paused(hand: Any) -> None:
+    hand.hello("desk", role="operator", user="ann")
+    hand.ask("desk", "pause")
+    hand.at(60.0).hello("eyes")
+    hand.ask("eyes", "publish", event="go")
+    entries = hand.ask("eyes", "get", names=["debugger.paused", "application/desk.state"])[
+        "entries"
+    ]
+    assert entries["debugger.paused"]["value"] == {"desk": None}
+    assert entries["application/desk.state"]["value"] == "1"
+
+
 def test_a_fault_of_ours_leaves_nobody_waiting(hand: Any, monkeypatch: Any) -> None:
     hand.hello("nod")
     monkeypatch.setattr(hand.core, "step", lambda given: 1 / 0)

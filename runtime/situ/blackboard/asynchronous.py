@@ -16,6 +16,7 @@ from situ.blackboard.feeds import Change
 from situ.blackboard.protocol import (
     Addresses,
     AnyReply,
+    DebugVerb,
     Entry,
     Files,
     Message,
@@ -141,6 +142,9 @@ class AsyncBoard:
 
     async def publish(self, event: str, application: str | None = None) -> None:
         await self._answer(self._dialog.publish(event, application))
+
+    async def debug(self, verb: DebugVerb, **fields: Any) -> None:
+        await self._answer(self._dialog.debug(verb, **fields))
 
     async def use(self, component: str, *value: Any) -> None:
         await self._answer(self._dialog.use(component, *value))

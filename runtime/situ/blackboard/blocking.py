@@ -14,6 +14,7 @@ from situ.blackboard.driving import Driving
 from situ.blackboard.feeds import Change
 from situ.blackboard.protocol import (
     Addresses,
+    DebugVerb,
     Entry,
     Files,
     Message,
@@ -134,6 +135,11 @@ class Board:
     def publish(self, event: str, application: str | None = None) -> None:
         """An event for an application, or (None) for every one."""
         self._ask(lambda dialog: dialog.publish(event, application))
+
+    def debug(self, verb: DebugVerb, **fields: Any) -> None:
+        """What an operator may do to running applications: the request ``verb`` with its fields
+        (docs/protocol.md); ``source`` is a breakpoint's ``from``."""
+        self._ask(lambda dialog: dialog.debug(verb, **fields))
 
     def use(self, component: str, *value: Any) -> None:
         """What a person does to a component of the screen shown; no value for a button."""

@@ -306,6 +306,10 @@ class Dialog:
         request = protocol.Publish(id=self.next_id(), event=event, application=application)
         return self.ask(request, _nothing, again=False)
 
+    def debug(self, verb: protocol.DebugVerb, **fields: Any) -> Call[None]:
+        request = protocol.DEBUGGING[verb](id=self.next_id(), **fields)
+        return self.ask(request, _nothing, again=False)
+
     def command(self, resource: str, value: Any, valid: float | None = None) -> Call[None]:
         """A command. Without a connection there is no authority either: it is left out, for
         later it would be stale."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import get_args
+
 from msgspec.structs import replace
 
 from situ.blackboard import protocol
@@ -16,6 +18,7 @@ _CHANGING = (
     protocol.Use,
     protocol.Touch,
     protocol.Finish,
+    *get_args(protocol.Debugging),
 )
 
 
@@ -72,6 +75,13 @@ def _what(request: protocol.Request) -> str:
         return ",".join(request.tags)
     if isinstance(request, protocol.Publish):
         return request.event
+    if isinstance(request, protocol.Break):
+        at = (request.application, request.state, request.source, request.to, request.situation)
+        return ",".join(one for one in at if one is not None)
+    if isinstance(request, protocol.Goto):
+        return request.state
+    if isinstance(request, (protocol.Pause, protocol.Resume, protocol.Step)):
+        return request.application or ""
     if isinstance(request, protocol.Use):
         return request.component
     if isinstance(request, protocol.Hello):

@@ -230,6 +230,46 @@ class Trace(Request, frozen=True, kw_only=True):
     since: int | None = None
 
 
+class Break(Request, frozen=True, kw_only=True):
+    """A breakpoint (``situ.decide.inputs.Break``)."""
+
+    application: str | None = None
+    state: str | None = None
+    source: str | None = field(name="from", default=None)
+    to: str | None = None
+    situation: str | None = None
+    when: str | None = None
+
+
+class Unbreak(Request, frozen=True, kw_only=True):
+    """breakpoint: its id; None: all of them."""
+
+    breakpoint: int | None = None
+
+
+class Pause(Request, frozen=True, kw_only=True):
+    """application None: all of them, as in ``Resume``."""
+
+    application: str | None = None
+
+
+class Resume(Request, frozen=True, kw_only=True):
+    application: str | None = None
+
+
+class Step(Request, frozen=True, kw_only=True):
+    """The next thing of a paused application; None where there is only one application."""
+
+    application: str | None = None
+
+
+class Goto(Request, frozen=True, kw_only=True):
+    """state: its path (``5/q``)."""
+
+    state: str
+    application: str | None = None
+
+
 class Documents(Request, frozen=True, kw_only=True):
     """The files of the project as the robot runs it."""
 
@@ -256,6 +296,17 @@ class Bye(Request, frozen=True, kw_only=True):
     module: str | None = None
 
 
+Debugging = Break | Unbreak | Pause | Resume | Step | Goto
+DebugVerb = Literal["break", "unbreak", "pause", "resume", "step", "goto"]
+DEBUGGING: dict[DebugVerb, type[Debugging]] = {
+    "break": Break,
+    "unbreak": Unbreak,
+    "pause": Pause,
+    "resume": Resume,
+    "step": Step,
+    "goto": Goto,
+}
+
 AnyRequest = (
     Hello
     | Heartbeat
@@ -275,6 +326,7 @@ AnyRequest = (
     | Serve
     | Answer
     | Trace
+    | Debugging
     | Documents
     | Expected
     | Modules
@@ -511,6 +563,12 @@ REPLIES: dict[type[Request], type[Reply]] = {
     Serve: Questions,
     Answer: Done,
     Trace: Traced,
+    Break: Done,
+    Unbreak: Done,
+    Pause: Done,
+    Resume: Done,
+    Step: Done,
+    Goto: Done,
     Documents: Files,
     Expected: Expectations,
     Modules: ModuleStates,

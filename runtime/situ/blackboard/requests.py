@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable
-from typing import Any
+from typing import Any, get_args
 
 from msgspec import UNSET, Raw, Struct
 
@@ -302,6 +302,27 @@ def _trace(core: Core, session: Session, request: protocol.Trace) -> protocol.Re
     )
 
 
+def _debug(core: Core, session: Session, request: protocol.Debugging) -> protocol.Reply:
+    if session.role != "operator":
+        raise No("role", "only an operator debugs: connect as one")
+    who, of = session.writer, request
+    given: inputs.Debugging
+    if isinstance(of, protocol.Break):
+        given = inputs.Break(who, of.application, of.state, of.source, of.to, of.situation, of.when)
+    elif isinstance(of, protocol.Unbreak):
+        given = inputs.Unbreak(who, of.breakpoint)
+    elif isinstance(of, protocol.Pause):
+        given = inputs.Pause(who, of.application)
+    elif isinstance(of, protocol.Resume):
+        given = inputs.Resume(who, of.application)
+    elif isinstance(of, protocol.Step):
+        given = inputs.Step(who, of.application)
+    else:
+        given = inputs.Goto(who, of.state, of.application)
+    _do(core, given)
+    return protocol.Done(id=request.id)
+
+
 def _documents(core: Core, session: Session, request: protocol.Documents) -> protocol.Reply:
     return protocol.Files(id=request.id, project=core.project.name, files=dict(core.files))
 
@@ -412,6 +433,7 @@ _ANSWERS: dict[type[protocol.Request], Callable[[Core, Session, Any], protocol.R
     protocol.Serve: _serve,
     protocol.Answer: _answer,
     protocol.Trace: _trace,
+    **dict.fromkeys(get_args(protocol.Debugging), _debug),
     protocol.Documents: _documents,
     protocol.Expected: _expected,
     protocol.Modules: _modules,

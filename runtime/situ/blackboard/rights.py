@@ -6,6 +6,8 @@ is; what is allowed must still be so by the rules of the blackboard.
 
 from __future__ import annotations
 
+from typing import get_args
+
 from situ.blackboard import protocol
 from situ.blackboard.identity import ROBOT, Identity
 from situ.blackboard.protocol import Request
@@ -47,6 +49,7 @@ ALLOWED: dict[protocol.Role, frozenset[type[Request]]] = {
         protocol.Touch,
         protocol.Attend,
         protocol.Finish,
+        *get_args(protocol.Debugging),
     },
     "service": _LOOKING
     | {
