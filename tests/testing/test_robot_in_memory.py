@@ -78,6 +78,16 @@ def test_twice_the_same_gives_the_same_trace(form: str) -> None:
 
 
 @FORMS
+def test_the_trace_ends_where_the_robot_is_closed(form: str) -> None:
+    with situ.testing.robot(LAB) as robot:
+        started(robot, form).set({"person.calling": True, "speech.acceptable": True})
+        robot.pass_time(0.1)
+        assert robot.holder("head") == "nod"
+        known, now = list(robot.trace), robot.now
+    assert (robot.trace, robot.now) == (known, now)
+
+
+@FORMS
 def test_a_lost_module_gives_up_authority_and_is_itself_again(form: str) -> None:
     with situ.testing.robot(modules={"nod": ["head"], "chase": ["head"]}) as robot:
         chase = robot.connect(module="chase", resources=["head"])

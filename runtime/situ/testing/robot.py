@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import inspect
 import threading
 from collections.abc import Callable, Coroutine, Iterable, Mapping
@@ -174,7 +175,7 @@ class Robot:
 
     @property
     def trace(self) -> list[dict[str, Any]]:
-        """Every event so far, as in a trace file."""
+        """Every event so far, as in a trace file; the last are those before ``close``."""
         return self._world.trace
 
     @property
@@ -205,12 +206,13 @@ class Robot:
         return [event for event in self.trace if fields.items() <= event.items()]
 
     def close(self) -> None:
-        """Ends all modules. Raises what one of them raised; may be called twice."""
+        """Ends all modules. Raises what one of them raised; may be called twice.
+
+        They end in no order that could be told, so ``trace`` ends before they do.
+        """
         if self._time.over:
             return
-        self._time.end()
-        for end in self._ends:
-            end()
+        self._time.end(self._ends)
         for thread in self._threads:
             thread.join(COMPUTING)
         left = [thread.name for thread in self._threads if thread.is_alive()]
@@ -274,5 +276,6 @@ class Robot:
 
 
 def _cancel(loop: asyncio.AbstractEventLoop, task: asyncio.Task[Any]) -> None:
-    if not loop.is_closed():
+    # One that has ended meanwhile is closed.
+    with contextlib.suppress(RuntimeError):
         loop.call_soon_threadsafe(task.cancel)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from selectors import DefaultSelector, SelectorKey
 
 from situ.errors import BlackboardError, Unreachable
@@ -107,10 +107,13 @@ class SharedTime:
             self._threads.discard(threading.get_ident())
             self.lock.notify_all()
 
-    def end(self) -> None:
-        """Ends all waiting."""
+    def end(self, tasks: Iterable[Callable[[], None]] = ()) -> None:
+        """Ends all waiting. tasks: cancel those of the loops, and are called with ``lock``."""
         with self.lock:
             self.over = True
+            # At once: a loop that woke in between would go on to what it waits for.
+            for cancel in tasks:
+                cancel()
             self.lock.notify_all()
 
     def woken(self) -> None:
