@@ -13,9 +13,11 @@ import socket
 import struct
 from collections import deque
 from collections.abc import Iterator
+from functools import partial
 from urllib.parse import urlsplit
 
 import zmq
+from zmq.backend import Socket as BareSocket
 
 from situ.blackboard.link import NOW, has_come
 
@@ -42,6 +44,8 @@ class Outbox:
 
     def __init__(self, zmq_socket: zmq.Socket[bytes], address: str, limit: int = LIMIT) -> None:
         self._socket = zmq_socket
+        # The one below pyzmq's own, which first looks for what only other kinds of sockets have.
+        self._send = partial(BareSocket.send, zmq_socket)
         self._port = urlsplit(address).port if address.startswith("tcp://") else None
         self._limit = limit
         self._waiting: deque[tuple[zmq.MessageTracker, int]] = deque()
@@ -63,9 +67,9 @@ class Outbox:
         if large and not self._has_room(len(message)):
             return
         if peer is not None:
-            self._socket.send(peer, _MORE)
+            self._send(peer, _MORE)
         if not large:
-            self._socket.send(message, NOW)
+            self._send(message, NOW)
         else:
             frame = zmq.Frame(message, track=True, copy=False)
             self._socket.send(frame, NOW, copy=False)
