@@ -43,7 +43,9 @@ export class Refused extends Error {
 // One session after the other until `close`. patterns: whole tags, or patterns that end in .* or
 // .**, no two of which fit the same tag.
 // on.entry(tag, entry): what stands there now, on.open({writes, project}): in; on.away(): out.
+// time: the robot's, in µs, as last heard.
 export class Board {
+  time = 0;
   #socket = null;
   #ids = 0;
   #waiting = new Map();
@@ -162,7 +164,8 @@ export class Board {
 
   async #live() {
     try {
-      const { changes } = await this.ask("heartbeat");
+      const { changes, time } = await this.ask("heartbeat");
+      this.time = time;
       const lost = this.#before !== null && this.#heard < this.#before;
       this.#before = sum(changes);
       if (lost) await this.#watch();

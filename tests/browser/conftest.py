@@ -12,9 +12,17 @@ from typing import Any
 import pytest
 from playwright.async_api import Browser, Page, ViewportSize, async_playwright, expect
 
+from situ.blackboard.asynchronous import AsyncBoard
+from situ.blackboard.calls import Person
+from situ.blackboard.client import connect_async
+from situ.blackboard.identity import KeyRole
+from situ.blackboard.keys import KnownKey, RobotKeys, add_known, door_to, new_robot, token_keys
+from situ.blackboard.link import Link
 from situ.decide.effects import Map
 from situ.decide.inputs import AnyInput
 from situ.document.project import Project
+from situ.document.ready import load_ready
+from situ.engine.live import Live
 from situ.engine.perform import Performer
 from situ.engine.voices.espeak import EspeakNg
 
@@ -189,3 +197,82 @@ def media(tmp_path: Path) -> Path:
     folder = tmp_path / "project" / "media"
     folder.mkdir(parents=True)
     return folder
+
+
+Scene = Callable[[Page, AsyncBoard], Awaitable[None]]
+
+
+@contextlib.asynccontextmanager
+async def robot(folder: Path, keys: RobotKeys | None) -> AsyncIterator[tuple[str, AsyncBoard]]:
+    """A robot that runs the project there; its screen's address, and Bob at its blackboard."""
+    project = load_ready(folder)
+    live = Live(
+        project,
+        "tcp://127.0.0.1:0",
+        "tcp://127.0.0.1:0",
+        lambda submit, tag: Performer(project, submit, tag=tag, services=("screen",)),
+        keys=keys,
+    )
+    addresses = await live.start()
+    assert addresses.http is not None
+    try:
+        if keys is None:
+            board = connect_async(addresses.requests, "bob")
+        else:
+            bob = Person(role="operator", user="bob")
+            own = door_to(keys.public)("bob's token")
+            board = AsyncBoard(Link(addresses.requests, bob, keys=own))
+        async with board:
+            yield addresses.http, board
+    finally:
+        await live.stop()
+
+
+@pytest.fixture
+def before(theatre: Theatre, tmp_path: Path) -> Callable[..., None]:
+    """Somebody before a page beside the screen: ``before(path, files, scene)``. files: of the
+    project; ``token``: as in the address, the screen's unless given; ``keys``: the robot's; all
+    else is the window's.
+    """
+
+    def run(
+        path: str,
+        files: dict[str, str],
+        scene: Scene,
+        token: str | None = None,
+        keys: RobotKeys | None = None,
+        **window: Any,
+    ) -> None:
+        for name, text in files.items():
+            (tmp_path / name).write_text(text)
+
+        async def whole() -> None:
+            complaints: list[str] = []
+            async with (
+                asyncio.timeout(3 * DEADLINE),
+                robot(tmp_path, keys) as (screen, board),
+                theatre.window("about:blank", **window) as page,
+            ):
+                page.on("pageerror", lambda error: complaints.append(str(error)))
+                root, _, own = screen.partition("?token=")
+                shown = own if token is None else token
+                await page.goto(f"{root}{path}?token={shown}" if shown else f"{root}{path}")
+                await scene(page, board)
+            assert complaints == []
+
+        theatre.loop.run_until_complete(whole())
+
+    return run
+
+
+@pytest.fixture
+def keys(tmp_path: Path) -> RobotKeys:
+    """A robot's, who knows two operators and a viewer by their tokens."""
+    folder = tmp_path / "state" / "keys"
+    folder.mkdir(parents=True)
+    new_robot(folder)
+    people: dict[str, KeyRole] = {"ann": "operator", "bob": "operator", "tablet": "viewer"}
+    for name, role in people.items():
+        public = token_keys(f"{name}'s token")[0].decode()
+        add_known(folder, name, KnownKey(public, role, (), door=True))
+    return RobotKeys(folder)

@@ -2,28 +2,17 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import AsyncIterator, Awaitable, Callable
-from contextlib import asynccontextmanager
-from pathlib import Path
+from collections.abc import Awaitable, Callable
 from typing import Any
 
 import pytest
 from playwright.async_api import Locator, Page, expect
 
 from situ.blackboard.asynchronous import AsyncBoard
-from situ.blackboard.calls import Person
-from situ.blackboard.client import connect_async
-from situ.blackboard.identity import KeyRole
-from situ.blackboard.keys import KnownKey, RobotKeys, add_known, door_to, new_robot, token_keys
-from situ.blackboard.link import Link
-from situ.document.ready import load_ready
-from situ.engine.live import Live
-from situ.engine.perform import Performer
+from situ.blackboard.keys import RobotKeys
 
 pytestmark = pytest.mark.chromium
 
-DEADLINE = 60.0
 PHONE = {"viewport": {"width": 390, "height": 844}}
 FORMS = {
     "ward.round": ("Morning round", 'type = "time"'),
@@ -76,70 +65,14 @@ Visit = Callable[..., None]
 
 
 @pytest.fixture
-def visit(theatre: Any, tmp_path: Path) -> Visit:
-    """Opens the page: ``visit(scenario)``; ``token`` with keys, all else is the window's."""
+def visit(before: Any) -> Visit:
+    """Opens the page: ``visit(scenario)``; more as in ``before``."""
+    files = {"situ.toml": PROJECT, "rest.rbd.xml": REST}
 
-    @asynccontextmanager
-    async def robot(keys: RobotKeys | None) -> AsyncIterator[tuple[str, str, AsyncBoard]]:
-        project = load_ready(tmp_path)
-        ears: list[Performer] = []
-
-        def performer(submit: Any, tag: Any) -> Performer:
-            ears.append(Performer(project, submit, tag=tag, services=("screen",)))
-            return ears[0]
-
-        live = Live(project, "tcp://127.0.0.1:0", "tcp://127.0.0.1:0", performer, keys=keys)
-        addresses = await live.start()
-        try:
-            root, _, token = str(ears[0].screen_url).partition("?token=")
-            if keys is None:
-                async with connect_async(addresses.requests, "bob") as board:
-                    yield root, token, board
-            else:
-                of = door_to(keys.public)
-                bob = Person(role="operator", user="bob")
-                async with AsyncBoard(
-                    Link(addresses.requests, bob, keys=of("bob's token"))
-                ) as board:
-                    yield root, token, board
-        finally:
-            await live.stop()
-
-    def run(
-        scenario: Scenario, token: str | None = None, keys: RobotKeys | None = None, **window: Any
-    ) -> None:
-        (tmp_path / "situ.toml").write_text(PROJECT)
-        (tmp_path / "rest.rbd.xml").write_text(REST)
-
-        async def whole() -> None:
-            complaints: list[str] = []
-            async with (
-                asyncio.timeout(DEADLINE),
-                robot(keys) as (root, key, board),
-                theatre.window("about:blank", **window) as page,
-            ):
-                page.on("pageerror", lambda error: complaints.append(str(error)))
-                shown = key if token is None else token
-                await page.goto(f"{root}settings?token={shown}" if shown else f"{root}settings")
-                await scenario(Ward(page, board))
-            assert complaints == []
-
-        theatre.loop.run_until_complete(whole())
+    def run(scenario: Scenario, **more: Any) -> None:
+        before("settings", files, lambda page, board: scenario(Ward(page, board)), **more)
 
     return run
-
-
-@pytest.fixture
-def keys(tmp_path: Path) -> RobotKeys:
-    """A robot's, who knows two operators and a viewer by their tokens."""
-    folder = tmp_path / "state" / "keys"
-    folder.mkdir(parents=True)
-    new_robot(folder)
-    people: dict[str, KeyRole] = {"ann": "operator", "bob": "operator", "tablet": "viewer"}
-    for name, role in people.items():
-        public = token_keys(f"{name}'s token")[0].decode()
-        add_known(folder, name, KnownKey(public, role, (), door=True))
-    return RobotKeys(folder)
 
 
 def test_each_kind_of_field_is_typed_and_saved(visit: Visit) -> None:

@@ -1,4 +1,4 @@
-"""The pages beside the robot's screen: ``/settings`` and what it is made from.
+"""The pages beside the robot's screen: ``/settings`` and ``/operate``.
 
 A page itself is for everybody, for nothing stands in it: what it shows comes from the
 blackboard's WebSocket door, with the rights of whoever has opened it.
@@ -37,7 +37,7 @@ class Pages:
         self._headers = headers
 
     def route(self, router: web.UrlDispatcher) -> None:
-        router.add_get("/{page:settings}", self._on_page)
+        router.add_get("/{page:settings|operate}", self._on_page)
         router.add_get("/settings.json", self._on_settings)
 
     async def _on_page(self, request: web.Request) -> web.StreamResponse:
