@@ -751,7 +751,9 @@ def read_reply(body: bytes) -> AnyReply:
 def read_notice(frame: bytes) -> AnyNotice:
     """A frame with its topic. Raises ``Malformed`` and nothing else."""
     try:
-        return _notices.decode(memoryview(frame)[frame.index(b"\n") + 1 :])
+        begin = frame.index(b"\n") + 1
+        # Where there is little to copy that is faster than to look at it in its place.
+        return _notices.decode(frame[begin:] if len(frame) < 4_096 else memoryview(frame)[begin:])
     except (*_BROKEN, ValueError) as error:
         raise Malformed(f"no notice of version {VERSION}: {_said(error)}") from None
 
