@@ -183,6 +183,18 @@ def projects(draw: st.DrawFn) -> Project:
 
 sets_of_resources = st.lists(st.sampled_from(RESOURCES), unique=True, max_size=3).map(tuple)
 modules = st.sampled_from(MODULES)
+one_or_all = st.sampled_from([None, "a", "b"])
+operators: st.SearchStrategy[inputs.AnyInput] = st.one_of(
+    st.builds(inputs.Pause, st.just("operator:ann"), one_or_all),
+    st.builds(inputs.Resume, st.just("operator:ann"), one_or_all),
+    st.builds(inputs.Step, st.just("operator:ann"), one_or_all),
+    st.builds(inputs.Goto, st.just("operator:ann"), st.sampled_from(STATES), one_or_all),
+    st.builds(inputs.Break, st.just("operator:ann"), one_or_all, st.sampled_from(STATES)),
+    st.builds(
+        lambda to, name: inputs.Break("operator:ann", name, to=to),
+        st.sampled_from(STATES), one_or_all,
+    ),
+)  # fmt: skip
 given_inputs: st.SearchStrategy[inputs.AnyInput] = st.one_of(
     st.builds(
         inputs.Set, st.dictionaries(st.sampled_from(TAGS), values, min_size=1), st.just("scenario")
@@ -196,6 +208,7 @@ given_inputs: st.SearchStrategy[inputs.AnyInput] = st.one_of(
     ),
     st.builds(inputs.Lost, modules),
     st.builds(inputs.Finish, st.sampled_from(["speech", "service", "robot", None])),
+    operators,
 )
 scenarios = st.lists(st.tuples(st.integers(0, 4), given_inputs), max_size=25)
 Scenario = list[tuple[int, inputs.AnyInput]]
