@@ -6,6 +6,7 @@ import json
 import os
 import queue
 import re
+import select
 import subprocess
 import sys
 import threading
@@ -25,9 +26,11 @@ PROGRAMS = dict(re.findall(r"```python\n# (\w+\.py)\n(.*?)```", PAGE, re.DOTALL)
 
 SPD_SAY = """#!/bin/sh
 case "$*" in *--cancel) exit 0 ;; esac
+for text; do :; done
+echo "$text" > "$0.begun"
 read x < "$0.end"
 """
-"""A voice that speaks until it is told that it has been heard to its end."""
+"""A voice that tells what it begins to say, and speaks until it is told that it has been heard."""
 
 ARECORD = """#!/bin/sh
 exec cat "$0.sound"
@@ -56,6 +59,10 @@ class KaldiRecognizer:
 '''
 
 
+HELLO = "Hello. I am glad to see you. Shall we talk a little?"
+GLAD = "I am glad. A good night makes a good day."
+
+
 class Line:
     """A named pipe that is written into, whether or not somebody reads yet."""
 
@@ -65,6 +72,14 @@ class Line:
 
     def write(self, data: bytes) -> None:
         os.write(self._end, data)
+
+    def read(self) -> str:
+        """What has been written into it since, at least a line. Raises AssertionError."""
+        data = b""
+        while not data.endswith(b"\n"):
+            assert select.select([self._end], [], [], DEADLINE)[0], f"no line, but {data!r}"
+            data += os.read(self._end, 4096)
+        return data.decode()
 
     def close(self) -> None:
         os.close(self._end)
@@ -78,6 +93,7 @@ class Robot:
         for name, text in {"spd-say": SPD_SAY, "arecord": ARECORD, "vosk.py": VOSK}.items():
             (folder / name).write_text(text, "utf-8")
             (folder / name).chmod(0o755)
+        self.begun = Line(folder / "spd-say.begun")
         self.voice = Line(folder / "spd-say.end")
         self.sound = Line(folder / "arecord.sound")
         self._programs: list[subprocess.Popen[str]] = []
@@ -110,6 +126,14 @@ class Robot:
         self._programs.append(started)
         return started
 
+    def hear(self, text: str) -> None:
+        """Has the voice end this text. One that has been cut off may still be about to go, and
+        would take its end."""
+        said = ""
+        while not said.endswith(f"{text}\n"):
+            said = self.begun.read()
+        self.voice.write(b"end\n")
+
     def start(self, name: str) -> subprocess.Popen[str]:
         return self._start(str(self.folder / name))
 
@@ -130,6 +154,7 @@ class Robot:
     def close(self) -> None:
         # What records ends with its sound, and who listens to it too.
         self.sound.close()
+        self.begun.close()
         self.voice.close()
         for program in reversed(self._programs):
             program.terminate()
@@ -190,14 +215,14 @@ def test_a_conversation_by_word_of_mouth(robot: Robot) -> None:
         say(ears, "yes")
         assert robot.line(ears) == "nobody listens\n"
         assert board.get("heard") is None
-        robot.voice.write(b"end\n")
+        robot.hear(HELLO)
         assert {"yes please", "not now", "pardon"} <= set(until(listen, "yes please"))
         # Hard to hear: it asks once more, and hears nothing meanwhile.
         say(ears, "yes please?")
         assert "'yes please'" in robot.line(ears)
         find(events, kind="event", name="notunderstood")
         until(listen, None)
-        robot.voice.write(b"end\n")
+        robot.hear(HELLO)
         until(listen, "yes please")
         say(ears, "Yes, please!")
         find(events, kind="transition", event="clickYes", to="2")
@@ -210,7 +235,7 @@ def test_a_conversation_by_word_of_mouth(robot: Robot) -> None:
         ears.stdin.close()
         ears.stdin = None
         find(events, kind="lost", module="ears")
-        robot.voice.write(b"end\n")
+        robot.hear(GLAD)
         # The same with sound, and a recogniser that knows what may be said.
         until(listen, "very much")
         robot.start("ears_vosk.py")
