@@ -186,4 +186,16 @@ def test_the_screens_key_stays_the_same_over_a_restart_and_is_nobody_elses(situa
     first = asyncio.run(key())
     assert len(first) >= 32
     assert asyncio.run(key()) == first
-    assert (situation.state / "keys" / "screen").stat().st_mode & 0o077 == 0
+    file = situation.state / "keys" / "screen"
+    assert file.stat().st_mode & 0o077 == 0
+
+    file.write_text("")  # what a full disk leaves
+    made = asyncio.run(key())
+    assert len(made) >= 32
+    assert asyncio.run(key()) == made
+
+    file.unlink()
+    file.parent.rmdir()
+    file.parent.write_text("")
+    with pytest.raises(UsageError, match="screen: the screen's key can not be kept there"):
+        asyncio.run(key())

@@ -33,6 +33,7 @@ from situ.engine.robots import Adapter, Surroundings, find
 from situ.engine.screen.server import ScreenServer
 from situ.engine.secrets import Secrets
 from situ.engine.voices import Voice
+from situ.errors import UsageError
 
 Act = Callable[[], Coroutine[Any, Any, None]]
 
@@ -407,11 +408,19 @@ class Performer:
         if self._state_dir is None:
             return None
         file = self._state_dir / "keys" / "screen"
-        if not file.is_file():
-            file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-            file.touch(mode=0o600)
-            file.write_text(secrets.token_urlsafe(24) + "\n", "utf-8")
-        return file.read_text("utf-8").strip() or None
+        try:
+            # A disk that was full when the key was made has left an empty file.
+            key = file.read_text("utf-8").strip() if file.is_file() else ""
+            if not key:
+                key = secrets.token_urlsafe(24)
+                file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+                file.touch(mode=0o600)
+                file.write_text(key + "\n", "utf-8")
+        except OSError as error:
+            raise UsageError(
+                f"{file}: the screen's key can not be kept there: {error.strerror}"
+            ) from None
+        return key
 
 
 def _internal(error: Exception) -> str:
