@@ -24,7 +24,7 @@ from situ.document.rbd import Application, Set, State
 from situ.document.ready import load_ready
 from situ.engine.folder import StateFolder
 from situ.engine.live import Live
-from situ.engine.recovery import INPUTS, Recovery, identity
+from situ.engine.recovery import AGAIN, INPUTS, Recovery, identity
 from situ.errors import Refused, UsageError
 
 DEADLINE = 20.0
@@ -179,6 +179,26 @@ def test_what_can_not_be_written_down_leaves_nothing_old_behind(
     recovery.snapshot(0.0, robot, SESSIONS, Backlog())
     recovery.append(PAST)
     assert found(tmp_path, project) == PAST
+
+
+def test_when_there_is_room_again_it_is_soon_written_down_again(
+    tmp_path: Path, project: Project
+) -> None:
+    recovery = Recovery(tmp_path, project, boot=BOOT)
+    (tmp_path / "core").write_text("in the way")
+    recovery.snapshot(0.0, Robot(project), SESSIONS, Backlog())
+    assert found(tmp_path, project) is None
+
+    (tmp_path / "core").unlink()
+    for _ in range(AGAIN - 1):
+        recovery.append(PAST[:1])
+    assert not recovery.wanted
+    recovery.append(PAST[:1])
+    assert recovery.wanted
+    recovery.snapshot(0.0, Robot(project), SESSIONS, Backlog())
+    assert found(tmp_path, project) == []
+    recovery.append(PAST[:1] * AGAIN)
+    assert not recovery.wanted
 
 
 def test_a_new_snapshot_is_wanted_when_much_has_happened(tmp_path: Path, project: Project) -> None:

@@ -35,6 +35,8 @@ FOLDER = "core"
 INPUTS = 10_000
 """What happened since the last snapshot, at the most: a new one is made then. So many are done
 again in about a tenth of a second."""
+AGAIN = 200
+"""After how many inputs it is tried again where nothing could be written."""
 BYTES = 4_000_000
 """The same for what the journal takes; more only where the snapshot itself is as large."""
 
@@ -86,7 +88,8 @@ class Recovery:
     @property
     def wanted(self) -> bool:
         """Whether it is time for a new snapshot."""
-        return self._count >= INPUTS or self._size >= self._limit
+        inputs = AGAIN if self._failing else INPUTS
+        return self._count >= inputs or self._size >= self._limit
 
     def append(self, past: list[Past]) -> None:
         """Writes down what happened; returns when the system has it."""
