@@ -190,11 +190,11 @@ def test_when_there_is_room_again_it_is_soon_written_down_again(
     assert found(tmp_path, project) is None
 
     (tmp_path / "core").unlink()
-    for _ in range(AGAIN - 1):
-        recovery.append(PAST[:1])
-    assert not recovery.wanted
-    recovery.append(PAST[:1])
-    assert recovery.wanted
+    wanted = []
+    for turn in (PAST[:1] * (AGAIN - 1), PAST[:1]):
+        recovery.append(turn)
+        wanted.append(recovery.wanted)
+    assert wanted == [False, True]
     recovery.snapshot(0.0, Robot(project), SESSIONS, Backlog())
     assert found(tmp_path, project) == []
     recovery.append(PAST[:1] * AGAIN)
