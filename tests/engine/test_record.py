@@ -5,6 +5,8 @@ from __future__ import annotations
 import errno
 import json
 import os
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -230,6 +232,36 @@ def test_a_ring_that_can_not_be_made_is_told_once(
     run.recorder.close()
     assert len(caplog.records) == 1
     assert run.robot.board.look("watched.x") == 8
+
+
+def test_a_ring_is_tried_again_and_its_next_file_stands_alone(tmp_path: Path) -> None:
+    (tmp_path / "ring").write_text("in the way")
+    run = Recorded(LAB, ring(tmp_path / "ring"))
+    (tmp_path / "ring").unlink()
+    before = b""
+    for n in range(1, 20):
+        run.at(n * 60 * SECOND, inputs.Set({"watched.x": n}, "nod"))
+        if n == record.SPAN // 60:
+            before = run.trace
+            assert not (tmp_path / "ring").exists()
+    run.recorder.close()
+    files = RingFiles(tmp_path / "ring").found()
+    assert before + b"".join(map(lines, files)) == run.trace
+    for file in files:
+        assert recorded.again(recorded.read(file), "ring") is None
+
+
+def test_what_could_not_be_recorded_shows_in_the_exit_status(tmp_path: Path) -> None:
+    script = tmp_path / "s.jsonl"
+    script.write_text('{"at":0,"end":true}\n')
+    where = ("--endpoint", "tcp://127.0.0.1:0", "--state", str(tmp_path / "state"))
+    run = (sys.executable, "-m", "situ", "run", str(LAB), "--services", "core", *where)
+    for file, status in ((tmp_path / "run.mcap", 0), (Path("/dev/full"), 1)):
+        done = subprocess.run(
+            [*run, "--script", str(script), "--record", str(file)], capture_output=True, text=True
+        )
+        assert done.returncode == status
+    assert "/dev/full: No space left on device" in done.stderr
 
 
 def test_a_file_that_can_not_be_made_is_told_at_once(tmp_path: Path) -> None:

@@ -77,7 +77,8 @@ class Run(Struct, frozen=True):
 
 class Recorder:
     """Writes every step, from ``begin`` on, into the first of ``files`` that can be made, then,
-    where it is to be divided, into the next ones, each with the robot's state before it.
+    where it is to be divided, into the next ones, each with the robot's state before it. What can
+    not be written ends the recording; one that is divided is tried again a file's time later.
 
     What was taken is in the system's hands ``FLUSH`` seconds later; so ``tend`` must be called
     when it says, by a clock in seconds that is not the robot's.
@@ -96,6 +97,8 @@ class Recorder:
         self._file: McapFile | None = None
         self._flush_at: float | None = None
         self._since = 0.0
+        self._us = 0
+        self._again = math.inf
         self._wanted = False
 
     def begin(
@@ -112,7 +115,13 @@ class Recorder:
     ) -> None:
         """One step that was taken. us: the robot's time; moment: UNIX time."""
         if not self._wanted:
+            if us >= self._again:
+                # From here on: the robot's state has this step in it.
+                self._again = math.inf
+                self._state = self._robot.snapshot()
+                self._wanted = True
             return
+        self._us = us
         body = _encode({"us": us, "t": us / SECOND, "given": given})
         self._waiting.append(("/inputs", moment, body))
         self._waiting += [("/trace", moment, stamped(event, moment)) for event in events]
@@ -187,6 +196,7 @@ class Recorder:
             self._file.give_up()
         self._file = None
         self._wanted = False
+        self._again = self._us + self._files.span * SECOND
         _log.error("%s: %s; the recording ends here", self._files.name, error.strerror or error)
 
 
