@@ -4,10 +4,11 @@
 # make bench  measures ours beside what else there is; ARGS="-k fsm" only some
 # make soak   the faults, long and often, with figures; SITU_SEED=N chooses other ones
 # make fuzz   damaged files of each kind, SECONDS=60 long
+# make bare   what a robot gets, without Qt, in an environment of its own: installed and run
 # make format rewrites the code's layout;  make clean removes what was made here
 
 .DELETE_ON_ERROR:
-.PHONY: demo test check lint bench soak fuzz format clean
+.PHONY: demo test check lint bench soak fuzz bare format clean
 
 VENV := .venv
 READY := $(VENV)/.ready
@@ -60,6 +61,9 @@ soak: $(READY)
 
 fuzz: $(READY)
 	@SITU_FUZZ=$(SECONDS) $(BIN)/pytest -q -o timeout=0 -n $(WORKERS) tests/test_fuzz.py
+
+bare:
+	@sh packaging/bare_check.sh $(PYTHON)
 
 format: $(READY)
 	@$(BIN)/ruff check -q --fix-only .
