@@ -7,21 +7,21 @@ import { Visit } from "./visit.js";
 
 const WORDS = {
   en: {
-    title: "Operate", suspended: "Suspended: it waits for its resources",
+    title: "Operate", suspended: "Suspended: it waits for its resources", paused: "Paused", pause: "Pause", resume: "Go on",
     nothing: "It expects no event.", when: "Only where {when}", back: "Nowhere to go back to", or: " or ",
     heard: "What a person said", send: "Send", data: "Set data", tag: "Tag", value: "Value", set: "Set", now: "Now {value}", unset: "Now not set",
     touch: "Touch the screen", raised: "{name} raised", said: "“{text}” sent", wrote: "{tag} set", touched: "Screen touched",
     away: "The robot is away. Try again.", tagless: "Type a tag first", wordless: "Type what was said first",
   },
   ja: {
-    title: "操作", suspended: "中断中：資源を待っています",
+    title: "操作", suspended: "中断中：資源を待っています", paused: "一時停止中", pause: "一時停止", resume: "再開",
     nothing: "待っているイベントはありません。", when: "条件：{when}", back: "戻り先がありません", or: " または ",
     heard: "人が言ったこと", send: "送る", data: "データを設定", tag: "タグ", value: "値", set: "設定", now: "現在：{value}", unset: "現在：未設定",
     touch: "画面にタッチ", raised: "{name}を送りました", said: "「{text}」を送りました", wrote: "{tag}を設定しました", touched: "画面にタッチしました",
     away: "ロボットに接続できません。もう一度お試しください。", tagless: "タグを入力してください", wordless: "言ったことを入力してください",
   },
   de: {
-    title: "Bedienen", suspended: "Angehalten: wartet auf ihre Ressourcen",
+    title: "Bedienen", suspended: "Unterbrochen: wartet auf ihre Ressourcen", paused: "Angehalten", pause: "Anhalten", resume: "Weiter",
     nothing: "Erwartet kein Ereignis.", when: "Nur wenn {when}", back: "Kein Zustand, zu dem es zurückgeht", or: " oder ",
     heard: "Was jemand gesagt hat", send: "Senden", data: "Daten setzen", tag: "Tag", value: "Wert", set: "Setzen", now: "Jetzt {value}", unset: "Jetzt nicht gesetzt",
     touch: "Bildschirm berühren", raised: "{name} ausgelöst", said: "„{text}“ gesendet", wrote: "{tag} gesetzt", touched: "Bildschirm berührt",
@@ -29,7 +29,9 @@ const WORDS = {
   },
 };
 const PAUSE = 500;
+const PAUSING = "#pause"; // no event is called so
 const SHOWN = 4000;
+const SHOWN_REFUSAL = 9000;
 
 const node = (name) => document.getElementById(name);
 const cards = new Map(); // application -> {node, since, shown, time}
@@ -106,21 +108,22 @@ function show(name, { time, ...expectation }) {
   card.since.textContent = age((visit.board.time - time) / 1e6);
 }
 
-function draw(card, name, { state, name: called, suspended, events }) {
-  const focused = card.node.contains(document.activeElement) ? document.activeElement.dataset.event : null;
+function draw(card, name, { state, name: called, suspended, paused, events }) {
+  const focused = card.node.contains(document.activeElement) ? document.activeElement.dataset.event : card.used;
   card.node.replaceChildren();
   element("h2", "", card.node).textContent = name;
   const line = element("p", "state", card.node);
   element("span", "", line).textContent = called ? `${called} (${state})` : state;
   card.since = element("span", "since", line);
   if (suspended) element("p", "note", card.node).textContent = visit.words.suspended;
+  if (paused) element("p", "note", card.node).textContent = visit.words.paused;
   if (!events.length) element("p", "", card.node).textContent = visit.words.nothing;
   const list = element("div", "events", card.node);
   for (const event of events) {
     const button = element("button", event.says.length ? "first" : "plain-event", list);
     button.type = "button";
     button.dataset.event = event.name;
-    button.disabled = !visit.may || suspended || !event.holds;
+    button.disabled = !visit.may || suspended || paused || !event.holds;
     element("span", "", button).textContent = event.name;
     if (event.says.length) element("small", "", button).textContent = event.says.map((one) => `“${one}”`).join(" ");
     if (!event.holds) {
@@ -135,6 +138,20 @@ function draw(card, name, { state, name: called, suspended, events }) {
     });
     if (event.name === focused) button.focus();
   }
+  if (!visit.may) return;
+  const halt = element("button", "pause", card.node);
+  halt.type = "button";
+  halt.dataset.event = PAUSING;
+  halt.textContent = paused ? visit.words.resume : visit.words.pause;
+  halt.addEventListener("click", () => {
+    // What can not be used has no focus: it comes back to what stands in its place.
+    card.used = PAUSING;
+    halt.disabled = true;
+    card.shown = null;
+    act(paused ? "resume" : "pause", { application: name }, halt.textContent);
+  });
+  if (focused === PAUSING && document.activeElement === document.body) halt.focus();
+  card.used = null;
 }
 
 function age(seconds) {
@@ -165,7 +182,7 @@ function tell(is, text) {
   clearTimeout(fading);
   node("told").dataset.is = is;
   node("told").textContent = text;
-  fading = setTimeout(() => { node("told").textContent = ""; }, SHOWN);
+  fading = setTimeout(() => { node("told").textContent = ""; }, is ? SHOWN_REFUSAL : SHOWN);
 }
 
 node("heard").addEventListener("submit", async (event) => {

@@ -106,6 +106,20 @@ def test_the_screen_is_touched_and_data_are_set_as_json_or_text(operate: Operate
     operate(scene)
 
 
+def test_a_paused_application_takes_nothing_until_it_goes_on(operate: Operate) -> None:
+    async def scene(page: Page, board: AsyncBoard) -> None:
+        await page.get_by_role("button", name="Pause").click()
+        await expect(page.get_by_text("Paused", exact=True)).to_be_visible()
+        await expect(page.locator("[data-event=yes]")).to_be_disabled()
+        # Who uses keys need not look for the button again.
+        await expect(page.get_by_role("button", name="Go on")).to_be_focused()
+        await page.get_by_role("button", name="Go on").click()
+        await page.locator("[data-event=yes]").click()
+        await state(page, "serves")
+
+    operate(scene)
+
+
 def test_a_viewer_sees_the_state_and_can_do_nothing(operate: Operate, keys: RobotKeys) -> None:
     async def scene(page: Page, board: AsyncBoard) -> None:
         await expect(page.get_by_text("You can look only")).to_be_visible()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from situ.decide.expected import ExpectedEvent
-from situ.decide.inputs import Raise, Set, Start
+from situ.decide.inputs import Pause, Raise, Set, Start
 from situ.decide.robot import Robot
 
 FLOW = """
@@ -38,7 +38,7 @@ def test_the_state_and_its_named_events_are_told_its_own_before_those_of_always(
     robot = begun(build)
     told = robot.expected()["app"]
     assert (told.state, told.name) == ("1", "waiting")
-    assert (told.time, told.suspended) == (0, False)
+    assert (told.time, told.suspended, told.paused) == (0, False, False)
     assert [one.name for one in told.events] == ["yes", "stop"]
     robot.step(Raise("stop"), 7)
     robot.step(Set({"gone": True}, "ann"), 9)
@@ -79,3 +79,9 @@ def test_to_ask_changes_nothing(build: Any) -> None:
     before = robot.snapshot()
     robot.expected()
     assert robot.snapshot() == before
+
+
+def test_who_is_paused_by_the_debugger_is_told_so(build: Any) -> None:
+    robot = begun(build)
+    robot.step(Pause("operator:ann"), 1)
+    assert robot.expected()["app"].paused

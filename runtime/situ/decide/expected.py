@@ -31,13 +31,14 @@ class Expectation(Struct, frozen=True):
     """One application in its state: its path (``5/q``) and its name, which may be empty.
 
     time: µs, when what stands at ``application/<name>`` last changed. suspended: it takes
-    nothing until it holds its resources again.
+    nothing until it holds its resources again. paused: by the debugger; what comes waits.
     """
 
     state: str
     name: str
     time: int
     suspended: bool
+    paused: bool
     events: tuple[ExpectedEvent, ...]
 
 
@@ -66,6 +67,7 @@ def expected(world: World, machines: Sequence[Machine]) -> dict[str, Expectation
             name=here.source.name,
             time=entry.time if entry is not None else 0,
             suspended=machine.state.suspended,
+            paused=machine.state.paused,
             events=tuple(event(machine, *named) for named in here.named.items()),
         )
     return told
