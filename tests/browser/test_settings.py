@@ -189,8 +189,7 @@ def test_a_viewer_sees_what_stands_there_and_changes_nothing(visit: Visit, keys:
     visit(scenario, token="tablet's token", keys=keys)
 
 
-@pytest.mark.parametrize("colours", ["light", "dark"])
-def test_on_a_phone_every_target_has_a_fingers_size(visit: Visit, colours: str) -> None:
+def test_on_a_phone_every_target_has_a_fingers_size(visit: Visit) -> None:
     async def scenario(ward: Ward) -> None:
         await expect(ward.field("ward.volume")).to_be_enabled()
         await ward.field("ward.volume").fill("1")
@@ -207,4 +206,4 @@ def test_on_a_phone_every_target_has_a_fingers_size(visit: Visit, colours: str) 
         wide = await ward.page.evaluate("document.documentElement.scrollWidth")
         assert wide <= 390
 
-    visit(scenario, **PHONE, color_scheme=colours)
+    visit(scenario, **PHONE)
