@@ -111,7 +111,7 @@ class Head:
 
 
 def test_a_robot_stops_when_its_core_is_killed_and_goes_on_with_the_next(
-    runtime: Runtime, tmp_path: Path
+    runtime: Runtime, tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
     """The lease of a core that says nothing ends; what it had commanded comes with its return."""
     runtime.start("--services", "core", "--no-restart")
@@ -151,7 +151,7 @@ def test_a_robot_stops_when_its_core_is_killed_and_goes_on_with_the_next(
             await head.until(lambda applied: applied[-1] == {"yaw": 20})
         await head.until(lambda applied: applied[-1] is None)
 
-    logging.getLogger("situ.run").setLevel(logging.ERROR)
+    caplog.set_level(logging.ERROR, "situ.run")
     asyncio.run(test())
     runtime.stop()
 
