@@ -24,8 +24,9 @@ from situ.decide import inputs
 from situ.decide.robot import Robot
 from situ.decide.step import SECOND
 from situ.decide.trace import to_line
+from situ.document.folder import sources
 from situ.document.ready import load_ready
-from situ.engine.record import McapFile, recorded_files
+from situ.engine.record import McapFile
 from situ.errors import UsageError
 from situ.rehearse import recorded, scenario
 from situ.rehearse.expect import Expect
@@ -115,7 +116,7 @@ def made(
     file: Path, *pieces: Piece, documents: Mapping[str, str] | None = None, **heading: Any
 ) -> str:
     """A recording of just these."""
-    documents = recorded_files(load_ready(LAB)) if documents is None else documents
+    documents = sources(load_ready(LAB)) if documents is None else documents
     given: dict[str, Any] = {"project": "lab", "file": "situ.toml", "tags": {}} | heading
     out = McapFile(os.open(file, os.O_WRONLY | os.O_CREAT), Heading(**given), documents)
     for piece in pieces:
@@ -218,6 +219,16 @@ def test_why_reads_a_recording(file: Path, capsys: pytest.CaptureFixture[str]) -
     assert cli.main(["why", str(file), "1"]) == 0
     assert "#1" in capsys.readouterr().out
     assert [json.loads(line) for line in run.trace.splitlines()] == read_trace(file)
+
+
+def test_a_length_that_nothing_has_is_damage() -> None:
+    whole = _whole()
+    name = whole.index(b"\x09\0\0\0situ.toml") + 4
+    # An attachment: name, media type and data, each with its length before it.
+    media = name + len("situ.toml")
+    size = media + 4 + int.from_bytes(whole[media : media + 4], "little")
+    file = BytesIO(whole[:size] + b"\xff" * 8 + whole[size + 8 :])
+    assert isinstance(list(recorded.pieces(file, "x"))[-1], recorded.Torn)
 
 
 @settings(deadline=None, max_examples=60)

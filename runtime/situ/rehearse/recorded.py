@@ -261,5 +261,13 @@ def inputs_schema() -> bytes:
 
 _heading = msgspec.json.Decoder(Heading)
 _taken = msgspec.json.Decoder(Taken)
-_DAMAGE = (McapError, ValueError, struct.error, zstandard.ZstdError, msgspec.MsgspecError)
+_DAMAGE = (
+    McapError,
+    ValueError,
+    struct.error,
+    zstandard.ZstdError,
+    msgspec.MsgspecError,
+    OverflowError,
+    MemoryError,
+)
 """What damaged bytes raise."""
