@@ -603,3 +603,17 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(
 def test_writing_where_there_is_no_folder_is_one_line(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="cannot be written"):
         folder.write(tmp_path / "no" / "a.xml", b"new")
+
+
+def test_the_sources_of_a_project_are_all_its_texts_its_parts_among_them(tmp_path: Path) -> None:
+    parts = Path(__file__).parent.parent / "examples" / "parts"
+    project, _ = folder.load(parts)
+    assert project is not None
+    found = folder.sources(project)
+    assert {"situ.toml", "visit.rbd.xml", "register.rbd.xml", "confirm.rbd.xml"} <= found.keys()
+    assert all(text == (parts / path).read_text("utf-8") for path, text in found.items())
+    single = tmp_path / "a.rbd.xml"
+    single.write_text('<application name="a"><state no="1"/></application>', "utf-8")
+    project, _ = folder.load(single)
+    assert project is not None
+    assert folder.sources(project) == {"a.rbd.xml": single.read_text("utf-8")}

@@ -17,8 +17,9 @@ from tests.rehearse.recorded_robot import LAB, Recorded, lines, recorder, ring
 from situ import cli
 from situ.decide import inputs
 from situ.decide.step import SECOND
+from situ.document.folder import sources
 from situ.engine import record
-from situ.engine.record import OneFile, RingFiles, recorded_files
+from situ.engine.record import OneFile, RingFiles
 from situ.errors import UsageError
 from situ.rehearse import recorded
 from situ.rehearse.recorded import Taken
@@ -50,7 +51,7 @@ def test_others_read_it_by_its_index(tmp_path: Path) -> None:
         summary = reader.get_summary()
         assert summary is not None
         assert summary.statistics is not None
-        assert summary.statistics.attachment_count == len(recorded_files(run.project))
+        assert summary.statistics.attachment_count == len(sources(run.project))
         schemas = {s.name: json.loads(s.data) for s in summary.schemas.values()}
         # What looks at one object a topic asks for just this.
         assert {schema["type"] for schema in schemas.values()} == {"object"}

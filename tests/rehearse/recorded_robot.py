@@ -8,8 +8,9 @@ from situ.blackboard.backlog import stamped
 from situ.decide import inputs
 from situ.decide.robot import Robot
 from situ.decide.step import SECOND
+from situ.document.folder import sources
 from situ.document.ready import load_ready
-from situ.engine.record import OneFile, Recorder, RingFiles, Run, recorded_files
+from situ.engine.record import OneFile, Recorder, RingFiles, Run
 from situ.rehearse import recorded
 from situ.rehearse.recorded import Line
 
@@ -47,11 +48,11 @@ class Recorded:
 
 
 def recorder(file: Path, project: Path = LAB, *, goes_on: bool = False) -> Recorder:
-    return Recorder(OneFile(file, goes_on=goes_on), recorded_files(load_ready(project)))
+    return Recorder(OneFile(file, goes_on=goes_on), sources(load_ready(project)))
 
 
 def ring(folder: Path) -> Recorder:
-    return Recorder(RingFiles(folder), recorded_files(load_ready(LAB)))
+    return Recorder(RingFiles(folder), sources(load_ready(LAB)))
 
 
 def lines(file: Path) -> bytes:

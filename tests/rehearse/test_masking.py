@@ -15,8 +15,9 @@ from tests.rehearse.recorded_robot import Recorded
 from situ import cli
 from situ.decide import inputs
 from situ.decide.step import SECOND
+from situ.document.folder import sources
 from situ.document.ready import load_ready
-from situ.engine.record import OneFile, Recorder, recorded_files
+from situ.engine.record import OneFile, Recorder
 from situ.rehearse import masking
 from situ.rehearse.masking import HIDDEN, Mask
 from situ.rehearse.recorded import Document, Heading, Snapshot, Taken, read
@@ -67,7 +68,7 @@ def file(ward: Path, tmp_path: Path) -> Path:
 
 
 def made(file: Path, ward: Path) -> Recorder:
-    return Recorder(OneFile(file), recorded_files(load_ready(ward)))
+    return Recorder(OneFile(file), sources(load_ready(ward)))
 
 
 def play(run: Recorded) -> None:

@@ -58,6 +58,16 @@ def load(path: str | Path) -> tuple[Project | None, list[Problem]]:
     return _Loading(given.parent).single(given.name, _bytes(given, path))
 
 
+def sources(project: Project) -> dict[str, str]:
+    """The texts of a project's files as they lie there, by their paths in it: settings, documents,
+    parts, translations. OSError where one is gone."""
+    found = [project.toml, *project.applications, *project.parts]
+    found += [project.spds_file, project.modules_file]
+    found += [f"texts/{language}.po" for language in project.texts]
+    root = Path(project.root)
+    return {path: (root / path).read_text("utf-8") for path in found if path is not None}
+
+
 def resolve(root: str | Path, path: str) -> Path | None:
     """Where a path of a project lies, links followed; None where it leaves the folder ``root``."""
     if not path or "\\" in path or "\0" in path or Path(path).is_absolute():

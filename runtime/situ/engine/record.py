@@ -351,16 +351,6 @@ class _Out:
         os.close(self._file)
 
 
-def recorded_files(project: Project) -> dict[str, str]:
-    """The documents that a recording holds, as they lie there, by their paths."""
-    paths = [*project.applications, *project.parts, project.spds_file, project.modules_file]
-    paths += [f"texts/{language}.po" for language in project.texts]
-    if project.toml is not None:
-        paths.append(project.toml)
-    root = Path(project.root)
-    return {path: (root / path).read_text("utf-8") for path in paths if path is not None}
-
-
 def main_file(documents: Iterable[str]) -> str:
     """The one that the project is read from: ``situ.toml``, else there is only one."""
     paths = list(documents)

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 from msgspec.structs import replace
 
+from situ.document.folder import sources
 from situ.engine.folder import state_folder
 from situ.engine.readiness import Readiness
 from situ.errors import UsageError
@@ -117,7 +118,7 @@ class Run:
     def _keep(self, stack: contextlib.ExitStack) -> Kept:
         from situ.blackboard.journal import DurableTags, patterns
         from situ.engine.folder import StateFolder
-        from situ.engine.record import RING, Recorder, RingFiles, recorded_files
+        from situ.engine.record import RING, Recorder, RingFiles
         from situ.engine.recovery import Recovery
 
         folder = StateFolder(self._folder())
@@ -129,13 +130,13 @@ class Run:
         recovery = Recovery(folder.path, self._project)
         if self._options.fresh:
             recovery.forget()
-        ring = Recorder(RingFiles(folder.path / RING), recorded_files(self._project))
+        ring = Recorder(RingFiles(folder.path / RING), sources(self._project))
         return Kept(durable, recovery, (ring,))
 
     def _recorder(self, file: Path) -> Recorder:
-        from situ.engine.record import OneFile, Recorder, recorded_files
+        from situ.engine.record import OneFile, Recorder
 
-        return Recorder(OneFile(file, goes_on=self._goes_on()), recorded_files(self._project))
+        return Recorder(OneFile(file, goes_on=self._goes_on()), sources(self._project))
 
     def _goes_on(self) -> bool:
         """Whether a run that was killed is taken up again."""
@@ -156,15 +157,6 @@ class Run:
         """Whether what was asked for could be written."""
         torn = self._options.record is not None and self._kept.recorders[-1].torn is not None
         return (0 if trace is None else trace.status()) or int(torn)
-
-    def _files(self) -> dict[str, str]:
-        """The project's documents as they lie there, by their paths in the project."""
-        project = self._project
-        paths = [*project.applications, project.spds_file, project.modules_file]
-        if project.toml is not None:
-            paths.insert(0, "situ.toml")
-        root = Path(project.root)
-        return {path: (root / path).read_text("utf-8") for path in paths if path is not None}
 
     def _keys(self) -> RobotKeys | None:
         """The robot's keys; None: everybody may come in."""
@@ -207,7 +199,7 @@ class Run:
                 options.notify or _beside(self._endpoint),
                 time.monotonic,
                 waking.soon,
-                files=self._files(),
+                files=sources(self._project),
                 seed=options.seed,
                 heard=None if trace is None else trace.heard,
                 durable=kept.durable,
@@ -255,7 +247,7 @@ class Run:
             options.notify or _beside(self._endpoint),
             self._performer() if len(options.services) > 1 else None,
             services=[one for one in options.services if one != "core"],
-            files=self._files(),
+            files=sources(self._project),
             scripted=script is not None,
             seed=options.seed,
             auto_finish=options.auto_finish,
