@@ -61,6 +61,8 @@ class Checker(QObject):
         try:
             problems = check(project)
         except Exception:
+            # A defect of one check must not end this thread unheard: ``_running`` would stay
+            # true, and no further check would ever begin.
             _log.exception("a check failed")
         # The window may have been closed meanwhile: then there is nobody to tell.
         try:

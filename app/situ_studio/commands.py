@@ -296,7 +296,7 @@ class Commands(QObject):
                         icon,
                         token,
                         stem(file),
-                        lambda f=file, p=place: window.go_to(f, p),  # type: ignore[misc]
+                        partial(window.go_to, file, place),
                         more,
                     )
                 )

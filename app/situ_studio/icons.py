@@ -45,7 +45,9 @@ def _picture(name: str, color: str, size: int, scale: float, opacity: float) -> 
 def pixmap(name: str, color: QColor | str, size: int = 16, scale: float | None = None) -> QPixmap:
     """The icon as a square picture of ``size`` px, for screens of that device pixel ratio."""
     if scale is None:
-        scale = QGuiApplication.instance().devicePixelRatio()  # type: ignore[union-attr]
+        qt = QGuiApplication.instance()
+        assert isinstance(qt, QGuiApplication)
+        scale = qt.devicePixelRatio()
     return _picture(name, QColor(color).name(), size, scale, 1.0)
 
 

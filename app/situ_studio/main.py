@@ -13,7 +13,7 @@ import tempfile
 import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from types import TracebackType
+from types import FrameType, TracebackType
 
 from PySide6.QtCore import QEvent, QEventLoop, QObject, QSettings, QSocketNotifier, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QIcon
@@ -30,6 +30,8 @@ from situ_studio.window import MainWindow
 
 _log = logging.getLogger("situ.studio")
 
+Handler = Callable[[int, FrameType | None], object] | int | None
+"""What ``signal.signal`` takes and gives back."""
 WELCOME = "welcome"
 SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
@@ -147,6 +149,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except SituError as error:
         print(f"situ studio: {error}", file=sys.stderr)
     except Exception as error:
+        # The last frame of the program: a defect is told in one line, not by a traceback.
         _log.debug("unexpected", exc_info=True)
         print(
             f"situ studio: a fault in the studio itself ({type(error).__name__}: {error}); "
@@ -347,7 +350,7 @@ class Interrupts(QObject):
         self._write.setblocking(False)
         self._notifier = QSocketNotifier(self._read.fileno(), QSocketNotifier.Type.Read, self)
         self._notifier.activated.connect(self._on_signal)
-        self._old: dict[int, object] = {}
+        self._old: dict[int, Handler] = {}
         self._wakeup = -1
 
     def __enter__(self) -> Interrupts:
@@ -359,7 +362,7 @@ class Interrupts(QObject):
     def __exit__(self, *_: object) -> None:
         signal.set_wakeup_fd(self._wakeup)
         for number, handler in self._old.items():
-            signal.signal(number, handler)  # type: ignore[arg-type]
+            signal.signal(number, handler)
         self._notifier.setEnabled(False)
         self._read.close()
         self._write.close()

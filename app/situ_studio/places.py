@@ -8,13 +8,15 @@ screen components go by their name, everything else by its position.
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any, TypeVar, cast
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from situ.document import condition, modules, rbd, spds
 from situ_studio.edit import Document, Place
+
+D = TypeVar("D", bound=Document)
 
 # A word after a value of that type: the attribute, and the attribute that names
 # its members (None: by position, "": the attribute is no sequence).
@@ -110,7 +112,7 @@ def nearest(document: Document, place: Place) -> Place:
     return place
 
 
-def put(document: Document, place: Place, value: Any) -> Document:
+def put(document: D, place: Place, value: Any) -> D:
     """The document with the value at ``place`` exchanged; LookupError where there is none.
 
     ``None`` takes an optional value away (a timeout, a screen) and a member out of its sequence.
@@ -126,10 +128,10 @@ def put(document: Document, place: Place, value: Any) -> Document:
             every = list(getattr(link.holder, link.attribute))
             every[link.index : link.index + 1] = [] if value is None else [value]
             value = replace(link.holder, **{link.attribute: tuple(every)})
-    return cast(Document, value)
+    return cast(D, value)
 
 
-def change(document: Document, place: Place, **fields: Any) -> Document:
+def change(document: D, place: Place, **fields: Any) -> D:
     """The document with some fields of the value at ``place`` changed."""
     value = get(document, place)
     if value is None:
@@ -137,7 +139,7 @@ def change(document: Document, place: Place, **fields: Any) -> Document:
     return put(document, place, replace(value, **fields))
 
 
-def move(document: Document, place: Place, attribute: str, start: int, end: int) -> Document:
+def move(document: D, place: Place, attribute: str, start: int, end: int) -> D:
     """The document with one member of a sequence at another position."""
     every = list(getattr(get(document, place), attribute))
     every.insert(end, every.pop(start))

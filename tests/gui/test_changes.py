@@ -203,7 +203,7 @@ def test_every_problem_of_a_broken_example_has_a_place_that_is_there() -> None:
             changed = project.__class__(
                 root=project.root,
                 name="x",
-                applications={file: broken},  # type: ignore[dict-item]
+                applications={file: broken},
             )
             found = [p for p in check(changed) if p.code == "unknown-state"] or check(changed)
             assert any(places.get(broken, p.place) is not None and p.place for p in found), event

@@ -97,7 +97,6 @@ def connect(application: Application, place: Place, target: str) -> Done:
     if leaving is None or leaving.next == target:
         return application, ""
     after = places.change(application, place, next=target)
-    assert isinstance(after, Application)
     goal = {rbd.BACK: "the state before", rbd.AGAIN: "itself"}.get(target)
     return after, f"Lead {called(application, place)} to {goal or title(application, target)}"
 
@@ -112,7 +111,6 @@ def disconnect(application: Application, place: Place) -> Done:
         after = places.put(application, place, None)
     else:
         after = places.change(application, place, next=None)
-    assert isinstance(after, Application)
     return after, text
 
 
@@ -145,7 +143,6 @@ def add_event(
         return application, ""
     event = Event(name=name or event_name(value), next=target)
     after = places.change(application, owner, events=(*value.events, event))
-    assert isinstance(after, Application)
     goal = f" to {title(application, target)}" if target else ""
     return after, f"Add {event.name} of {called(application, owner)}{goal}"
 
@@ -248,7 +245,7 @@ def insert(application: Application, link: Place, x: float, y: float) -> Done:
     if leaving is None or leaving.next is None:
         return application, ""
     after, _, no = add_state(application, x, y)
-    after = places.change(after, link, next=no)  # type: ignore[assignment]
+    after = places.change(after, link, next=no)
     after, _ = add_event(after, ("state", no), leaving.next)
     return after, f"Insert state {no}"
 
@@ -259,7 +256,6 @@ def rename(application: Application, no: str, name: str) -> Done:
     if state is None or not name or state.name == name:
         return application, ""
     after = places.change(application, ("state", no), name=name)
-    assert isinstance(after, Application)
     return after, f"Rename state {no} to {name}"
 
 
@@ -276,7 +272,7 @@ def delete(application: Application, gone: Iterable[Place]) -> Done:
     for place in exits:
         if places.get(after, place) is not None:
             what.append(called(application, place))
-            after = places.put(after, place, None)  # type: ignore[assignment]
+            after = places.put(after, place, None)
     for place in wanted:
         if place == (ALWAYS,) and after.always is not None:
             what.append(called(application, place))

@@ -42,7 +42,6 @@ def prioritise(script: Spds, situation: str, module: str, priority: int | None) 
     else:
         entries[index] = replace(entries[index], priority=priority)
     after = places.change(script, ("situation", situation), entries=tuple(entries))
-    assert isinstance(after, Spds)
     said = "no priority" if priority is None else f"priority {priority}"
     return after, f"Give {module} {said} in {situation}"
 
@@ -74,7 +73,6 @@ def observe(script: Spds, tag: str, situation: str) -> Done:
     aside = found.condition.aside if found.condition is not None else Condition().aside
     condition = Condition(children=(*children, _test(script, tag)), aside=aside)
     after = places.change(script, ("situation", situation), condition=condition)
-    assert isinstance(after, Spds)
     return after, f"Let {situation} look at {tag}"
 
 
@@ -84,7 +82,6 @@ def look_elsewhere(script: Spds, test: Place, tag: str) -> Done:
     if not isinstance(value, Test) or value.tag == tag:
         return script, ""
     after = places.change(script, test, tag=tag)
-    assert isinstance(after, Spds)
     return after, f"Let {test[1]} look at {tag}"
 
 
@@ -207,9 +204,9 @@ def delete(script: Spds, gone: Iterable[Place]) -> Done:
         if places.get(after, place) is None:
             continue
         if len(place) == 3:
-            after = places.change(after, place[:2], condition=None, until=None)  # type: ignore[assignment]
+            after = places.change(after, place[:2], condition=None, until=None)
         else:
-            after = _tidy(places.put(after, place, None), place)  # type: ignore[arg-type]
+            after = _tidy(places.put(after, place, None), place)
         what.append(f"{'a priority' if place[2] == 'entry' else 'a test'} of {place[1]}")
     for place in wanted:
         match place:
@@ -269,7 +266,7 @@ def _tidy(script: Spds, place: Place) -> Spds:
     for end in range(len(place) - 1, 2, -1):
         holder = places.get(script, place[:end])
         if isinstance(holder, Group | Condition) and not holder.children:
-            script = places.put(script, place[:end], None)  # type: ignore[assignment]
+            script = places.put(script, place[:end], None)
         else:
             break
     return script

@@ -7,7 +7,7 @@ mockups/script-light.png. The same document always gives the same picture.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Literal
 
 from msgspec import Struct
@@ -18,6 +18,7 @@ from situ.document.problem import Problem
 from situ.document.spds import Observed, Situation, Spds
 
 Kind = Literal["data", "condition", "situation", "module", "resource"]
+Mark = Literal["", "warning", "error"]
 Place = tuple[str, ...]
 
 LEFT: dict[str, float] = {
@@ -70,7 +71,7 @@ class ScriptNode(Struct, frozen=True):
     lines: tuple[str, ...] = ()
     joint: str = ""
     number: int = 0
-    mark: Literal["", "warning", "error"] = ""
+    mark: Mark = ""
 
     @property
     def width(self) -> float:
@@ -134,7 +135,7 @@ class ScriptLink(Struct, frozen=True):
     place: Place = ()
     priority: int | None = None
     none: bool = False
-    mark: Literal["", "warning", "error"] = ""
+    mark: Mark = ""
 
     @property
     def id(self) -> tuple[str, str, str, str]:
@@ -295,7 +296,7 @@ def picture(script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:
             link(
                 ScriptLink(uid("condition", key), OUT, uid("situation", key), IN, "holds", place=())
             )
-    _add_data(script, observed, used_by, marks, add)
+    _add_data(script, used_by, marks, add)
     _add_modules(script, asked_by, marks, add)
     _add_links(script, observed, marks, cards, link)
     bottom = max((c.y + c.height for c in cards.values()), default=TOP)
@@ -324,7 +325,7 @@ def _mean(values: Sequence[float], otherwise: float) -> float:
     return sum(values) / len(values) if values else otherwise
 
 
-def _spread(wanted: Sequence[tuple[str, float]], pitch: float, height: float) -> dict[str, float]:
+def _spread(wanted: Sequence[tuple[str, float]], pitch: float) -> dict[str, float]:
     """Tops near what is wanted, in that order, at least ``pitch`` apart."""
     order = sorted(enumerate(wanted), key=lambda i: (i[1][1], i[0]))
     tops: dict[str, float] = {}
@@ -333,16 +334,20 @@ def _spread(wanted: Sequence[tuple[str, float]], pitch: float, height: float) ->
         at = max(at, top)
         tops[name] = at
         at += pitch
-    del height
     return tops
 
 
-def _add_data(script, observed, used_by, marks, add) -> None:  # type: ignore[no-untyped-def]
+def _add_data(
+    script: Spds,
+    used_by: Mapping[str, Sequence[float]],
+    marks: Mapping[Place, Mark],
+    add: Callable[[ScriptNode], None],
+) -> None:
     every = tags(script)
     wanted = [(tag, _mean(used_by.get(tag, ()), 1e6)) for tag, _ in every]
     # On the grid of rows, so that most pipes are straight.
     used = [(t, TOP + round((y - TOP) / PITCH) * PITCH) for t, y in wanted if y < 1e6]
-    tops = _spread(used, PITCH, TALL)
+    tops = _spread(used, PITCH)
     below = max(tops.values(), default=TOP - PITCH) + PITCH
     for tag, y in wanted:
         if y >= 1e6:
@@ -367,10 +372,15 @@ def _add_data(script, observed, used_by, marks, add) -> None:  # type: ignore[no
         )
 
 
-def _add_modules(script, asked_by, marks, add) -> None:  # type: ignore[no-untyped-def]
+def _add_modules(
+    script: Spds,
+    asked_by: Mapping[str, Sequence[float]],
+    marks: Mapping[Place, Mark],
+    add: Callable[[ScriptNode], None],
+) -> None:
     every = modules(script)
     last = max((y for ys in asked_by.values() for y in ys), default=TOP)
-    tops = _spread([(m, _mean(asked_by.get(m, ()), last)) for m, _ in every], 60, LOW)
+    tops = _spread([(m, _mean(asked_by.get(m, ()), last)) for m, _ in every], 60)
     needed: dict[str, list[float]] = {}
     for name, resources in every:
         place: Place = ("module", name)
@@ -389,7 +399,7 @@ def _add_modules(script, asked_by, marks, add) -> None:  # type: ignore[no-untyp
                 mark=marks.get(place, ""),
             )
         )
-    spots = _spread([(r, _mean(ys, TOP)) for r, ys in needed.items()], 56, LOW)
+    spots = _spread([(r, _mean(ys, TOP)) for r, ys in needed.items()], 56)
     for resource, top in spots.items():
         add(
             ScriptNode(
@@ -404,7 +414,13 @@ def _add_modules(script, asked_by, marks, add) -> None:  # type: ignore[no-untyp
         )
 
 
-def _add_links(script, observed, marks, cards, link) -> None:  # type: ignore[no-untyped-def]
+def _add_links(
+    script: Spds,
+    observed: Mapping[str, Observed],
+    marks: Mapping[Place, Mark],
+    cards: Mapping[str, ScriptNode],
+    link: Callable[[ScriptLink], None],
+) -> None:
     for situation, (_, key) in zip(
         script.situations, named(s.name for s in script.situations), strict=True
     ):
@@ -463,9 +479,9 @@ def inherited(script: Spds, situation: Situation, key: str) -> list[Inherited]:
     ]
 
 
-def _marks(problems: Iterable[Problem]) -> dict[Place, Literal["warning", "error"]]:
+def _marks(problems: Iterable[Problem]) -> dict[Place, Mark]:
     """Marks by place: of nodes, and of entries for their pills."""
-    marks: dict[Place, Literal["warning", "error"]] = {}
+    marks: dict[Place, Mark] = {}
     for problem in problems:
         place = problem.place
         if place[:1] == ("situation",) and len(place) > 3 and place[2] == "entry":

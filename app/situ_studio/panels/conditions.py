@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
+from typing import Any, Literal
 
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, QWidget
 
-from situ.document.condition import Condition, Group, Test
+from situ.document.condition import Condition, Group, GroupName, Test
 from situ_studio.icon_widgets import IconButton, IconLabel
 from situ_studio.kinds import GROUPS, TESTS
 from situ_studio.layouts import clear
@@ -200,11 +200,11 @@ class ConditionEditor(QWidget):
         """The box at a path of positions; tests type into it."""
         return self._boxes[path]
 
-    def add(self, kind: str, path: Path = ()) -> None:
+    def add(self, kind: GroupName | Literal["test"], path: Path = ()) -> None:
         """Adds a test or a group of that kind at the end of the group at ``path``."""
         tags = self._vocabulary.tags
         test = Test(tags[0] if tags else "tag", "exists", "true")
-        new: Test | Group = test if kind == "test" else Group(kind, (test,))  # type: ignore[arg-type]
+        new: Test | Group = test if kind == "test" else Group(kind, (test,))
         condition = self._condition or Condition()
         holder = _at(condition, path)
         at = (*path, len(holder.children), *(() if kind == "test" else (0,)))

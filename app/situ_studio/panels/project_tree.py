@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QModelIndex, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QStandardItem, QStandardItemModel
-from PySide6.QtWidgets import QTreeView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QStyleOptionViewItem, QTreeView, QVBoxLayout, QWidget
 
 from situ.document.modules import Modules
 from situ.document.project import Project
@@ -53,8 +53,13 @@ class Tree(QTreeView):
         self._theme = theme
         self.viewport().update()
 
-    def drawRow(self, painter: QPainter, options: object, index: QModelIndex) -> None:  # type: ignore[override]
-        super().drawRow(painter, options, index)  # type: ignore[arg-type]
+    def drawRow(
+        self,
+        painter: QPainter,
+        options: QStyleOptionViewItem,
+        index: QModelIndex | QPersistentModelIndex,
+    ) -> None:
+        super().drawRow(painter, options, index)
         if self.model().hasChildren(index):
             rect = self.visualRect(index)
             box = QRectF(rect.x() - 12, rect.center().y() - 5.5, 12, 12)
@@ -62,7 +67,9 @@ class Tree(QTreeView):
             name = "down" if self.isExpanded(index) else "right"
             icons.paint(painter, name, box, self._theme.color("text3"))
 
-    def drawBranches(self, painter: QPainter, rect: QRect, index: QModelIndex) -> None:  # type: ignore[override]
+    def drawBranches(
+        self, painter: QPainter, rect: QRect, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
         """Nothing: the row draws its arrow, above its own background."""
 
 

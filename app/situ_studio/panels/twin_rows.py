@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 from situ.document import modules, rbd, spds
@@ -154,7 +155,7 @@ def application_rows(document: rbd.Application) -> Iterator[Node]:
             ("start", "start") if start else ("state", "state"),
             (state.no, state.name, "", " ".join(speech.split())),
             {0: (place, "no", "Number"), 1: (place, "name", "Name")},
-            lambda p=place, s=state: _part_rows(document, p, s),  # type: ignore[misc]
+            partial(_part_rows, document, place, state),
             bool(state.screen or state.actions or state.events or state.timeout),
         )
 
@@ -172,16 +173,7 @@ def script_rows(document: spds.Spds) -> Iterator[Node]:
             ("situation", "situation"),
             (f"Situation {number}", situation.name, situation.extends or "", said or "always"),
             {1: (place, "name", "Name"), 2: (place, "extends", "Takes over")},
-            lambda p=place, s=situation: [  # type: ignore[misc]
-                Node(
-                    (*p, "entry", str(i)),
-                    e,
-                    ("module", "module"),
-                    ("Priority", e.module, "", "none" if e.priority is None else str(e.priority)),
-                    {3: ((*p, "entry", str(i)), "priority", "Priority")},
-                )
-                for i, e in enumerate(s.entries)
-            ],
+            partial(_entries, place, situation),
             bool(situation.entries),
         )
     for module in document.modules:
@@ -205,6 +197,19 @@ def script_rows(document: spds.Spds) -> Iterator[Node]:
         )
 
 
+def _entries(place: Place, situation: spds.Situation) -> list[Node]:
+    return [
+        Node(
+            (*place, "entry", str(i)),
+            e,
+            ("module", "module"),
+            ("Priority", e.module, "", "none" if e.priority is None else str(e.priority)),
+            {3: ((*place, "entry", str(i)), "priority", "Priority")},
+        )
+        for i, e in enumerate(situation.entries)
+    ]
+
+
 def information_rows(document: modules.Modules) -> Iterator[Node]:
     for module in document.modules:
         place = ("module", module.name)
@@ -218,25 +223,29 @@ def information_rows(document: modules.Modules) -> Iterator[Node]:
                 2: (place, "resources", "Resources"),
                 3: (place, "description", "Does"),
             },
-            lambda p=place, m=module: [  # type: ignore[misc]
-                *(
-                    Node(
-                        (*p, "requires", str(i)),
-                        r,
-                        ("link", "text2"),
-                        ("Needs", r.data or r.module or "", "", "" if r.data else "module"),
-                    )
-                    for i, r in enumerate(m.requires)
-                ),
-                *(
-                    Node(
-                        (*p, "provides", str(i)),
-                        o,
-                        ("data", "data"),
-                        ("Provides", o.data, "", kinds.type_words(o.type, o.unit)),
-                    )
-                    for i, o in enumerate(m.provides)
-                ),
-            ],
+            partial(_needed_and_provided, place, module),
             bool(module.requires or module.provides),
         )
+
+
+def _needed_and_provided(place: Place, module: modules.Module) -> list[Node]:
+    return [
+        *(
+            Node(
+                (*place, "requires", str(i)),
+                r,
+                ("link", "text2"),
+                ("Needs", r.data or r.module or "", "", "" if r.data else "module"),
+            )
+            for i, r in enumerate(module.requires)
+        ),
+        *(
+            Node(
+                (*place, "provides", str(i)),
+                o,
+                ("data", "data"),
+                ("Provides", o.data, "", kinds.type_words(o.type, o.unit)),
+            )
+            for i, o in enumerate(module.provides)
+        ),
+    ]
