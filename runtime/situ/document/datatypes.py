@@ -47,8 +47,12 @@ class Type(Struct, frozen=True):
 
 def shown(text: str) -> str:
     """A piece of the user's text as problems quote it: one line, not long."""
-    text = " ".join(text.split())
-    return f'"{text if len(text) <= 40 else text[:37] + "..."}"'
+    return f'"{short(" ".join(text.split()))}"'
+
+
+def short(text: str) -> str:
+    """At most 40 characters of a text."""
+    return text if len(text) <= 40 else text[:37] + "..."
 
 
 def number(text: str) -> float:

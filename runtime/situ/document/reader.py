@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Mapping
-from difflib import get_close_matches
 from types import MappingProxyType
 from typing import Any, NoReturn
 from xml.parsers import expat
@@ -21,11 +20,11 @@ from msgspec.structs import replace
 
 from situ.document.aside import EDITOR, Aside
 from situ.document.compiled import NAMES, PARENTS, ROOT_RULES, Known, Plan, Rule
-from situ.document.datatypes import WHITE, shown
+from situ.document.datatypes import WHITE, short, shown
 from situ.document.elements import Element, Misfit
 from situ.document.foreign import Foreign, declared
-from situ.document.locate import locate_all
 from situ.document.problem import Problem
+from situ.document.reader_problems import Found, malformed, nearest, not_text, problems
 from situ.document.writer import XML, XMLNS
 
 MAX_BYTES = 64_000_000
@@ -35,23 +34,6 @@ MAX_TEXT = 1_000_000
 MAX_PROBLEMS = 100
 
 LONGEST = "a million characters are the most"
-_BROKEN = {
-    "not well-formed (invalid token)": (
-        "Something stands here that XML does not allow: write &lt; for < and &amp; for & in "
-        "texts, and look for a quote or a > that is missing before"
-    ),
-    "duplicate attribute": "The same attribute stands twice in this tag: take one out",
-    "junk after document element": (
-        "Something stands behind the end of the document: take it out, or move it inside"
-    ),
-    "unclosed token": "This < is never closed: finish the tag with >",
-    "unclosed CDATA section": "This <![CDATA[ is never closed: finish it with ]]>",
-    "XML or text declaration not at start of entity": (
-        "<?xml …?> may stand only at the very beginning: take out what is before it"
-    ),
-}
-"""What expat says, in plain words with what to do."""
-
 _Frame = tuple[Rule, str, bool, int, dict[str, Any]]
 """An open element: its rule, the parent's field that holds it and whether that holds
 many, its place in the file, and the fields of its value so far."""
@@ -107,7 +89,7 @@ class _Reading:
         self.file = file
         self.document: Any = None
         self.parser = expat.ParserCreate("utf-8", None, dict(NAMES))
-        self._found: list[tuple[int, int, int, str, str, tuple[str, ...]]] = []
+        self._found: list[Found] = []
         top = Rule(Element("", make=dict))
         top.children = {name: (rule, "document", False) for name, rule in ROOT_RULES.items()}
         self._stack: list[_Frame] = [(top, "", False, -1, {})]
@@ -122,7 +104,9 @@ class _Reading:
 
     def parse(self) -> None:
         """Reads all of the data; what comes of it is in ``document`` and ``problems``."""
-        if not self._is_text():
+        wrong = _too_large(self.data) or not_text(self.data)
+        if wrong is not None:
+            self._found.append(wrong)
             return
         parser, stack, rests = self.parser, self._stack, self._rests
         texts, pending = self._texts, self._pending
@@ -249,7 +233,8 @@ class _Reading:
         except _Stop:
             pass
         except expat.ExpatError as error:
-            self._malformed(error)
+            name = stack[-1][0].name
+            self._found.append(malformed(error, self.data, name, self._place()))
         finally:
             # The functions above and the parser hold each other: let go of the file at once.
             parser.StartElementHandler = parser.EndElementHandler = None
@@ -261,22 +246,7 @@ class _Reading:
 
     def problems(self) -> list[Problem]:
         """What is wrong, in the order of the file."""
-        places = locate_all(self.data, {index for index, *_ in self._found if index >= 0})
-        made = []
-        for index, line, column, code, message, place in self._found:
-            if index >= 0:
-                line, column = places.get(index, (1, 1))
-            made.append(
-                Problem(
-                    file=self.file,
-                    line=line,
-                    column=column,
-                    code=code,
-                    message=message,
-                    place=place,
-                )
-            )
-        return sorted(made, key=lambda p: (p.line, p.column))
+        return problems(self._found, self.data, self.file)
 
     def _problem(self, code: str, message: str, index: int | None = None) -> None:
         """Notes a problem; its place is the element ``index``, or where the parser stands."""
@@ -284,8 +254,7 @@ class _Reading:
         if index is None:
             line = self.parser.CurrentLineNumber
             column = self.parser.CurrentColumnNumber + 1
-        at = -1 if index is None else index
-        self._found.append((at, line, column, code, message, self._place()))
+        self._found.append(Found(code, message, line, column, index, self._place()))
         if len(self._found) >= MAX_PROBLEMS:
             raise _Stop
 
@@ -298,42 +267,6 @@ class _Reading:
             if rule.name == "situation" or (rule.name == "module" and not rule.part):
                 return (rule.name, str(values.get("name", "")))
         return ()
-
-    def _is_text(self) -> bool:
-        """Whether the bytes are UTF-8 without NUL; expat would take some others for UTF-16."""
-        if len(self.data) > MAX_BYTES:
-            said = f"The file is larger than {MAX_BYTES // 1_000_000} MB: split it into parts"
-            self._found.append((-1, 1, 1, "too-large", said, ()))
-            return False
-        try:
-            self.data.decode()
-            at = self.data.find(0)
-            said = "A NUL character stands here: no XML file may hold one"
-        except UnicodeDecodeError as wrong:
-            at = wrong.start
-            said = "The file is not UTF-8 here: save it as UTF-8"
-        if at < 0:
-            return True
-        before = self.data[:at]
-        line = before.count(b"\n") + 1
-        column = len(before[before.rfind(b"\n") + 1 :].decode()) + 1
-        self._found.append((-1, line, column, "malformed-xml", said, ()))
-        return False
-
-    def _malformed(self, error: expat.ExpatError) -> None:
-        words = expat.errors.messages.get(error.code, "not well-formed")
-        said = _BROKEN.get(words, f"The XML is broken here: {words}")
-        name = self._stack[-1][0].name
-        if not self.data.strip():
-            said = "The file is empty"
-        elif name and "no element" in words:
-            said = f"The file ends inside <{name}>: its end tag is missing"
-        elif name and "mismatched" in words:
-            said = f"This end tag does not fit: <{name}> is still open"
-        elif "undefined entity" in words:
-            said = "Only &amp; &lt; &gt; &quot; &apos; and numbers such as &#233; may follow &"
-        place = self._place()
-        self._found.append((-1, error.lineno, error.offset + 1, "malformed-xml", said, place))
 
     # -- what is not an element --------------------------------------------------
 
@@ -450,7 +383,7 @@ class _Reading:
     def _shorten(self, rule: Rule, given: dict[str, Any]) -> None:
         for key, text in given.items():
             if len(text) > MAX_TEXT:
-                said = f"The {_short(key)} of <{rule.name}> is too long: {LONGEST}"
+                said = f"The {short(key)} of <{rule.name}> is too long: {LONGEST}"
                 self._problem("too-long", said)
                 given[key] = ""
 
@@ -514,9 +447,9 @@ class _Reading:
             else:
                 keep = False
                 del given[key]
-                said = f'<{rule.name}> has no attribute "{_short(key)}"'
+                said = f'<{rule.name}> has no attribute "{short(key)}"'
                 if rule.attributes:
-                    said += f'; did you mean "{_nearest(key, rule.attributes)}"?'
+                    said += f'; did you mean "{nearest(key, rule.attributes)}"?'
                 self._problem("unknown-attribute", said)
         for key in rule.required:
             if key not in given:
@@ -533,10 +466,8 @@ class _Reading:
         self._limit(len(self._stack), index)
         parent = self._stack[-1][0]
         if not parent.name:
-            said = f"<{_short(name)}> is no document of Situ"
-            self._problem(
-                "unknown-element", f"{said}; did you mean <{_nearest(name, ROOT_RULES)}>?"
-            )
+            said = f"<{short(name)}> is no document of Situ"
+            self._problem("unknown-element", f"{said}; did you mean <{nearest(name, ROOT_RULES)}>?")
             raise _Stop
         foreign = bool(given.get("xmlns")) or ":" in name
         self._declare(given)
@@ -546,9 +477,9 @@ class _Reading:
                 said = f"<{name}> has no place in <{parent.name}>: it belongs in <{belongs}>"
                 self._problem("misplaced-element", said)
             else:
-                said = f"<{_short(name)}> is not known in <{parent.name}>"
+                said = f"<{short(name)}> is not known in <{parent.name}>"
                 if parent.children:
-                    said += f"; did you mean <{_nearest(name, parent.children)}>?"
+                    said += f"; did you mean <{nearest(name, parent.children)}>?"
                 else:
                     said += ": nothing can stand in it"
                 self._problem("unknown-element", said)
@@ -570,7 +501,7 @@ class _Reading:
                 return rest.bound[prefix]
         if prefix == "xml":
             return XML
-        said = f'The prefix "{_short(prefix)}" is not declared'
+        said = f'The prefix "{short(prefix)}" is not declared'
         if prefix == "ed":
             said += f': add xmlns:ed="{EDITOR}" to the first element'
         self._problem("malformed-xml", said)
@@ -584,11 +515,8 @@ def _nothing() -> None:
     """Nobody listens any more."""
 
 
-def _short(name: str) -> str:
-    return name if len(name) <= 40 else name[:37] + "..."
-
-
-def _nearest(name: str, known: Mapping[str, object]) -> str:
-    """The known name most like ``name``; case does not count."""
-    lower = {one.lower(): one for one in known}
-    return lower[get_close_matches(name[:40].lower(), lower, n=1, cutoff=0.0)[0]]
+def _too_large(data: bytes) -> Found | None:
+    if len(data) <= MAX_BYTES:
+        return None
+    said = f"The file is larger than {MAX_BYTES // 1_000_000} MB: split it into parts"
+    return Found("too-large", said, 1, 1)
