@@ -158,7 +158,14 @@ def _listen(args: argparse.Namespace) -> int:
 
 def _event(args: argparse.Namespace) -> int:
     with _connect(args, "operator") as board:
+        applications = board.expected()
         board.publish(args.name, args.application)
+    asked = applications.values() if args.application is None else [applications[args.application]]
+    names = dict.fromkeys(event.name for one in asked for event in one.events)
+    if args.name not in names:
+        who = args.application or "the robot"
+        what = f"only {', '.join(names)}" if names else "no event"
+        print(f"situ: {args.name} is not expected now; {who} expects {what}", file=sys.stderr)
     return 0
 
 

@@ -56,6 +56,29 @@ def test_an_event_is_raised(say: Callable[..., str]) -> None:
     assert json.loads(say("get", "application/desk"))["state"] == "1"
 
 
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["go"], ""),
+        (["gone"], "situ: gone is not expected now; the robot expects only go\n"),
+        (
+            ["asked", "--application", "desk"],
+            "situ: asked is not expected now; desk expects only go\n",
+        ),
+    ],
+    ids=["expected", "by-nobody", "not-by-this-one"],
+)
+def test_an_event_that_nobody_expects_is_raised_and_told(
+    running: Any, arguments: list[str], told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with situ.connect(running.endpoint, role="operator") as board, board.trace() as events:
+        board.debug("goto", state="1")
+        assert cli.main(["event", *arguments, "--at", running.endpoint]) == 0
+        assert capsys.readouterr() == ("", told)
+        raised = next(event for event in events if event["kind"] == "event")
+    assert raised["name"] == arguments[0]
+
+
 def test_modules_are_listed(say: Callable[..., str]) -> None:
     rows = [line.split() for line in say("modules").splitlines()]
     assert rows[0] == ["MODULE", "KIND", "PRESENT", "RESOURCES", "HOLDS", "PROVIDES", "NEEDS"]

@@ -28,6 +28,7 @@ from situ.blackboard.protocol import (
 )
 from situ.blackboard.services import Carried
 from situ.blackboard.serving import ServiceRequest
+from situ.decide.expected import Expectation
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
@@ -189,6 +190,9 @@ class AsyncBoard:
 
     async def documents(self) -> Files:
         return await self._answer(self._dialog.documents())
+
+    async def expected(self) -> dict[str, Expectation]:
+        return await self._answer(self._dialog.expected())
 
     async def disclose(
         self,

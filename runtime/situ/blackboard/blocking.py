@@ -23,6 +23,7 @@ from situ.blackboard.protocol import (
     Offer,
 )
 from situ.blackboard.serving import ServiceRequest
+from situ.decide.expected import Expectation
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
@@ -190,6 +191,10 @@ class Board:
     def documents(self) -> Files:
         """The project's files as the robot runs them."""
         return self._ask(lambda dialog: dialog.documents())
+
+    def expected(self) -> dict[str, Expectation]:
+        """What each application expects now, by its name."""
+        return self._ask(lambda dialog: dialog.expected())
 
     def disclose(
         self,

@@ -18,6 +18,7 @@ from situ.blackboard.feeds import Effects, Messages, TraceFeed, Watch
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Malformed, Request
 from situ.blackboard.serving import Requests
 from situ.blackboard.subscriptions import Subscriptions
+from situ.decide.expected import Expectation
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
@@ -335,6 +336,10 @@ class Dialog:
 
     def documents(self) -> Call[protocol.Files]:
         return self.ask(protocol.Documents(id=self.next_id()), _same, again=True)
+
+    def expected(self) -> Call[dict[str, Expectation]]:
+        request = protocol.Expected(id=self.next_id())
+        return self.ask(request, lambda reply: reply.applications, again=True)
 
     def modules(self) -> Call[protocol.ModuleStates]:
         return self.ask(protocol.Modules(id=self.next_id()), _same, again=True)
