@@ -12,6 +12,8 @@ from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
+from msgspec.structs import replace
+
 from situ.blackboard import json_values, protocol
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.feeds import Effects, Messages, TraceFeed, Watch
@@ -357,13 +359,9 @@ class Dialog:
             requires=tuple(requires),
             provides=tuple(provides),
         )
-        who = self.person
-        self.person = Person(
-            role=who.role,
-            module=who.module,
-            user=who.user,
-            resources=who.resources,
-            description=description or who.description,
+        self.person = replace(
+            self.person,
+            description=description or self.person.description,
             requires=request.requires,
             provides=request.provides,
         )
