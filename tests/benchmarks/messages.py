@@ -10,7 +10,7 @@ from typing import Any
 import msgspec
 from tests.benchmarks.harness import CPU, Bench, Goal, Row, Sample, each
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, topics, wire
 
 VALUE = "x" * 100
 """What is set in all benches of the wire: a text of 100 bytes."""
@@ -25,12 +25,12 @@ class _Bare(msgspec.Struct, frozen=True, tag_field="do", tag="set"):
 def _messages() -> Iterator[Mapping[str, Sample]]:
     request = protocol.Set(id=7, tags={"bench.there": VALUE})
     change = protocol.Change(tag="bench.there", value=VALUE, version=7, writer="one", time=7)
-    topic = protocol.change_topic("bench.there")
+    topic = topics.change("bench.there")
     bare, as_found = _Bare(7, {"bench.there": VALUE}), msgspec.to_builtins(request)
     encoder, decoder = msgspec.json.Encoder(), msgspec.json.Decoder(_Bare)
     yield {
-        "set": _each(lambda: protocol.read_request(protocol.encode(request))),
-        "change": _each(lambda: protocol.read_notice(protocol.notice(topic, change))),
+        "set": _each(lambda: wire.read_request(wire.encode(request))),
+        "change": _each(lambda: wire.read_notice(wire.notice(topic, change))),
         "a bare Struct": _each(lambda: decoder.decode(encoder.encode(bare))),
         "json": _each(lambda: json.loads(json.dumps(as_found))),
     }

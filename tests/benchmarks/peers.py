@@ -154,9 +154,9 @@ def raw(address: str, count: str) -> None:
 
 def encoded(address: str, count: str) -> None:
     """The same, each frame decoded as a notice."""
-    from situ.blackboard import protocol
+    from situ.blackboard import wire
 
-    _take(address, int(count), protocol.read_notice)
+    _take(address, int(count), wire.read_notice)
 
 
 def _take(address: str, count: int, read: Callable[[bytes], object]) -> None:

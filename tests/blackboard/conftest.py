@@ -16,7 +16,7 @@ from typing import Any
 import msgspec
 import pytest
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, wire
 from situ.blackboard.backlog import Backlog
 from situ.blackboard.core import Core, Durability, Outgoing
 from situ.blackboard.protocol import Addresses
@@ -96,7 +96,7 @@ class Hand:
     def heard(self) -> list[protocol.AnyNotice]:
         """The notices since the last call."""
         notices, self.notices = self.notices, []
-        return [protocol.read_notice(frame) for frame in notices]
+        return [wire.read_notice(frame) for frame in notices]
 
     def changes(self) -> list[tuple[str, Any, int]]:
         """Tag, value and version of the changes among them."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, wire
 from situ.blackboard.core import Core
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.services import PATIENCE
@@ -78,7 +78,7 @@ def asked(hand: Hand) -> list[int]:
         notice.count
         for frame in frames
         if frame.startswith(b"q:cuff\n")
-        and isinstance(notice := protocol.read_notice(frame), protocol.Asked)
+        and isinstance(notice := wire.read_notice(frame), protocol.Asked)
     ]
 
 
@@ -229,7 +229,7 @@ def test_a_core_that_comes_back_still_asks(ward: Project) -> None:
 
     def ask(sessions: Sessions, peer: str, body: bytes, now: int = 0) -> Any:
         sessions.receive(peer, body, now)
-        return protocol.read_reply(sessions.take().replies[-1][1])
+        return wire.read_reply(sessions.take().replies[-1][1])
 
     robot, sessions = made()
     sessions.start()

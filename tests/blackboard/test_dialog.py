@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, topics, wire
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.dialog import Dialog
 from situ.blackboard.feeds import KEPT
@@ -48,8 +48,8 @@ class Net:
                 topic, on = dialog.subscribing.popleft()
                 if on:
                     self._topics.append(topic)
-                    if topic.startswith(protocol.ECHO) and not self.cut:
-                        echo = protocol.notice(topic + b"\n", protocol.Echo())
+                    if topic.startswith(topics.ECHO) and not self.cut:
+                        echo = wire.notice(topic + b"\n", protocol.Echo())
                         self._wire.append(echo)
                 elif topic in self._topics:
                     self._topics.remove(topic)
@@ -193,7 +193,7 @@ def test_of_messages_that_nobody_takes_the_last_are_kept(net: Net) -> None:
     net.turn()
     for number in range(KEPT + 5):
         frame = protocol.Message(topic="x", value=number, application="desk")
-        net.dialog.hear(protocol.notice(protocol.message_topic("x"), frame), 0.0)
+        net.dialog.hear(wire.notice(topics.message("x"), frame), 0.0)
     assert [message.value for message in taken(heard)] == list(range(5, KEPT + 5))
 
 
@@ -237,7 +237,7 @@ def test_no_echo_counts_that_was_asked_for_before_the_connection_stood() -> None
     subscriptions = Subscriptions(Connected())
 
     def echoes() -> list[bytes]:
-        wanted = [t for t, on in subscriptions.topics if on and t.startswith(protocol.ECHO)]
+        wanted = [t for t, on in subscriptions.topics if on and t.startswith(topics.ECHO)]
         subscriptions.topics.clear()
         return wanted
 
@@ -468,6 +468,6 @@ def test_rubbish_from_the_wire_is_passed_over(net: Net) -> None:
 def test_a_request_that_is_answered_with_something_else_fails(net: Net) -> None:
     call = net.dialog.get("x")
     number = call.request.id
-    net.dialog.receive(protocol.encode(protocol.Done(id=number)), 0.0)
+    net.dialog.receive(wire.encode(protocol.Done(id=number)), 0.0)
     with pytest.raises(Exception, match="answered with Done"):
         call.result()

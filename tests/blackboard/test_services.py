@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, wire
 from situ.blackboard.backlog import Backlog
 from situ.blackboard.core import Core
 from situ.blackboard.feeds import Effects
@@ -191,7 +191,7 @@ def test_a_core_that_comes_back_counts_on_and_knows_its_services(lab: Project) -
     def ask(sessions: Sessions, peer: str, body: bytes, now: int) -> Any:
         sessions.receive(peer, body, now)
         out = sessions.take()
-        return protocol.read_reply(out.replies[-1][1]), out
+        return wire.read_reply(out.replies[-1][1]), out
 
     robot, core, sessions = made()
     sessions.start()
@@ -209,9 +209,7 @@ def test_a_core_that_comes_back_counts_on_and_knows_its_services(lab: Project) -
     assert core.effects["screen"] == before
     _, out = ask(sessions, "o", b'{"do":"hello","id":1,"version":1,"role":"operator"}', 10)
     _, out = ask(sessions, "o", b'{"do":"publish","id":2,"event":"go"}', 10)
-    (notice,) = [
-        n for n in map(protocol.read_notice, out.notices) if isinstance(n, protocol.Effect)
-    ]
+    (notice,) = [n for n in map(wire.read_notice, out.notices) if isinstance(n, protocol.Effect)]
     assert notice.number == before + 1
     again = hello.replace(b"}", b',"session":"%s"}' % welcome.session.encode())
     assert ask(sessions, "t", again, 11)[0].resumed

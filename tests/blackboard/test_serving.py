@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import situ.testing
-from situ.blackboard import protocol
+from situ.blackboard import topics
 from situ.blackboard.client import AsyncBoard, Board, ServiceRequest
 from situ.errors import Refused
 from situ.testing.robot import Robot
@@ -279,4 +279,4 @@ def test_what_is_asked_of_others_is_not_heard(robot: Robot) -> None:
         robot.connect("cuff")
         robot.publish("go")
         assert requests.next(0.5) is None
-    assert protocol.asked_topic("nod") == b"q:nod\n"
+    assert topics.asked("nod") == b"q:nod\n"

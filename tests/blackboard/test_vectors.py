@@ -13,7 +13,7 @@ import msgspec
 import pytest
 from msgspec import Struct
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, topics, wire
 
 ROOT = Path(__file__).parent.parent
 DOCUMENT = (ROOT.parent / "docs" / "protocol.md").read_text("utf-8")
@@ -30,28 +30,28 @@ def kinds(base: type[Struct]) -> dict[str, type[Struct]]:
 
 @pytest.mark.parametrize("body", vectors("requests"), ids=lambda body: body["do"])
 def test_a_request_reads_and_writes_as_its_vector(body: dict[str, Any]) -> None:
-    read = protocol.read_request(json.dumps(body).encode())
-    assert json.loads(protocol.encode(read)) == body
+    read = wire.read_request(json.dumps(body).encode())
+    assert json.loads(wire.encode(read)) == body
 
 
 @pytest.mark.parametrize("body", vectors("replies"), ids=lambda body: body["re"])
 def test_a_reply_reads_and_writes_as_its_vector(body: dict[str, Any]) -> None:
-    read = protocol.read_reply(json.dumps(body).encode())
-    assert json.loads(protocol.encode(read)) == body
+    read = wire.read_reply(json.dumps(body).encode())
+    assert json.loads(wire.encode(read)) == body
 
 
 @pytest.mark.parametrize("vector", vectors("notices"), ids=lambda vector: vector["topic"])
 def test_a_notice_reads_and_writes_as_its_vector(vector: dict[str, Any]) -> None:
     topic = vector["topic"].encode() + b"\n"
     frame = topic + json.dumps(vector["body"]).encode()
-    read = protocol.read_notice(frame)
-    assert json.loads(protocol.notice(topic, read)[len(topic) :]) == vector["body"]
+    read = wire.read_notice(frame)
+    assert json.loads(wire.notice(topic, read)[len(topic) :]) == vector["body"]
 
 
 @pytest.mark.parametrize("vector", vectors("malformed"), ids=lambda vector: vector["body"][:40])
 def test_a_malformed_request_is_told_in_one_line(vector: dict[str, Any]) -> None:
-    with pytest.raises(protocol.Malformed) as caught:
-        protocol.read_request(vector["body"].encode())
+    with pytest.raises(wire.Malformed) as caught:
+        wire.read_request(vector["body"].encode())
     assert caught.value.id == vector["id"]
     assert "docs/protocol.md" in str(caught.value)
     assert "\n" not in str(caught.value)
@@ -59,8 +59,8 @@ def test_a_malformed_request_is_told_in_one_line(vector: dict[str, Any]) -> None
 
 @pytest.mark.parametrize("vector", vectors("topics"), ids=lambda vector: vector["pattern"])
 def test_a_pattern_is_subscribed_to_by_its_beginning(vector: dict[str, str]) -> None:
-    topics = {"changes": protocol.pattern_topic, "messages": protocol.messages_topic}
-    assert topics[vector["of"]](vector["pattern"]).decode() == vector["subscribe"]
+    subscribed = {"changes": topics.changes, "messages": topics.messages}
+    assert subscribed[vector["of"]](vector["pattern"]).decode() == vector["subscribe"]
 
 
 def test_every_message_has_a_vector() -> None:

@@ -8,7 +8,7 @@ from typing import Any, cast
 
 import pytest
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, topics, wire
 from situ.blackboard.asynchronous import AsyncBoard
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.dialog import Dialog
@@ -88,16 +88,16 @@ class FarBoard:
         self.dialog.tick(self.now)
         while self.dialog.outgoing or self.dialog.subscribing:
             while self.dialog.outgoing:
-                self.said.append(protocol.read_request(self.dialog.outgoing.popleft()))
+                self.said.append(wire.read_request(self.dialog.outgoing.popleft()))
             while self.dialog.subscribing:
                 topic, on = self.dialog.subscribing.popleft()
-                if on and topic.startswith(protocol.ECHO) and self.dialog.connected:
+                if on and topic.startswith(topics.ECHO) and self.dialog.connected:
                     self.dialog.hear(topic + b'\n{"on":"echo"}', self.now)
 
     def reply(self, kind: type[Any], **fields: Any) -> None:
         """Answers the last request of that kind."""
         asked = [one for one in self.said if protocol.REPLIES[type(one)] is kind][-1]
-        self.dialog.receive(protocol.encode(kind(id=asked.id, **fields)), self.now)
+        self.dialog.receive(wire.encode(kind(id=asked.id, **fields)), self.now)
         self._turn()
 
     def come(self, *effects: Any, runtime: str = "a", resumed: bool = False) -> None:
@@ -121,18 +121,18 @@ class FarBoard:
         entry = protocol.Entry("de", 1, "ann", 0)
         for watch in watches[-1:]:
             reply = protocol.Snapshot(id=watch.id, entries={"language": entry}, changes={})
-            self.dialog.receive(protocol.encode(reply), self.now)
+            self.dialog.receive(wire.encode(reply), self.now)
         self.reply(protocol.Outstanding, effects=effects, next=dict.fromkeys(SERVICES, 1))
         self.deliver()
 
     def change(self, tag: str, value: Any, version: int) -> None:
         notice = protocol.Change(tag=tag, value=value, version=version, writer="desk", time=0)
-        self.dialog.hear(protocol.notice(protocol.change_topic(tag), notice), self.now)
+        self.dialog.hear(wire.notice(topics.change(tag), notice), self.now)
         self.deliver()
 
     def give(self, service: str, number: int, does: Any) -> None:
         notice = protocol.Effect(service=service, number=number, does=does)
-        self.dialog.hear(protocol.notice(protocol.effect_topic(service), notice), self.now)
+        self.dialog.hear(wire.notice(topics.effect(service), notice), self.now)
         self._turn()
         self.deliver()
 
@@ -223,7 +223,7 @@ def test_a_robot_that_hears_nothing_of_its_core_holds_and_goes_on_when_it_is_bac
 def test_a_core_that_stops_holds_the_robot_at_once(far: Far) -> None:
     far.board.come(base({"vx": 1}))
     far.recorder.take()
-    far.board.dialog.hear(protocol.END + protocol.encode(protocol.End()), far.board.now)
+    far.board.dialog.hear(topics.END + wire.encode(protocol.End()), far.board.now)
     assert far.recorder.take() == ["hold"]
     # What was still on its way is no longer meant.
     far.board._callback(base({"vx": 2}))
@@ -239,7 +239,7 @@ def test_a_core_that_refuses_is_told_of_once_and_the_robot_holds_once(
         far.board.go()
         hello = [one for one in far.board.said if isinstance(one, protocol.Hello)][-1]
         refused = protocol.Refused(id=hello.id, code="name", message="robot is taken")
-        far.board.dialog.receive(protocol.encode(refused), far.board.now)
+        far.board.dialog.receive(wire.encode(refused), far.board.now)
     assert far.recorder.take() == ["hold"]
     told = [record.getMessage() for record in caplog.records]
     assert told == [

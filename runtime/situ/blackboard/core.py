@@ -11,7 +11,7 @@ from typing import Protocol
 
 from msgspec import Raw, Struct
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, topics, wire
 from situ.blackboard.asking import Asking
 from situ.blackboard.backlog import Backlog, stamped
 from situ.blackboard.history import AnySessionEvent, Past
@@ -72,7 +72,7 @@ class Held(Struct):
             f"durable tags could not be kept ({why}): what was set stands on the blackboard, "
             "but not after a restart; make room on the robot's disk and set it again"
         )
-        return protocol.encode(protocol.Refused(id=self.request, code="refused", message=message))
+        return wire.encode(protocol.Refused(id=self.request, code="refused", message=message))
 
 
 class Outgoing(Struct):
@@ -207,7 +207,7 @@ class Core:
 
     def _is_asked(self, module: str) -> None:
         body = protocol.Asked(count=self.asking.counts[module])
-        self._out.notices.append(protocol.notice(protocol.asked_topic(module), body))
+        self._out.notices.append(wire.notice(topics.asked(module), body))
 
     def holds(self, module: str | None) -> tuple[str, ...]:
         """The resources that the module holds, sorted."""
@@ -227,7 +227,7 @@ class Core:
     def reply(self, peer: Hashable, reply: protocol.Reply) -> None:
         """A reply leaves after the notices of what it answers; one that acknowledges durable
         tags when they are kept."""
-        body = protocol.encode(reply)
+        body = wire.encode(reply)
         if self._out.durable and isinstance(reply, protocol.Written) and self._is_held(reply):
             self._out.held.append(Held(peer, body, reply.id))
         else:
@@ -238,7 +238,7 @@ class Core:
 
     def end(self) -> None:
         """Tells all that the runtime stops."""
-        self._out.notices.append(protocol.notice(protocol.END, protocol.End()))
+        self._out.notices.append(wire.notice(topics.END, protocol.End()))
 
     def take(self) -> Outgoing:
         """What is to be sent and carried out since the last call."""
@@ -252,7 +252,7 @@ class Core:
             if self.performing[service]:
                 number = self.effects[service]
                 body = protocol.Effect(service=service, number=number, does=effect)
-                self._out.notices.append(protocol.notice(protocol.effect_topic(service), body))
+                self._out.notices.append(wire.notice(topics.effect(service), body))
 
     def _traced(self, events: list[trace.TraceEvent]) -> None:
         at = self.epoch + self.now / SECOND
@@ -265,12 +265,12 @@ class Core:
                 passed = protocol.Authority(
                     resource=event.resource, source=event.source, to=event.to, seq=event.seq
                 )
-                topic = protocol.authority_topic(event.resource)
-                self._out.notices.append(protocol.notice(topic, passed))
+                topic = topics.authority(event.resource)
+                self._out.notices.append(wire.notice(topic, passed))
         if self.tracing:
             lines = tuple(Raw(stamped(event, at)) for event in events)
             body = protocol.Events(events=lines)
-            self._out.notices.append(protocol.notice(protocol.TRACE, body))
+            self._out.notices.append(wire.notice(topics.TRACE, body))
 
 
 _ENDS = (trace.Finished, trace.Cancelled)
@@ -284,7 +284,7 @@ def _change(effect: Changed) -> bytes:
         writer=effect.writer,
         time=effect.time,
     )
-    return protocol.notice(protocol.change_topic(effect.tag), body)
+    return wire.notice(topics.change(effect.tag), body)
 
 
 def _message(effect: Begin) -> bytes:
@@ -292,4 +292,4 @@ def _message(effect: Begin) -> bytes:
     body = protocol.Message(
         topic=topic, value=effect.fields.get("value"), application=effect.application
     )
-    return protocol.notice(protocol.message_topic(topic), body)
+    return wire.notice(topics.message(topic), body)

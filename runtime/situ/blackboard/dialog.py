@@ -14,12 +14,13 @@ from typing import Any, TypeVar
 
 from msgspec.structs import replace
 
-from situ.blackboard import json_values, protocol
+from situ.blackboard import json_values, protocol, topics, wire
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.feeds import Effects, Messages, TraceFeed, Watch
-from situ.blackboard.protocol import HEARTBEAT, LEASE, Malformed, Request
+from situ.blackboard.protocol import HEARTBEAT, LEASE, Request
 from situ.blackboard.serving import Requests
 from situ.blackboard.subscriptions import Subscriptions
+from situ.blackboard.wire import Malformed
 from situ.decide.expected import Expectation
 from situ.errors import BlackboardError, Refused, Unreachable
 
@@ -61,9 +62,9 @@ class Dialog:
         self._asked: dict[object, tuple[tuple[str, ...], tuple[str, ...]]] = {}
         self._subscriptions = Subscriptions(self, person.module)
         self.subscribing = self._subscriptions.topics
-        self.subscribing.append((protocol.END, True))
+        self.subscribing.append((topics.END, True))
         for resource in person.resources:
-            self.subscribing.append((protocol.authority_topic(resource), True))
+            self.subscribing.append((topics.authority(resource), True))
         self.watch = self._subscriptions.watch
         self.unwatch = self._subscriptions.unwatch
         self.messages = self._subscriptions.listen
@@ -97,7 +98,7 @@ class Dialog:
     def receive(self, body: bytes, now: float) -> None:
         """A reply. Anything that is none is passed over."""
         try:
-            reply = protocol.read_reply(body)
+            reply = wire.read_reply(body)
         except Malformed:
             return
         self._heard = now
@@ -125,7 +126,7 @@ class Dialog:
     def hear(self, frame: bytes, now: float) -> None:
         """A notice, with its topic. Anything that is none is passed over."""
         try:
-            notice = protocol.read_notice(frame)
+            notice = wire.read_notice(frame)
         except (Malformed, ValueError):
             return
         if isinstance(notice, protocol.Authority):
@@ -180,7 +181,7 @@ class Dialog:
         )
         # What could not be sent in the meantime is stale; this hello goes for it.
         self.outgoing.clear()
-        self.outgoing.append(protocol.encode(hello))
+        self.outgoing.append(wire.encode(hello))
 
     def _welcomed(self, welcome: protocol.Welcome, now: float) -> None:
         restarted = self.welcome is not None and self.welcome.runtime != welcome.runtime
@@ -392,7 +393,7 @@ class Dialog:
         """Asks for what ``key`` wants beside all that other keys ask for."""
         for resource in (*resources, *optional):
             if resource not in self.person.resources:
-                self.subscribing.append((protocol.authority_topic(resource), True))
+                self.subscribing.append((topics.authority(resource), True))
         self._asked[key] = (resources, optional)
         return self._acquire(again=True)
 

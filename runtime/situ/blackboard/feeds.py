@@ -13,7 +13,7 @@ from typing import Any
 import msgspec
 from msgspec import Struct
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, topics
 from situ.blackboard.services import Carried
 from situ.document import names
 from situ.errors import Refused
@@ -151,7 +151,7 @@ class Messages:
     def __init__(
         self, pattern: str, callback: Callable[[protocol.Message], None] | None = None
     ) -> None:
-        self.pattern = protocol.one_line(pattern)
+        self.pattern = topics.one_line(pattern)
         self.callback = callback
         self.ready = False
         self.asking = False
@@ -171,7 +171,7 @@ class Messages:
     # -- for the dialog ------------------------------------------------------
 
     def hear(self, message: protocol.Message) -> None:
-        if names.matches(self.pattern, protocol.one_line(message.topic)):
+        if names.matches(self.pattern, topics.one_line(message.topic)):
             self._queue.append(message)
 
 

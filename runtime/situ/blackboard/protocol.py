@@ -1,11 +1,12 @@
-"""Version 1 of what client and core say to each other: every body a Struct, JSON on the wire.
+"""Version 1 of what client and core say to each other: every body a Struct.
 
-docs/protocol.md has a row for each, ``tests/vectors/`` the bytes. Three directions:
+docs/protocol.md has a row for each, ``tests/vectors/`` the bytes; ``wire`` makes and reads them.
+Three directions:
 
 * *requests*, client to core, told apart by ``do``; ``id`` is the client's own count.
 * *replies*, core to client, told apart by ``re``; ``id`` is the request's.
 * *notices*, core to whoever subscribed, told apart by ``on``; on ZeroMQ a notice is one
-  frame: its topic, a newline, its body.
+  frame: its topic (``topics``), a newline, its body.
 
 The core is strict (an unknown field is refused, so that a typing error shows), the
 client is not (a core may grow fields). Times are whole microseconds since the start of
@@ -21,30 +22,15 @@ from msgspec import UNSET, Struct, UnsetType, field
 
 from situ.blackboard.services import Carried
 from situ.decide.expected import Expectation
-from situ.errors import BlackboardError
 
 VERSION = 1
 HEARTBEAT = 0.25
 LEASE = 1.0
 """Seconds: how often a client says that it lives, and how long it is believed."""
 
-MAXIMUM = 16_000_000
-"""Bytes of one message; pictures and sound go by URL."""
-
-DEPTH = 100
-"""Levels of lists and objects in a value; what is deeper could not be worked with."""
-
 Role = Literal["viewer", "module", "operator", "scenario", "service"]
 """viewer looks; module and operator also write; scenario plays a script (``situ run --script``);
 service carries out what the core decides (``situ run --services``)."""
-
-
-class Malformed(BlackboardError):
-    """A message that is none of version 1; ``id`` is its request's where that could be read."""
-
-    def __init__(self, message: str, id: int | None = None) -> None:
-        super().__init__(message)
-        self.id = id
 
 
 # -- requests ----------------------------------------------------------------
@@ -641,144 +627,3 @@ class End(Notice, frozen=True, kw_only=True):
 
 
 AnyNotice = Change | Authority | Events | Message | Effect | Asked | Echo | End
-
-# -- topics ------------------------------------------------------------------
-
-ECHO = b"echo:"
-TRACE = b"trace\n"
-END = b"end\n"
-
-
-def change_topic(tag: str) -> bytes:
-    return b"t:%s\n" % tag.encode()
-
-
-def pattern_topic(pattern: str) -> bytes:
-    """What to subscribe to for a pattern of tags: all topics that can fit begin with it."""
-    return change_topic(pattern) if "*" not in pattern else b"t:" + _beginning(pattern)
-
-
-def messages_topic(pattern: str) -> bytes:
-    """The same for a pattern of messages' topics."""
-    pattern = one_line(pattern)
-    return message_topic(pattern) if "*" not in pattern else b"m:" + _beginning(pattern)
-
-
-def _beginning(pattern: str) -> bytes:
-    star = pattern.index("*")
-    head = pattern[:star]
-    # ``user.**`` fits ``user`` too, so the separator before it may be missing.
-    return (head[:-1] if pattern[star : star + 2] == "**" else head).encode()
-
-
-def authority_topic(resource: str) -> bytes:
-    return b"a:%s\n" % resource.encode()
-
-
-def effect_topic(service: str) -> bytes:
-    return b"x:%s\n" % service.encode()
-
-
-def asked_topic(module: str) -> bytes:
-    return b"q:%s\n" % module.encode()
-
-
-def message_topic(topic: str) -> bytes:
-    return b"m:%s\n" % one_line(topic).encode()
-
-
-def one_line(topic: str) -> str:
-    """A message's topic as it is subscribed to: a line break would end it."""
-    return " ".join(topic.split())
-
-
-# -- bytes -------------------------------------------------------------------
-
-_encoder = msgspec.json.Encoder()
-_requests: msgspec.json.Decoder[AnyRequest] = msgspec.json.Decoder(AnyRequest)
-_requests_as_found = msgspec.json.Decoder()
-_replies: msgspec.json.Decoder[AnyReply] = msgspec.json.Decoder(AnyReply)
-_notices: msgspec.json.Decoder[AnyNotice] = msgspec.json.Decoder(AnyNotice)
-
-
-class _Id(Struct):
-    id: int | None = None
-
-
-_id = msgspec.json.Decoder(_Id)
-
-# What decoding can raise: a JSON text may be no UTF-8, or nested too deep.
-_BROKEN = (msgspec.MsgspecError, UnicodeError, RecursionError)
-
-
-def encode(message: Request | Reply | Notice) -> bytes:
-    """The body of a message; its values must be JSON values."""
-    return _encoder.encode(message)
-
-
-def read_request(body: bytes) -> AnyRequest:
-    """Raises ``Malformed``, with the request's id where there is one, and nothing else."""
-    try:
-        request = _requests.decode(body)
-        # Most bodies are too short of brackets to be looked at.
-        if body.count(b"[") + body.count(b"{") > DEPTH and too_deep(
-            _requests_as_found.decode(body)
-        ):
-            raise RecursionError
-        return request
-    except _BROKEN as error:
-        raise Malformed(
-            f"no request of version {VERSION}: {_said(error)}; see docs/protocol.md", read_id(body)
-        ) from None
-
-
-def read_id(body: bytes) -> int | None:
-    """The id of a request, however wrong the rest of it is; None where it has none."""
-    try:
-        return _id.decode(body).id
-    except _BROKEN:
-        return None
-
-
-def read_reply(body: bytes) -> AnyReply:
-    """Raises ``Malformed`` and nothing else."""
-    try:
-        return _replies.decode(body)
-    except _BROKEN as error:
-        raise Malformed(f"no reply of version {VERSION}: {_said(error)}") from None
-
-
-def read_notice(frame: bytes) -> AnyNotice:
-    """A frame with its topic. Raises ``Malformed`` and nothing else."""
-    try:
-        begin = frame.index(b"\n") + 1
-        # Where there is little to copy that is faster than to look at it in its place.
-        return _notices.decode(frame[begin:] if len(frame) < 4_096 else memoryview(frame)[begin:])
-    except (*_BROKEN, ValueError) as error:
-        raise Malformed(f"no notice of version {VERSION}: {_said(error)}") from None
-
-
-def notice(topic: bytes, body: Notice) -> bytes:
-    """One frame: topic (which ends with a newline) and body."""
-    return topic + _encoder.encode(body)
-
-
-def too_deep(value: Any) -> bool:
-    """Whether there are more than ``DEPTH`` levels, and those of a request round the value."""
-    level: list[Any] = [value]
-    for _ in range(DEPTH + 3):
-        level = [
-            inner
-            for outer in level
-            for inner in (outer.values() if isinstance(outer, dict) else outer)
-            if isinstance(inner, dict | list)
-        ]
-        if not level:
-            return False
-    return True
-
-
-def _said(error: Exception) -> str:
-    if isinstance(error, RecursionError):
-        return "it is nested too deep"
-    return str(error).replace("\n", " ")

@@ -13,7 +13,7 @@ from urllib.parse import urlsplit
 import zmq
 from zmq.backend import zmq_poll
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, topics, wire
 from situ.blackboard.identity import Identity
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.link import INCOMING, MORE, NOW
@@ -71,7 +71,7 @@ class Server:
                 self.gate.guard(self._publisher, "notifications")
             for socket in (self._router, self._publisher):
                 socket.linger = 200
-                socket.setsockopt(zmq.MAXMSGSIZE, protocol.MAXIMUM)
+                socket.setsockopt(zmq.MAXMSGSIZE, wire.MAXIMUM)
                 socket.setsockopt(zmq.SNDHWM, HELD)
                 socket.setsockopt(zmq.HANDSHAKE_IVL, SHAKE)
             # More than are answered together need not wait here: the rest stays with the client.
@@ -138,7 +138,7 @@ class Server:
 
     def _subscribed(self) -> None:
         frame = self._publisher.recv(NOW)
-        if frame.startswith(b"\x01" + protocol.ECHO):
+        if frame.startswith(b"\x01" + topics.ECHO):
             self._publisher.send(frame[1:] + b"\n" + _ECHO, NOW)
 
     def send(self, replies: Iterable[tuple[Any, bytes]], notices: Iterable[bytes]) -> None:
@@ -162,7 +162,7 @@ class Server:
         self._publisher.close()
 
 
-_ECHO = protocol.encode(protocol.Echo())
+_ECHO = wire.encode(protocol.Echo())
 
 
 def _bind(socket: zmq.Socket[bytes], address: str) -> str:

@@ -12,7 +12,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, wire
 from situ.blackboard.core import SECOND, Core, Outgoing
 from situ.blackboard.guard import Guard
 from situ.blackboard.history import (
@@ -29,9 +29,10 @@ from situ.blackboard.history import (
     Watched,
 )
 from situ.blackboard.identity import Identity
-from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses, Malformed
+from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses
 from situ.blackboard.requests import No, Session, answer
 from situ.blackboard.services import SERVICES, carried_by, may_repeat
+from situ.blackboard.wire import Malformed
 from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.document import names
@@ -116,7 +117,7 @@ class Sessions:
         except Exception as fault:
             # A fault of ours: whoever asked is not left waiting, and the driver is told.
             message = f"a fault in situ itself ({type(fault).__name__}); please report it"
-            refused = protocol.Refused(id=protocol.read_id(body), code="refused", message=message)
+            refused = protocol.Refused(id=wire.read_id(body), code="refused", message=message)
             self._core.reply(peer, refused)
             raise
         self._core.reply(peer, reply)
@@ -284,7 +285,7 @@ class Sessions:
         if session is not None:
             session.heard = self._core.now
         try:
-            request = protocol.read_request(body)
+            request = wire.read_request(body)
         except Malformed as error:
             return protocol.Refused(id=error.id, code="malformed", message=str(error))
         try:

@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from typing import Any, Protocol, TypeVar
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, topics
 from situ.blackboard.calls import Call
 from situ.blackboard.feeds import Change, Effects, Messages, TraceFeed, Watch
 from situ.blackboard.services import Carried
@@ -140,7 +140,7 @@ class Subscriptions:
         """What stands there, then every change; kept up over losses of the connection."""
         watch = Watch(pattern, callback)
         if all(one.pattern != pattern for one in self.watches):
-            self.topics.append((protocol.pattern_topic(pattern), True))
+            self.topics.append((topics.changes(pattern), True))
         self.watches.append(watch)
         self._by_tag.clear()
         if self._talk.connected:
@@ -156,7 +156,7 @@ class Subscriptions:
         self._by_tag.clear()
         if any(one.pattern == watch.pattern for one in self.watches):
             return
-        self.topics.append((protocol.pattern_topic(watch.pattern), False))
+        self.topics.append((topics.changes(watch.pattern), False))
         if self._talk.connected:
             request = protocol.Unwatch(id=self._talk.next_id(), patterns=(watch.pattern,))
             self._talk.ask(request, _nothing, again=False)
@@ -174,7 +174,7 @@ class Subscriptions:
         self._ask_echo(asked)
 
     def _ask_echo(self, asked: list[_Heard]) -> None:
-        topic = protocol.ECHO + f"{self._token}:{self._talk.next_id()}".encode()
+        topic = topics.ECHO + f"{self._token}:{self._talk.next_id()}".encode()
         self._echo[topic] = asked, self._beats, self._up
         self.topics.append((topic, True))
 
@@ -223,7 +223,7 @@ class Subscriptions:
         in which those that are sent meanwhile are lost."""
         messages = Messages(pattern, callback)
         if all(one.pattern != messages.pattern for one in self.messages):
-            self.topics.append((protocol.messages_topic(messages.pattern), True))
+            self.topics.append((topics.messages(messages.pattern), True))
         self.messages.append(messages)
         if self._talk.connected:
             self._sync([messages])
@@ -236,7 +236,7 @@ class Subscriptions:
             return
         self.messages.remove(messages)
         if all(one.pattern != messages.pattern for one in self.messages):
-            self.topics.append((protocol.messages_topic(messages.pattern), False))
+            self.topics.append((topics.messages(messages.pattern), False))
 
     # -- effects -------------------------------------------------------------
 
@@ -248,7 +248,7 @@ class Subscriptions:
     ) -> Effects:
         """What these services (those told in hello) are to carry out, from now on."""
         effects = Effects(tuple(services), http, callback)
-        self.topics.extend((protocol.effect_topic(one), True) for one in effects.services)
+        self.topics.extend((topics.effect(one), True) for one in effects.services)
         self.effects.append(effects)
         if self._talk.connected:
             self._sync([effects])
@@ -275,7 +275,7 @@ class Subscriptions:
         """What applications ask of this module by these names, from now on."""
         requests = Requests(names, callback, self._answer, enter)
         if not self.requests and self._module is not None:
-            self.topics.append((protocol.asked_topic(self._module), True))
+            self.topics.append((topics.asked(self._module), True))
         self.requests.append(requests)
         if self._talk.connected:
             self._sync([requests])
@@ -290,7 +290,7 @@ class Subscriptions:
         if self._talk.connected:
             self._ask_questions(requests)
         if not self.requests and self._module is not None:
-            self.topics.append((protocol.asked_topic(self._module), False))
+            self.topics.append((topics.asked(self._module), False))
 
     def _look_again(self, count: int) -> None:
         for requests in self.requests:
@@ -331,7 +331,7 @@ class Subscriptions:
         """Trace events from seq ``since`` on (None: from now), without a gap."""
         feed = TraceFeed(since, callback)
         if not self.feeds:
-            self.topics.append((protocol.TRACE, True))
+            self.topics.append((topics.TRACE, True))
         self.feeds.append(feed)
         if self._talk.connected:
             self._fetch(feed)
@@ -342,7 +342,7 @@ class Subscriptions:
         if feed in self.feeds:
             self.feeds.remove(feed)
             if not self.feeds:
-                self.topics.append((protocol.TRACE, False))
+                self.topics.append((topics.TRACE, False))
 
     def _fetch(self, feed: TraceFeed) -> None:
         if feed.asking or feed.ended or not self._talk.connected:

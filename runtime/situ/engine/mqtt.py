@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 import aiomqtt
 import msgspec
 
-from situ.blackboard.protocol import too_deep
+from situ.blackboard.wire import too_deep
 from situ.decide.inputs import AnyInput, Raise, Set
 from situ.document.project import Mqtt
 from situ.engine.actions import ActionFailed

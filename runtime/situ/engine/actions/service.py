@@ -16,7 +16,7 @@ from urllib.parse import unquote, urlencode, urlsplit
 import httpx
 import msgspec
 
-from situ.blackboard.protocol import too_deep
+from situ.blackboard.wire import too_deep
 from situ.engine.actions import ActionFailed
 from situ.engine.clock import Clock, pause
 from situ.engine.media import MediaFolder

@@ -14,7 +14,7 @@ from collections import deque
 import zmq
 from aiohttp import WSCloseCode, WSMsgType, web
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, wire
 from situ.blackboard.audit import Audit
 from situ.blackboard.curve import Curve, KeysOf
 from situ.blackboard.link import HELD as NOTICES
@@ -200,6 +200,6 @@ class _Relay:
         for socket in (self._dealer, self._subscriber):
             self._loop.remove_reader(socket.fileno())
         with contextlib.suppress(zmq.Again):
-            self._dealer.send(protocol.encode(protocol.Bye(id=0)), NOW)
+            self._dealer.send(wire.encode(protocol.Bye(id=0)), NOW)
         self._dealer.close()
         self._subscriber.close()
