@@ -19,6 +19,7 @@ from situ.engine.clock import Handle
 from situ.engine.robots import Surroundings
 from situ.engine.robots.bullet import HUSKY, R2D2, TICK, Bullet, Model
 from situ.engine.robots.motion import Hold, Motion, Round, sweep
+from situ.engine.robots.reports import EVERY, Reports
 from situ.engine.robots.steering import (
     Course,
     End,
@@ -39,8 +40,6 @@ from situ.engine.robots.vocabulary import (
     place,
 )
 
-REPORT_EVERY = 0.5
-"""Seconds between two reports of where the robot is, while it moves."""
 BEHIND = 0.25
 """Seconds of physics done in one go at most; time that was slept through is left out."""
 PATIENCE = 2.0
@@ -58,7 +57,7 @@ class PyBulletRobot:
         self.resources = frozenset({"base"} if model.head is None else {"base", "head"})
         self._clock = around.clock
         self._finished = around.finished
-        self._report = around.report
+        self._reports = None if around.report is None else Reports(around.report)
         self._places = around.project.places
         self._model = model
         self._next: Handle | None = None
@@ -68,7 +67,6 @@ class PyBulletRobot:
         self._motion: tuple[float, Motion] = (0.0, Hold((0.0,)))
         self._gesture = False
         self._told = 0.0
-        self._reported: dict[str, float] = {}
 
     @property
     def pose(self) -> tuple[float, float, float]:
@@ -180,10 +178,8 @@ class PyBulletRobot:
             moves = self._tick(ended)
         if moves:
             self._wait()
-        if self._report is not None and (
-            not moves or self.bullet.time - self._told >= REPORT_EVERY
-        ):
-            self._tell(self._report)
+        if self._reports is not None and (not moves or self.bullet.time - self._told >= EVERY):
+            self._tell(self._reports)
         for resource, ok, error in ended:
             self._finished(resource, ok, error)
 
@@ -212,17 +208,11 @@ class PyBulletRobot:
 
     # -- where it is, on the blackboard ------------------------------------------
 
-    def _tell(self, report: Callable[[dict[str, Any]], None]) -> None:
-        """Reports what changed since the last report; all when it first moves, as ``sim``."""
+    def _tell(self, reports: Reports) -> None:
         self._told = self.bullet.time
         names = ("pose.x", "pose.y", "pose.heading", "pose.yaw")
         numbers = (*self.pose, self.yaw) if self._model.head is not None else self.pose
-        places = zip(names, numbers, strict=False)
-        tags = {tag: round(value, 2) + 0.0 for tag, value in places}  # a zero has no sign
-        changed = {tag: value for tag, value in tags.items() if self._reported.get(tag) != value}
-        if changed and (self._reported or any(tags.values())):
-            self._reported.update(changed)
-            report(changed)
+        reports.tell(dict(zip(names, numbers, strict=False)))
 
 
 def husky(around: Surroundings) -> PyBulletRobot:

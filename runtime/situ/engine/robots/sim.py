@@ -25,6 +25,7 @@ from situ.engine.robots.motion import (
     path,
     sweep,
 )
+from situ.engine.robots.reports import EVERY, Reports
 from situ.engine.robots.vocabulary import (
     NotUnderstood,
     chosen,
@@ -41,8 +42,6 @@ FASTEST = 1.0
 FASTEST_TURN = 120.0
 YAW, PITCH = 120.0, 45.0
 """Degrees that the head turns and nods to either side."""
-REPORT_EVERY = 0.5
-"""Seconds between two reports of where the robot is, while it moves."""
 
 BASE, HEAD = "the simulated robot's base", "the simulated robot's head"
 
@@ -60,8 +59,7 @@ class SimulatedRobot:
     def __init__(self, around: Surroundings) -> None:
         self._clock = around.clock
         self._finished = around.finished
-        self._report = around.report
-        self._log = around.log
+        self._reports = None if around.report is None else Reports(around.report)
         self._places = around.project.places
         self._motions: dict[str, tuple[float, Motion]] = {
             "base": (0.0, Hold((0.0, 0.0, 0.0))),
@@ -69,7 +67,6 @@ class SimulatedRobot:
         }
         self._ends: dict[str, Handle] = {}
         self._next_report: Handle | None = None
-        self._reported: dict[str, float] = {}
 
     @property
     def pose(self) -> tuple[float, float, float]:
@@ -112,8 +109,8 @@ class SimulatedRobot:
 
     def _begin(self, resource: str, motion: Motion) -> None:
         self._motions[resource] = (self._clock.time(), motion)
-        if self._report is not None and self._next_report is None:
-            self._tell()
+        if self._reports is not None and self._next_report is None:
+            self._tell(self._reports)
 
     def _arrive(self, resource: str) -> None:
         self._ends.pop(resource, None)
@@ -188,28 +185,21 @@ class SimulatedRobot:
 
     # -- where it is, on the blackboard ------------------------------------------
 
-    def _tell(self) -> None:
-        """Reports what changed since the last report, and again while anything moves.
-
-        When it first moves, all: on the blackboard may stand where it was before it was started
-        anew.
-        """
-        assert self._report is not None
+    def _tell(self, reports: Reports) -> None:
+        """Reports where it is, and again while anything moves."""
         self._next_report = None
         now = self._clock.time()
         moving = any(now - begun < motion.duration for begun, motion in self._motions.values())
         places = {"base": self.pose, "head": self.gaze}
-        tags = {
-            tag: round(number, 2) + 0.0  # a zero has no sign
-            for resource, names in _REPORTED.items()
-            for tag, number in zip(names, places[resource], strict=True)
-        }
-        changed = {t: v for t, v in tags.items() if self._reported.get(t) != v}
-        if changed and (self._reported or any(tags.values())):
-            self._reported.update(changed)
-            self._report(changed)
+        reports.tell(
+            {
+                tag: number
+                for resource, names in _REPORTED.items()
+                for tag, number in zip(names, places[resource], strict=True)
+            }
+        )
         if moving:
-            self._next_report = self._clock.call_at(now + REPORT_EVERY, self._tell)
+            self._next_report = self._clock.call_at(now + EVERY, lambda: self._tell(reports))
 
 
 def _gaze(of: dict[str, Any], here: tuple[float, ...]) -> tuple[float, float]:
