@@ -223,16 +223,14 @@ class Run:
         """The core with services, in one asyncio loop."""
         import asyncio
 
-        from situ.blackboard.client import AsyncBoard, Link, Person
         from situ.engine.live import Live
-        from situ.engine.script import Script
         from situ.engine.trace_out import TraceOut
 
         loop, stopped = asyncio.get_running_loop(), _until_signal()
         options, kept, project = self._options, self._kept, self._project
         keys = self._keys()
         self._check_screen(keyed=keys is not None)
-        script = None if self._lines is None else Script(self._lines, options.speed)
+        script = None if self._lines is None else _script(self._lines, options.speed)
         trace = None if out is None else TraceOut(options.trace or "", out, stopped.set)
 
         def heard(events: Any, moment: float) -> None:
@@ -267,6 +265,8 @@ class Run:
             if script is None:
                 await stopped.wait()
                 return self._status(trace)
+            from situ.blackboard.client import AsyncBoard, Link, Person
+
             own = None if keys is None else keys.own()
             board = AsyncBoard(Link(addresses.requests, Person(role="scenario"), keys=own))
             async with board:
@@ -382,6 +382,12 @@ def _until_signal() -> asyncio.Event:
 
 def _has_broker(project: Project) -> bool:
     return project.mqtt is not None and bool(project.mqtt.url)
+
+
+def _script(lines: list[Line], speed: float) -> Script:
+    from situ.engine.script import Script
+
+    return Script(lines, speed)
 
 
 async def _play(script: Script, live: Live, board: AsyncBoard, clients: int) -> None:
