@@ -168,4 +168,4 @@ def _pattern(path: str) -> str:
             found += "(/.*)?"
         elif part:
             found += "/" + re.escape(part).replace(r"\*", "[^/]*")
-    return (found or "") + "/?"
+    return found + "/?"
