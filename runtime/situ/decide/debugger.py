@@ -13,6 +13,7 @@ import msgspec
 from msgspec import UNSET, Struct, UnsetType, field
 
 from situ.decide import inputs, trace
+from situ.decide.ahead import Passage, advance, next_passage, timeout_passage
 from situ.decide.conditions import Compiled, Conditions
 from situ.decide.machine import Machine
 from situ.decide.world import BREAKPOINTS, PAUSED, World
@@ -45,10 +46,15 @@ class Breakpoint(Struct, omit_defaults=True):
 
 
 class DebuggerState(Struct):
-    """made: breakpoints so far. backlog: what was raised up to here may have waited in a pause."""
+    """made: breakpoints so far. stopped: paused application to the breakpoint at which it is, if
+    at one. passing: the applications of which what is judged next passes the breakpoints on
+    transitions. backlog: what was raised up to here may have waited in a pause.
+    """
 
     breakpoints: list[Breakpoint] = []
     made: int = 0
+    stopped: dict[str, int] = {}
+    passing: list[str] = []
     backlog: int = 0
 
 
@@ -102,7 +108,7 @@ class Debugger:
 
     def free(self) -> list[Machine]:
         """The applications that are not paused."""
-        return [machine for machine in self._machines if not machine.state.paused]
+        return [machine for machine in self._machines if not machine.paused]
 
     def look(self, seen: int) -> None:
         """Pauses at states entered and situations begun since the event ``seen`` of this step."""
@@ -113,17 +119,11 @@ class Debugger:
 
     def stops(self, machine: Machine) -> bool:
         """Whether it pauses before what it would judge now."""
-        if machine.state.passing:
-            machine.state.passing = False
-            return False
-        return self._stops(machine, machine.next_way())
+        return not self._use_pass(machine) and self._stops(machine, next_passage(machine))
 
     def stops_timeout(self, machine: Machine) -> bool:
         """Whether it pauses before its timeout, which falls due now."""
-        if machine.state.passing:
-            machine.state.passing = False
-            return False
-        return self._stops(machine, machine.timeout_way())
+        return not self._use_pass(machine) and self._stops(machine, timeout_passage(machine))
 
     # -- breakpoints ---------------------------------------------------------
 
@@ -203,10 +203,10 @@ class Debugger:
             if machine.name in stopped and self._holds(one):
                 self._pause(machine, event.seq, one.id)
 
-    def _stops(self, machine: Machine, way: tuple[str, str, int | None] | None) -> bool:
-        if way is None:
+    def _stops(self, machine: Machine, passage: Passage | None) -> bool:
+        if passage is None:
             return False
-        source, to, cause = way
+        source, to, cause = passage
         for one in self.state.breakpoints:
             if (
                 one.application == machine.name
@@ -216,9 +216,16 @@ class Debugger:
                 and self._holds(one)
             ):
                 self._pause(machine, cause, one.id)
-                machine.state.passing = True
+                self.state.passing.append(machine.name)
                 return True
         return False
+
+    def _use_pass(self, machine: Machine) -> bool:
+        """Whether it may pass the breakpoints on transitions; it may so only once."""
+        passes = machine.name in self.state.passing
+        if passes:
+            self.state.passing.remove(machine.name)
+        return passes
 
     def _pause(
         self,
@@ -228,7 +235,10 @@ class Debugger:
         writer: str | UnsetType = UNSET,
     ) -> None:
         machine.hold()
-        machine.state.stopped, machine.state.passing = stopped, False
+        self._use_pass(machine)
+        self.state.stopped.pop(machine.name, None)
+        if stopped is not None:
+            self.state.stopped[machine.name] = stopped
         no = machine.state.no
         self._world.step.trace(trace.Paused, cause, machine.name, no, stopped, writer)
         self._publish()
@@ -242,7 +252,7 @@ class Debugger:
             machines = [machine]
         pauses = isinstance(given, inputs.Pause)
         for machine in machines:
-            if machine.state.paused == pauses:
+            if machine.paused == pauses:
                 continue
             if pauses:
                 self._pause(machine, None, None, given.writer)
@@ -251,26 +261,27 @@ class Debugger:
         return None
 
     def _resume(self, machine: Machine, writer: str) -> None:
-        world, state = self._world, machine.state
-        fields = (machine.name, state.no, state.stopped, writer)
-        state.stopped = None
+        world, name = self._world, machine.name
+        stopped = self.state.stopped.pop(name, None)
         self.state.backlog = world.state.raised
-        machine.release(world.step.trace(trace.Resumed, None, *fields))
+        machine.release(
+            world.step.trace(trace.Resumed, None, name, machine.state.no, stopped, writer)
+        )
         self._publish()
 
     def _publish(self) -> None:
         """Who is paused stands on the blackboard, with the breakpoint that paused it."""
-        paused = {m.name: m.state.stopped for m in self._machines if m.state.paused}
+        paused = {m.name: self.state.stopped.get(m.name) for m in self._machines if m.paused}
         self._world.keep_if_new(PAUSED, paused, self._world.step.seq)
 
     def _advance(self, machine: Machine, writer: str) -> str | None:
-        if not machine.state.paused:
+        if not machine.paused:
             return f"{machine.name} is not paused: pause it first"
         step = self._world.step
         before = step.seq
         machine.release(None)
         if step.seq == before:
-            machine.advance()
+            advance(machine)
         if step.seq == before:
             machine.hold()
             return f"nothing waits in {machine.name}: raise an event, or let it go on"
@@ -280,8 +291,11 @@ class Debugger:
     def _go_to(self, machine: Machine, given: inputs.Goto) -> str | None:
         if given.state not in machine.program.innermost:
             return _no_state(machine, given.state)
-        machine.state.passing = False
+        self._use_pass(machine)
         machine.go_to(given.state, given.writer)
+        if machine.paused:
+            # To enter a state lets its actions begin; those behind them wait again.
+            machine.hold()
         return None
 
     # ------------------------------------------------------------------------

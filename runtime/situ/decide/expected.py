@@ -6,10 +6,9 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
+from situ.decide.hearing import said
 from situ.decide.machine import Machine
 from situ.decide.program import Candidate
-from situ.decide.texts import translator
-from situ.decide.values import template
 from situ.decide.world import World
 from situ.document import words
 
@@ -47,16 +46,11 @@ def expected(world: World, machines: Sequence[Machine]) -> dict[str, Expectation
 
     Unnamed events, which come by what stands on the blackboard, are not among them.
     """
-    translate = translator(world.project, world.board)
 
     def event(machine: Machine, name: str, candidates: Sequence[Candidate]) -> ExpectedEvent:
-        phrases = dict.fromkeys(
-            template(translate(phrase, None)).text(world.board.look)
-            for one in candidates
-            for phrase in one.says
-        )
+        phrases = dict.fromkeys(text for text, _ in said(world, candidates))
         conditions = [words.condition(one.when) for one in candidates if one.when is not None]
-        holds = any(_passes(machine, one) for one in candidates)
+        holds = machine.first(candidates) is not None
         return ExpectedEvent(name, tuple(phrases), holds, tuple(dict.fromkeys(conditions)))
 
     told = {}
@@ -67,12 +61,7 @@ def expected(world: World, machines: Sequence[Machine]) -> dict[str, Expectation
             name=here.source.name,
             time=entry.time if entry is not None else 0,
             suspended=machine.state.suspended,
-            paused=machine.state.paused,
+            paused=machine.paused,
             events=tuple(event(machine, *named) for named in here.named.items()),
         )
     return told
-
-
-def _passes(machine: Machine, one: Candidate) -> bool:
-    guard = one.guard
-    return (guard is None or guard()) and (not one.back or bool(machine.state.stacks[one.level]))

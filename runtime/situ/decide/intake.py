@@ -12,6 +12,7 @@ from msgspec import UNSET
 
 from situ.decide import inputs, trace
 from situ.decide.effects import Refuse
+from situ.decide.hearing import event_for, phrases
 from situ.decide.machine import Machine
 from situ.decide.presence import Presence
 from situ.decide.settling import Settling
@@ -89,7 +90,7 @@ class Intake:
         if machine is None:
             return
         machine.attend()
-        event = machine.touched()
+        event = machine.display.touched()
         if event is not None:
             machine.raise_event(event, None, self._world.next_raise())
 
@@ -100,7 +101,7 @@ class Intake:
 
     def _use(self, given: inputs.Use) -> None:
         machine = self._shower()
-        component = machine.component(given.component) if machine is not None else None
+        component = machine.display.component(given.component) if machine is not None else None
         if machine is None or not isinstance(component, (Button, Input, List)):
             self._world.step.warn(
                 None, f"no button, input or list {given.component} is shown", "screen"
@@ -212,12 +213,12 @@ class Intake:
         """An utterance (formats.md, *Speech heard*)."""
         heard = self._world.board.look("heard")
         text = heard.get("text") if isinstance(heard, dict) else None
-        listening = [machine for machine in self._machines if machine.phrases()]
+        listening = [machine for machine in self._machines if phrases(self._world, machine)]
         if not isinstance(text, str) or not listening:
             return
         confidence = heard.get("confidence", 1)
         sure = is_number(confidence) and confidence >= CONFIDENT
-        meant = {m.name: m.event_for(text) for m in listening} if sure else {}
+        meant = {m.name: event_for(self._world, m, text) for m in listening} if sure else {}
         understood = any(event is not None for event in meant.values())
         order = self._world.next_raise()
         for machine in listening:

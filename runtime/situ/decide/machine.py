@@ -18,13 +18,10 @@ from situ.decide.display import Display, DisplayState
 from situ.decide.effects import Changed
 from situ.decide.priorities import RUNTIME
 from situ.decide.program import Candidate, Program, StateProgram
-from situ.decide.texts import translator
 from situ.decide.timeouts import Timeouts, TimeoutState
-from situ.decide.values import template
 from situ.decide.way import Way, find, published
 from situ.decide.world import World
-from situ.document.rbd import AGAIN, BACK, Application, Component
-from situ.document.texts import heard_as
+from situ.document.rbd import AGAIN, BACK, Application
 
 Asked = Callable[[str, int], None]
 """Told that a module asks for something else than before, and the seq of that event."""
@@ -50,8 +47,7 @@ class Raised(Struct):
 class MachineState(Struct):
     """no: the path of the innermost state. stacks: by level, the states to go back to.
     entered: the outermost level of the states entered last. stale: keys of the unnamed events
-    that may hold now, each with what caused that. paused: by the debugger, at the breakpoint
-    ``stopped``, if at one. passing: what is judged next passes the breakpoints on transitions.
+    that may hold now, each with what caused that.
     """
 
     no: str = ""
@@ -62,9 +58,6 @@ class MachineState(Struct):
     begun: bool = False
     granted: int | None = None
     stale: dict[int, int | None] = {}
-    paused: bool = False
-    stopped: int | None = None
-    passing: bool = False
     timeout: TimeoutState = field(default_factory=TimeoutState)
     display: DisplayState = field(default_factory=DisplayState)
     actions: ActionsState = field(default_factory=ActionsState)
@@ -95,9 +88,14 @@ class Machine:
         self.timeouts.state = state.timeout
         self.display.state = state.display
         self.actions.state = state.actions
-        self.actions.suspended = state.suspended or state.paused
+        self.actions.suspended = state.suspended or self.paused
 
     # -- what the robot asks -------------------------------------------------
+
+    @property
+    def paused(self) -> bool:
+        """Whether the debugger holds it."""
+        return self.state.timeout.held is not None
 
     def missing(self) -> list[str]:
         """The resources that it asks for and does not hold, sorted."""
@@ -116,24 +114,9 @@ class Machine:
                 return raised
         return None
 
-    def phrases(self) -> list[str]:
-        """What a person may say now."""
-        return [text for text, _ in self._phrases()]
-
-    def event_for(self, heard: str) -> str | None:
-        """The event that an utterance means here."""
-        for text, name in self._phrases():
-            if heard_as(text) == heard_as(heard):
-                return name
-        return None
-
-    def component(self, component_id: str) -> Component | None:
-        """A component of the screen that this application shows now."""
-        return self.display.component(component_id)
-
-    def touched(self) -> str | None:
-        """The event of a touch on no component of the screen shown."""
-        return self.display.touched()
+    def refresh(self) -> None:
+        """The end of a step: a live text that changed is shown once more."""
+        self.display.refresh(self.here)
 
     # -- events --------------------------------------------------------------
 
@@ -182,14 +165,14 @@ class Machine:
 
     def _judge_done(self, name: str, holder: str, seq: int) -> None:
         """A part has ended: ``done.x``, or else ``done``, for the state that holds it alone."""
-        taken = self._first(self._of_holder(name, holder))
+        taken = self.first(self.of_holder(name, holder))
         if taken is not None:
             self._take(taken, seq)
             return
         second = self._step.trace(trace.Event, seq, self.name, DONE)
-        self._offer(DONE, self._of_holder(DONE, holder), second)
+        self._offer(DONE, self.of_holder(DONE, holder), second)
 
-    def _of_holder(self, name: str, holder: str) -> list[Candidate]:
+    def of_holder(self, name: str, holder: str) -> list[Candidate]:
         """The expected events of this name that the state ``holder`` has of its own."""
         level = next((n for n, one in enumerate(self.here.levels) if one.path == holder), None)
         return [one for one in self.here.named.get(name, ()) if one.level == level]
@@ -210,7 +193,8 @@ class Machine:
         self._take(taken, self.state.stale[taken.key])
         self._settle_idle()
 
-    def _first(self, candidates: Sequence[Candidate]) -> Candidate | None:
+    def first(self, candidates: Sequence[Candidate]) -> Candidate | None:
+        """The one that would be taken now."""
         for one in candidates:
             if self._passes(one):
                 return one
@@ -275,20 +259,24 @@ class Machine:
         if len(levels) > 1:
             for outer in reversed(levels[level:-1]):
                 step.trace(trace.Exit, cause, self.name, outer.path)
-        source, stack = levels[level], self.state.stacks[level]
-        if to == AGAIN:
-            to = source.no
-        elif to == BACK:
-            to = stack.pop()
-        elif self.program.goes_back:
-            stack.append(source.no)
-        target = source.prefix + to
-        seq = step.trace(
-            trace.Transition, cause, self.name, source.path, target, event, timeout, writer
-        )
+        source, target = self.leads(to, level)
+        if to == BACK:
+            self.state.stacks[level].pop()
+        elif to != AGAIN and self.program.goes_back:
+            self.state.stacks[level].append(levels[level].no)
+        seq = step.trace(trace.Transition, cause, self.name, source, target, event, timeout, writer)
         if keys:
             self.actions.begin(keys, self.program.innermost[target], seq)
         self._enter(target, level, seq)
+
+    def leads(self, to: str, level: int) -> tuple[str, str]:
+        """The paths of the state of ``level`` and of that to which ``to`` leads from it."""
+        source = self.here.levels[level]
+        if to == AGAIN:
+            to = source.no
+        elif to == BACK:
+            to = self.state.stacks[level][-1]
+        return source.path, source.prefix + to
 
     def _go(self, way: Way, cause: int | None) -> None:
         """``_move`` on a short way."""
@@ -416,7 +404,7 @@ class Machine:
         self.actions.suspended = False
         self._publish(seq)
         event = step.trace(trace.Event, seq, self.name, RESUMED)
-        taken = self._first(self.here.named.get(RESUMED, ()))
+        taken = self.first(self.here.named.get(RESUMED, ()))
         if taken is not None and taken.next is not None:
             # The screen is not shown again yet: no short way leads on from here.
             self._move(taken.next, taken.level, taken.actions, event, taken.name, UNSET)
@@ -472,32 +460,15 @@ class Machine:
 
     def hold(self) -> None:
         """Its timeout stands still, and nothing new of its actions begins."""
-        self.state.paused = True
         self.timeouts.hold()
         self.actions.suspended = True
 
     def release(self, cause: int | None) -> None:
         """Its timeout counts on, and what came to its turn meanwhile begins."""
-        self.state.paused = False
         self.timeouts.release()
         if not self.state.suspended:
             self.actions.release(cause)
             self._settle_idle()
-
-    def advance(self) -> None:
-        """Judges the next thing now; where none waits, the timeout falls due."""
-        clock = self.timeouts.clock
-        if self.may_resume():
-            self.resume()
-        elif (taken := self.unnamed()) is not None:
-            self.take_unnamed(taken)
-        elif (raised := self.earliest()) is not None:
-            self.judge_event(raised)
-        elif clock is not None and clock.due is not None:
-            rings = self.here.next is None
-            self.due()
-            if rings:
-                self.judge_event(self.state.queue[-1])
 
     def go_to(self, path: str, writer: str) -> None:
         """Leaves the state for another, which an operator names."""
@@ -506,45 +477,6 @@ class Machine:
         to = path.removeprefix(levels[level].prefix)
         self._move(to, level, [], None, None, UNSET, writer)
         self._settle_idle()
-        if self.state.paused:
-            self.hold()
-
-    def next_way(self) -> tuple[str, str, int | None] | None:
-        """From where to where what is judged next would lead, and its cause; None: nowhere."""
-        if self.may_resume():
-            taken, cause = self._first(self.here.named.get(RESUMED, ())), self.state.granted
-        elif (taken := self.unnamed()) is not None:
-            cause = self.state.stale[taken.key]
-        else:
-            raised = self.earliest()
-            if raised is None or self.state.suspended:
-                return None
-            cause = raised.cause
-            if raised.holder is None:
-                taken = self._first(self.here.named.get(raised.name, ()))
-            else:
-                done = self._of_holder(raised.name, raised.holder)
-                taken = self._first(done) or self._first(self._of_holder(DONE, raised.holder))
-        if taken is None or taken.next is None:
-            return None
-        return (*self._leads(taken.next, taken.level), cause)
-
-    def timeout_way(self) -> tuple[str, str, int | None] | None:
-        """The same of the timeout."""
-        here, clock = self.here, self.timeouts.clock
-        assert clock is not None
-        level = here.timeout_level
-        if here.next is None or (here.next == BACK and not self.state.stacks[level]):
-            return None
-        return (*self._leads(here.next, level), clock.cause)
-
-    def _leads(self, to: str, level: int) -> tuple[str, str]:
-        source = self.here.levels[level]
-        if to == AGAIN:
-            to = source.no
-        elif to == BACK:
-            to = self.state.stacks[level][-1]
-        return source.path, source.prefix + to
 
     # -- actions that end ----------------------------------------------------
 
@@ -561,22 +493,3 @@ class Machine:
         seq = self.actions.finish(action_id, ok, result, error, status, cause)
         self._settle_idle()
         return seq
-
-    # -- screen and phrases --------------------------------------------------
-
-    def refresh(self) -> None:
-        """The end of a step: a live text that changed is shown once more."""
-        self.display.refresh(self.here)
-
-    def _phrases(self) -> list[tuple[str, str]]:
-        state = self.state
-        if state.suspended or not state.begun or not self.here.heard or not self.actions.hears():
-            return []
-        board = self._world.board
-        translate = translator(self._world.project, board)
-        return [
-            (template(translate(phrase, None)).text(board.look), candidate.name)
-            for candidate in self.here.heard
-            for phrase in candidate.says
-            if candidate.name is not None
-        ]

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from functools import partial
 
 from situ.decide.debugger import Debugger
+from situ.decide.hearing import phrases
 from situ.decide.machine import Machine, Raised
 from situ.decide.presence import Presence
 from situ.decide.priorities import RUNTIME
@@ -167,5 +168,5 @@ class Settling:
 
     def listen(self) -> None:
         """The phrases expected now stand at ``listen``."""
-        phrases = [phrase for machine in self._heard for phrase in machine.phrases()]
-        self._world.keep_if_new("listen", list(dict.fromkeys(phrases)), None)
+        heard = (text for machine in self._heard for text in phrases(self._world, machine))
+        self._world.keep_if_new("listen", list(dict.fromkeys(heard)), None)
