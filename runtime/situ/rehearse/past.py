@@ -21,7 +21,7 @@ from situ.document.project import Project
 from situ.document.rbd import AGAIN, BACK
 from situ.rehearse.recording import Fields, Hidden, Recording
 from situ.rehearse.telling import kept_by_runtime, moment, value_words
-from situ.rehearse.ways import Way, frames, name_of_state, ways
+from situ.rehearse.ways import Way, frames, label, ways
 
 
 class ApplicationPast(Struct):
@@ -339,8 +339,11 @@ class Past:
 
     def _publish(self, name: str, event: Fields) -> None:
         here = self.applications[name]
-        label = name_of_state(self.project, name, here.state)[len(here.state) :].strip()
-        value = {"state": here.state, "name": label, "suspended": here.suspended is not None}
+        value = {
+            "state": here.state,
+            "name": label(self.project, name, here.state),
+            "suspended": here.suspended is not None,
+        }
         entry = self.board.get(f"application/{name}")
         if entry is None or entry.value != value:
             self._kept(f"application/{name}", value, event)

@@ -19,7 +19,7 @@ from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse import recorded
 from situ.rehearse.recorded import Document, Heading, Line
-from situ.rehearse.ways import name_of_state
+from situ.rehearse.ways import label
 
 PLACE = "pose.place"
 """The tag that says where the robot is, unless another one is told."""
@@ -249,9 +249,7 @@ _COUNT = {
 
 def _name(run: _Run, seen: Seen) -> str:
     """The state's label; empty without a project."""
-    if run.project is None:
-        return ""
-    return name_of_state(run.project, seen.application, seen.state).removeprefix(seen.state).strip()
+    return "" if run.project is None else label(run.project, seen.application, seen.state)
 
 
 def count(usage: Usage, path: str | Path, project: Project | None = None) -> None:

@@ -96,9 +96,14 @@ def _document(project: Project, file: str) -> Application | None:
 
 
 def name_of_state(project: Project, application: str, no: str) -> str:
-    """``6 show names``: number and name of a state, of one of a part the inner name."""
+    """``6 show names``: number and label of a state."""
+    return f"{no} {label(project, application, no)}".strip()
+
+
+def label(project: Project, application: str, no: str) -> str:
+    """``show names``: the name of a state, of one of a part the inner one; empty for none."""
     found = frames(project, application, no)
-    return f"{no} {found[-1].state.name}".strip() if found else no
+    return found[-1].state.name if found else ""
 
 
 def ways(project: Project, application: str, no: str) -> list[Way]:
