@@ -75,17 +75,7 @@ def _command(
     parser: argparse.ArgumentParser = commands.add_parser(
         name, help=f"{about} of a running robot", description=f"{about.capitalize()}."
     )
-    parser.add_argument(
-        "--at",
-        default="tcp://127.0.0.1:5570",
-        metavar="ENDPOINT",
-        help="the robot's address; tcp://127.0.0.1:5570 unless given",
-    )
-    parser.add_argument(
-        "--keys",
-        metavar="DIR",
-        help="the folder with your keys, where the robot lets in only whom it knows",
-    )
+    add_robot(parser)
     if as_json:
         parser.add_argument("--json", action="store_true", help="for a program to read")
     parser.set_defaults(run=run)
@@ -98,10 +88,25 @@ def _waits(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _connect(args: argparse.Namespace, role: Role) -> Board:
-    from situ.blackboard.client import connect
+def add_robot(parser: argparse.ArgumentParser) -> None:
+    """Which robot: what ``connect`` needs."""
+    parser.add_argument(
+        "--at",
+        default="tcp://127.0.0.1:5570",
+        metavar="ENDPOINT",
+        help="the robot's address; tcp://127.0.0.1:5570 unless given",
+    )
+    parser.add_argument(
+        "--keys",
+        metavar="DIR",
+        help="the folder with your keys, where the robot lets in only whom it knows",
+    )
 
-    return connect(args.at, role=role, timeout=PATIENCE, keys=args.keys)
+
+def connect(args: argparse.Namespace, role: Role) -> Board:
+    from situ.blackboard import client
+
+    return client.connect(args.at, role=role, timeout=PATIENCE, keys=args.keys)
 
 
 def _print(value: Any) -> None:
@@ -112,7 +117,7 @@ def _print(value: Any) -> None:
 
 
 def _get(args: argparse.Namespace) -> int:
-    with _connect(args, "viewer") as board:
+    with connect(args, "viewer") as board:
         entries = board.entries(args.tag)
     if args.json:
         _print(entries)
@@ -127,7 +132,7 @@ def _get(args: argparse.Namespace) -> int:
 def _set(args: argparse.Namespace) -> int:
     from situ.decide.values import read
 
-    with _connect(args, "operator") as board:
+    with connect(args, "operator") as board:
         board.set(args.tag, read(args.value))
     return 0
 
@@ -135,7 +140,7 @@ def _set(args: argparse.Namespace) -> int:
 def _watch(args: argparse.Namespace) -> int:
     if args.messages:
         return _listen(args)
-    with _connect(args, "viewer") as board, board.watch(args.tag) as changes:
+    with connect(args, "viewer") as board, board.watch(args.tag) as changes:
         for change in _coming(args, board, changes):
             if args.json:
                 _print(change)
@@ -147,7 +152,7 @@ def _watch(args: argparse.Namespace) -> int:
 def _listen(args: argparse.Namespace) -> int:
     from msgspec.structs import asdict
 
-    with _connect(args, "viewer") as board, board.messages(args.tag) as messages:
+    with connect(args, "viewer") as board, board.messages(args.tag) as messages:
         for message in _coming(args, board, messages):
             if args.json:
                 _print(asdict(message))
@@ -157,7 +162,7 @@ def _listen(args: argparse.Namespace) -> int:
 
 
 def _event(args: argparse.Namespace) -> int:
-    with _connect(args, "operator") as board:
+    with connect(args, "operator") as board:
         applications = board.expected()
         board.publish(args.name, args.application)
     asked = applications.values() if args.application is None else [applications[args.application]]
@@ -170,7 +175,7 @@ def _event(args: argparse.Namespace) -> int:
 
 
 def _modules(args: argparse.Namespace) -> int:
-    with _connect(args, "viewer") as board:
+    with connect(args, "viewer") as board:
         states = board.modules()
     if args.json:
         _print(states.wanted if args.wanted else states.modules)
@@ -212,7 +217,7 @@ def _table(rows: list[tuple[str, ...]]) -> None:
 def _trace(args: argparse.Namespace) -> int:
     from situ.engine.trace_file import TraceFile, heading
 
-    with _connect(args, args.role) as board, board.trace(args.since) as events:
+    with connect(args, args.role) as board, board.trace(args.since) as events:
         said = board.documents()
         head = heading(said.project, said.files, masked=args.role == "viewer")
         mask = _mask(board, head.private) if head.masked and head.private else None

@@ -3,13 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from situ.blackboard.client import Board
-
-PATIENCE = 1.0
-"""Seconds that the robot has to answer."""
+from situ.cli_board import add_robot, connect
 
 
 def add(commands: Any) -> None:
@@ -49,29 +45,13 @@ def _verb(verbs: Any, verb: str, does: str) -> argparse.ArgumentParser:
     parser: argparse.ArgumentParser = verbs.add_parser(
         verb, help=does, description=f"{does.capitalize()}."
     )
-    parser.add_argument(
-        "--at",
-        default="tcp://127.0.0.1:5570",
-        metavar="ENDPOINT",
-        help="the robot's address; tcp://127.0.0.1:5570 unless given",
-    )
-    parser.add_argument(
-        "--keys",
-        metavar="DIR",
-        help="the folder with your keys, where the robot lets in only whom it knows",
-    )
+    add_robot(parser)
     parser.set_defaults(run=_ask, verb=verb)
     return parser
 
 
 def _application(parser: argparse.ArgumentParser, about: str) -> None:
     parser.add_argument("--application", metavar="NAME", help=about)
-
-
-def _connect(args: argparse.Namespace) -> Board:
-    from situ.blackboard.client import connect
-
-    return connect(args.at, role="operator", timeout=PATIENCE, keys=args.keys)
 
 
 _FIELDS = ("application", "state", "source", "to", "situation", "when", "breakpoint")
@@ -83,20 +63,20 @@ def _given(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _ask(args: argparse.Namespace) -> int:
-    with _connect(args) as board:
+    with connect(args, "operator") as board:
         board.debug(args.verb, **_given(args))
     return 0
 
 
 def _break(args: argparse.Namespace) -> int:
-    with _connect(args) as board:
+    with connect(args, "operator") as board:
         board.debug("break", **_given(args))
         print(max(one["id"] for one in board.get("debugger.breakpoints")))
     return 0
 
 
 def _list(args: argparse.Namespace) -> int:
-    with _connect(args) as board:
+    with connect(args, "operator") as board:
         breakpoints = board.get("debugger.breakpoints") or []
         paused = board.get("debugger.paused") or {}
     for one in breakpoints:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from situ.blackboard.services import PATIENCE, SERVICES
+from situ.cli_simulate import above_zero
 
 
 def add(commands: Any) -> None:
@@ -87,7 +88,7 @@ def add(commands: Any) -> None:
     )
     parser.add_argument(
         "--patience",
-        type=_seconds,
+        type=above_zero,
         default=PATIENCE,
         metavar="S",
         help="how long a web service or a module may take to answer an application; "
@@ -96,7 +97,7 @@ def add(commands: Any) -> None:
     parser.add_argument("--script", metavar="S.jsonl", help="a scenario to play; ends with it")
     parser.add_argument(
         "--speed",
-        type=_seconds,
+        type=above_zero,
         default=1.0,
         metavar="N",
         help="how many times as fast the scenario is played",
@@ -117,7 +118,7 @@ def add(commands: Any) -> None:
     )
     parser.add_argument(
         "--auto-finish",
-        type=_seconds,
+        type=above_zero,
         metavar="S",
         help="with --script: every action ends well after S seconds",
     )
@@ -174,13 +175,3 @@ def _count(text: str) -> int:
     if not text.isdecimal():
         raise argparse.ArgumentTypeError("a whole number is needed")
     return int(text)
-
-
-def _seconds(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not 0 < value < 1e9:
-        raise argparse.ArgumentTypeError("a number above 0 is needed")
-    return value

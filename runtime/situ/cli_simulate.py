@@ -18,17 +18,20 @@ def add(commands: Any) -> None:
     parser.add_argument("--script", required=True, metavar="S.jsonl", help="the scenario")
     parser.add_argument("--trace", metavar="OUT", help="write the trace here; default: to stdout")
     parser.add_argument(
-        "--auto-finish", type=seconds, metavar="S", help="every action ends well after S seconds"
+        "--auto-finish", type=above_zero, metavar="S", help="every action ends well after S seconds"
     )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="of everything random")
     parser.set_defaults(run=run)
 
 
-def seconds(text: str) -> float:
-    """A time on the command line: seconds above 0."""
-    value = float(text)
+def above_zero(text: str) -> float:
+    """A time or a speed on the command line."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
     if not 0 < value < 1e9:
-        raise argparse.ArgumentTypeError("seconds above 0 are needed")
+        raise argparse.ArgumentTypeError("a number above 0 is needed")
     return value
 
 

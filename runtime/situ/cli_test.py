@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from situ.cli_simulate import seconds
+from situ.cli_simulate import above_zero
 
 
 def add(commands: Any) -> None:
@@ -25,7 +25,7 @@ def add(commands: Any) -> None:
     parser.add_argument("--coverage", metavar="OUT.json", help="write what was covered as JSON")
     parser.add_argument("--json", action="store_true", help="the whole result as JSON")
     parser.add_argument(
-        "--auto-finish", type=seconds, metavar="S", help="every action ends well after S seconds"
+        "--auto-finish", type=above_zero, metavar="S", help="every action ends well after S seconds"
     )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="of everything random")
     parser.set_defaults(run=run)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from situ.cli_simulate import seconds
+from situ.cli_simulate import above_zero
 
 if TYPE_CHECKING:
     from situ.document.project import Project
@@ -37,7 +37,7 @@ def add(commands: Any) -> None:
     )
     parser.add_argument("--at", type=float, metavar="T", help="when, in seconds; with --not")
     parser.add_argument(
-        "--auto-finish", type=seconds, metavar="S", help="as it was played; with --script"
+        "--auto-finish", type=above_zero, metavar="S", help="as it was played; with --script"
     )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="with --script")
     parser.add_argument("--json", action="store_true", help="the chain, or the reasons, as JSON")
