@@ -11,7 +11,6 @@ from typing import Any, Protocol
 from msgspec.structs import replace
 
 from situ.blackboard.core import Heard
-from situ.blackboard.curve import KeysOf
 from situ.blackboard.journal import DurableTags
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.protocol import Addresses
@@ -20,6 +19,7 @@ from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.document.project import Project
 from situ.engine.deciding import Deciding
+from situ.engine.performing import Performing, Submit
 from situ.engine.record import Recorder
 from situ.engine.recovery import Recovery
 
@@ -27,23 +27,6 @@ CLOSING = 2.0
 """Seconds that the performer has to end what it does."""
 
 _log = logging.getLogger("situ.run")
-
-Submit = Callable[[inputs.AnyInput], None]
-
-
-class Performing(Protocol):
-    """The part of ``situ.engine.perform.Performer`` that the loop needs."""
-
-    @property
-    def screen_url(self) -> str | None: ...
-
-    async def start(self) -> None: ...
-
-    def open_door(self, addresses: Addresses, keys: KeysOf | None) -> None: ...
-
-    def perform(self, effect: Carried) -> None: ...
-
-    async def close(self) -> None: ...
 
 
 class Broker(Protocol):

@@ -22,32 +22,20 @@ from situ.blackboard.protocol import Addresses
 from situ.blackboard.services import Carried
 from situ.decide import inputs
 from situ.decide.effects import Begin, Cancel, Map
+from situ.engine.performing import Performing, Submit
 
 PATIENCE = 4.0
 """Seconds after which it is told that no core answers yet."""
 
 _log = logging.getLogger("situ.run")
 
-Submit = Callable[[inputs.AnyInput], None]
 
-
-class Performing(Protocol):
-    """The part of ``situ.engine.perform.Performer`` that is needed here."""
-
-    @property
-    def screen_url(self) -> str | None: ...
-
-    async def start(self) -> None: ...
-
-    def open_door(self, addresses: Addresses, keys: KeysOf | None) -> None: ...
-
-    def perform(self, effect: Carried) -> None: ...
+class PerformingApart(Performing, Protocol):
+    """The part that is needed here."""
 
     def hold(self) -> None: ...
 
     def caption(self, said: Any) -> None: ...
-
-    async def close(self) -> None: ...
 
 
 class ServicesApart:
@@ -65,7 +53,7 @@ class ServicesApart:
         self,
         board: AsyncBoard,
         services: Collection[str],
-        performer: Callable[[Submit, Callable[[str], Any]], Performing],
+        performer: Callable[[Submit, Callable[[str], Any]], PerformingApart],
         door: KeysOf | None = None,
     ) -> None:
         self._board = board
@@ -73,7 +61,7 @@ class ServicesApart:
         self._services = frozenset(services)
         self._make = performer
         self._door = door
-        self._performer: Performing
+        self._performer: PerformingApart
         self._runtime: str | None = None
         # Why there is no core, as it was told last; None while there is one.
         self._problem: str | None = None
