@@ -33,7 +33,7 @@ def analyse(project: Project, cancel: Callable[[], bool] | None = None) -> Searc
     """
     search = Search(project, cancel)
     ways: dict[str, tuple[Ways, set[str]]] = {}
-    for file, application in {**project.applications, **project.parts}.items():
+    for file, application in project.flows.items():
         search.go_on()
         found = search_states(search, file, application)
         if file in project.applications:

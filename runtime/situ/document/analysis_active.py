@@ -34,7 +34,7 @@ class Level(NamedTuple):
 
     @property
     def always(self) -> Always | None:
-        return self.application.always if self.state.always else None
+        return self.application.always_in(self.state)
 
 
 class Layer(NamedTuple):
@@ -235,7 +235,7 @@ class Run:
         always = application.always
         shared: tuple[Always, ...] = (always,) if always is not None else ()
         above = around.above
-        if always is not None and always.screen is not None and shows(always.screen):
+        if always is not None and always.screen is not None and not always.screen.is_empty:
             above = (Layer(file, ("always",), always.screen), *above)
         for state in application.states:
             path = prefix + state.no
@@ -265,9 +265,8 @@ class Run:
         if found is not None:
             return found
         found = self._into[id(application)] = {}
-        always = application.always
         for state in application.states:
-            shared = always if state.always else None
+            shared = application.always_in(state)
             events = (*state.events, *(shared.events if shared is not None else ()))
             nexts = {event.next for event in events}
             # Inside a part that of its own file may serve, or this one: either may lead on.
@@ -277,8 +276,3 @@ class Run:
                 assert no is not None
                 found.setdefault(no, []).append(state.no)
         return found
-
-
-def shows(screen: Screen | None) -> bool:
-    """Whether a screen is there and not ``<screen/>``."""
-    return screen is not None and bool(screen.components or screen.background or screen.touched)

@@ -79,7 +79,7 @@ class Data:
         self._observed = {one.tag for one in script.observe} if script is not None else set()
         for tag, value in project.tags.items():
             self._wrote(tag, kind_of(value))
-        for application in (*project.applications.values(), *project.parts.values()):
+        for application in project.flows.values():
             for action in actions(application):
                 self._action(action)
             for screen, _ in screens(application):

@@ -19,7 +19,7 @@ from situ.document.analysis_ways import Ways
 from situ.document.aside import Aside
 from situ.document.check_application import used_resources
 from situ.document.finding import Place
-from situ.document.rbd import AGAIN, BACK, Robot, Screen, Sound, Speech
+from situ.document.rbd import AGAIN, BACK, Robot, Sound, Speech
 from situ.document.spds import Situation, Spds
 
 Asks = tuple[frozenset[str], frozenset[str]]
@@ -88,8 +88,9 @@ def requests(ways: Ways, reached: set[str]) -> frozenset[Asks] | None:
             if resource is not None:
                 optional = isinstance(action, (Speech, Sound, Robot)) and action.optional
                 (takes if optional else needs).add(resource)
-        always = application.always
-        if state.always and always is not None and _shows(always.screen):
+        always = application.always_in(state)
+        above = always.screen if always is not None else None
+        if above is not None and not above.is_empty:
             needs.add("screen")
         for is_shown in shown.get(state.no, ()):
             with_screen = needs | {"screen"} if is_shown else needs
@@ -111,7 +112,7 @@ def _shown(ways: Ways, reached: set[str]) -> dict[str, set[bool]]:
 
     def after(no: str, before: bool) -> bool:
         screen = states[no].screen
-        return before if screen is None else _shows(screen)
+        return before if screen is None else not screen.is_empty
 
     waiting: list[tuple[str, bool]] = []
     if start in reached and start is not None:
@@ -125,10 +126,6 @@ def _shown(ways: Ways, reached: set[str]) -> dict[str, set[bool]]:
             targets = into[no] if way.next == BACK else ways.targets(way)
             waiting += [(target, after(target, is_shown)) for target in targets]
     return found
-
-
-def _shows(screen: Screen | None) -> bool:
-    return screen is not None and bool(screen.components or screen.background or screen.touched)
 
 
 def _resource(action: object) -> str | None:

@@ -23,7 +23,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from situ.document import names, words
-from situ.document.analysis_active import Active, Layer, Layers, Run, shows
+from situ.document.analysis_active import Active, Layer, Layers, Run
 from situ.document.analysis_search import Search
 from situ.document.finding import Place
 from situ.document.mend import written
@@ -72,7 +72,7 @@ def search_screens(search: Search, runs: list[Run]) -> None:
             level = active.levels[-1]
             own: Layers = ()
             screen = level.state.screen
-            if screen is not None and shows(screen):
+            if screen is not None and not screen.is_empty:
                 own = (Layer(level.file, ("state", level.state.no), screen),)
             boxes.judge((*own, *active.above))
         for layers in _kept(run):
@@ -113,7 +113,7 @@ def _kept(run: Run) -> Iterator[Layers]:
                 screen = one.state.screen
                 if screen is None:
                     waiting.append(one)
-                elif shows(screen):
+                elif not screen.is_empty:
                     place = ("state", one.state.no)
                     yield (Layer(one.levels[-1].file, place, screen), *above[key])
 

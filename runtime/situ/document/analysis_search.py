@@ -113,7 +113,7 @@ class Search:
 
 
 def _conditions(project: Project) -> Iterator[Condition]:
-    for application in (*project.applications.values(), *project.parts.values()):
+    for application in project.flows.values():
         for event, _ in events(application):
             if event.when is not None:
                 yield event.when

@@ -37,7 +37,7 @@ def search_unwritten(search: Search) -> None:
     project = search.project
     if not search.whole or not is_read(project):
         return
-    for file, application in {**project.applications, **project.parts}.items():
+    for file, application in project.flows.items():
         search.go_on()
         _data(search, file, uses(application))
         if search.data.asks_modules:
@@ -55,7 +55,7 @@ def is_read(project: Project) -> bool:
         and (project.modules_file is None or project.modules is not None)
         and all(
             state.flow is None or project.flow(state.flow) is not None
-            for application in (*project.applications.values(), *project.parts.values())
+            for application in project.flows.values()
             for state in application.states
         )
     )

@@ -89,8 +89,8 @@ class Ways:
         """The timeout that serves in a state, and where it stands."""
         if state.timeout is not None:
             return state.timeout, ("state", state.no, "timeout")
-        always = self.application.always
-        if state.always and always is not None and always.timeout is not None:
+        always = self.application.always_in(state)
+        if always is not None and always.timeout is not None:
             return always.timeout, ("always", "timeout")
         return None
 

@@ -30,7 +30,7 @@ def search_care(search: Search) -> None:
     """Adds what the care lints find to what a search has found. Raises Cancelled."""
     project = search.project
     by_hand, along = handed(project), every_way(project)
-    for file, application in {**project.applications, **project.parts}.items():
+    for file, application in project.flows.items():
         search.go_on()
         cut_off(search, file, application)
         no_repeat(search, file, application, by_hand)

@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from situ.document.analysis_search import Search
 from situ.document.aside import Aside
-from situ.document.care_ways import Way
+from situ.document.care_ways import Way, sources
 from situ.document.datatypes import shown
 from situ.document.finding import Place
 from situ.document.project import Project
@@ -109,7 +109,7 @@ def _sent(file: str, actions: tuple[Action, ...], place: Place, held: str | None
 def _used(screen: Screen | None, actions: tuple[Action, ...]) -> frozenset[str]:
     """The resources that a state cannot be without."""
     used = set()
-    if screen is not None and (screen.components or screen.background or screen.touched):
+    if screen is not None and not screen.is_empty:
         used.add("screen")
     for action in actions:
         if isinstance(action, (Speech, Sound)) and not action.optional:
@@ -121,9 +121,7 @@ def _used(screen: Screen | None, actions: tuple[Action, ...]) -> frozenset[str]:
 
 def _keeps(application: Application, along: list[Way]) -> set[str]:
     """The states without a screen that surely keep one: whatever leads to them has one."""
-    into: dict[str, set[str]] = {}
-    for way in along:
-        into.setdefault(way.target, set()).add(way.source)
+    into = sources(along)
     bare = {s.no for s in application.states if s.screen is None and s.flow is None}
     has = {s.no for s in application.states if _used(s.screen, ())}
     start = application.start_no

@@ -6,9 +6,9 @@ from typing import Any
 
 from situ.document.analysis_search import Search
 from situ.document.finding import Place
-from situ.document.mend import of, written
+from situ.document.mend import change, of
 from situ.document.place import Path, follow
-from situ.document.problem import Change, Mend
+from situ.document.problem import Mend
 
 
 def path_to(search: Search, file: str, place: Place, value: Any) -> Path | None:
@@ -24,8 +24,5 @@ def puts(
     path = path_to(search, file, place, value)
     if path is None:
         return None
-    changes = [
-        Change((*path, field), "set", written(to), written(getattr(value, field)))
-        for field, to in fields.items()
-    ]
+    changes = [change(path, value, field, to) for field, to in fields.items()]
     return search.mend(file, said, *changes)

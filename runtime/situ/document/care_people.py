@@ -9,7 +9,7 @@ from situ.document.analysis_data import shown_names
 from situ.document.analysis_search import Search
 from situ.document.care_mend import puts
 from situ.document.care_speech import literal
-from situ.document.care_ways import Way, backward, few, forward, may_be_part, serves
+from situ.document.care_ways import Way, backward, few, forward, may_be_part, serves, sources
 from situ.document.datatypes import shown
 from situ.document.project import Project
 from situ.document.rbd import Application, Component, Input, Screen, Speech, State, Timeout
@@ -81,7 +81,7 @@ def private_data(search: Search, along: dict[str, list[Way]]) -> None:
     project = search.project
     if not project.private:
         return
-    files = {**project.applications, **project.parts}
+    files = project.flows
     alone = _alone(project, along)
     for file, application in files.items():
         by_itself = {way.source for way in along[file] if way.by == "itself"}
@@ -99,7 +99,7 @@ def private_data(search: Search, along: dict[str, list[Way]]) -> None:
 
 def _alone(project: Project, along: dict[str, list[Way]]) -> dict[str, set[str]]:
     """File to the states in which nobody need be there."""
-    files = {**project.applications, **project.parts}
+    files = project.flows
     starts: dict[str, set[str]] = {file: set() for file in files}
     for file, application in files.items():
         if file in project.applications and application.start_no is not None:
@@ -211,8 +211,9 @@ def _stays(search: Search, file: str, application: Application, state: State) ->
 def _on(application: Application, state: State) -> Iterator[tuple[Component, tuple[str, ...]]]:
     """The components of a state, those of ``always`` too."""
     layers: list[tuple[Screen | None, tuple[str, ...]]] = [(state.screen, ("state", state.no))]
-    if application.always is not None and state.always:
-        layers.append((application.always.screen, ("always",)))
+    always = application.always_in(state)
+    if always is not None:
+        layers.append((always.screen, ("always",)))
     for screen, place in layers:
         for component in screen.components if screen is not None else ():
             yield component, (*place, "screen", component.id)
@@ -221,9 +222,7 @@ def _on(application: Application, state: State) -> Iterator[tuple[Component, tup
 def _kept(application: Application, state: State, along: list[Way]) -> Iterator[State]:
     """The states whose own screen may still be shown in one that has none."""
     of = {one.no: one for one in application.states}
-    into: dict[str, set[str]] = {}
-    for way in along:
-        into.setdefault(way.target, set()).add(way.source)
+    into = sources(along)
     seen = {state.no}
     waiting = [state.no]
     while waiting:

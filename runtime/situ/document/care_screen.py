@@ -253,7 +253,7 @@ def _is_plain(search: Search, file: str, application: Application, screen: Scree
     if screen.background is not None or (above is not None and above.background is not None):
         return False
     if file in search.project.parts:
-        around = (*search.project.applications.values(), *search.project.parts.values())
+        around = search.project.flows.values()
         shared = [one.always.screen for one in around if one.always is not None]
         if any(one is not None and one.background is not None for one in shared):
             return False

@@ -129,7 +129,7 @@ def isnot_alone(search: Search) -> None:
 
 
 def _conditions(project: Project) -> Iterator[tuple[str, Condition, Place]]:
-    for file, application in {**project.applications, **project.parts}.items():
+    for file, application in project.flows.items():
         for holder, place in holders(application):
             for index, event in enumerate(holder.events):
                 if event.when is not None:
@@ -193,7 +193,7 @@ class _Taken:
         self._project = project
         self._tags: set[str] = set()
         self._patterns: set[str] = set()
-        for application in (*project.applications.values(), *project.parts.values()):
+        for application in project.flows.values():
             for action in actions(application):
                 if isinstance(action, Clear):
                     self._patterns.add(action.tag)

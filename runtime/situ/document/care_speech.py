@@ -6,7 +6,7 @@ from situ.document import names, words
 from situ.document.analysis_data import actions, placed_actions, screens
 from situ.document.analysis_search import Search
 from situ.document.care_mend import puts
-from situ.document.care_ways import TIMEOUT, documents, expected, few, may_be_part, serves
+from situ.document.care_ways import TIMEOUT, expected, few, may_be_part, serves
 from situ.document.datatypes import shown
 from situ.document.rbd import (
     AGAIN,
@@ -111,7 +111,7 @@ def no_repeat(search: Search, file: str, application: Application, by_hand: set[
     """
     if may_be_part(search, file) and (
         not search.whole
-        or any(_repeats(one) for one in documents(search.project) if one is not application)
+        or any(_repeats(one) for one in search.project.flows.values() if one is not application)
     ):
         return
     mute = [
@@ -156,7 +156,7 @@ def languages(search: Search) -> None:
     ``language`` a value that is none of the project's languages, so texts stay as written.
     """
     project = search.project
-    everything = {**project.applications, **project.parts}
+    everything = project.flows
     speaks = any(isinstance(a, Speech) for one in everything.values() for a in actions(one))
     for language in project.languages if speaks and search.whole else ():
         if _primary(language) not in VOICES:

@@ -62,7 +62,7 @@ def handed(project: Project) -> set[str]:
     may come from a screen outside of it.
     """
     found: set[str] = set()
-    for application in documents(project):
+    for application in project.flows.values():
         for screen, _ in screens(application):
             if screen.touched is not None:
                 found.add(screen.touched)
@@ -78,24 +78,24 @@ def handed(project: Project) -> set[str]:
 def expected(application: Application, state: State) -> Iterator[Event]:
     """The events that a state expects, its own first."""
     yield from state.events
-    if state.always and application.always is not None:
-        yield from application.always.events
+    always = application.always_in(state)
+    if always is not None:
+        yield from always.events
 
 
 def serves(application: Application, state: State) -> Timeout | None:
     """The timeout that serves in a state."""
     if state.timeout is not None:
         return state.timeout
-    shared = state.always and application.always is not None
-    return application.always.timeout if shared and application.always is not None else None
+    always = application.always_in(state)
+    return always.timeout if always is not None else None
 
 
 def every_way(project: Project) -> dict[str, list[Way]]:
     """File to the ways of its application."""
     by_hand = handed(project)
-    raised = {name for one in documents(project) for name in _raised(one)}
-    files = {**project.applications, **project.parts}
-    return {file: _ways(one, by_hand, raised) for file, one in files.items()}
+    raised = {name for one in project.flows.values() for name in _raised(one)}
+    return {file: _ways(one, by_hand, raised) for file, one in project.flows.items()}
 
 
 def _ways(application: Application, by_hand: set[str], raised: set[str]) -> list[Way]:
@@ -121,9 +121,7 @@ def _ways(application: Application, by_hand: set[str], raised: set[str]) -> list
                 backs.append((state.no, by))
             elif target in numbers and target != state.no and target is not None:
                 found.append(Way(state.no, target, by))
-    into: dict[str, set[str]] = {}
-    for way in found:
-        into.setdefault(way.target, set()).add(way.source)
+    into = sources(found)
     for no, by in backs:
         found += [Way(no, source, by) for source in sorted(into.get(no, ()))]
     return found
@@ -166,9 +164,12 @@ def _raised_by(screen: Screen | None, held: Iterable[Action]) -> Iterator[str]:
             yield one.done
 
 
-def documents(project: Project) -> tuple[Application, ...]:
-    """Every application and part."""
-    return (*project.applications.values(), *project.parts.values())
+def sources(along: Iterable[Way]) -> dict[str, set[str]]:
+    """By number of a state, those from which a way leads there."""
+    found: dict[str, set[str]] = {}
+    for way in along:
+        found.setdefault(way.target, set()).add(way.source)
+    return found
 
 
 def forward(starts: Iterable[str], along: Iterable[Way]) -> set[str]:

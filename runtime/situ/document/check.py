@@ -68,7 +68,7 @@ def _structure(project: Project, files: Files) -> dict[str, Findings]:
     def of(file: str) -> Findings:
         return found.setdefault(file, Findings(project.root, file))
 
-    for file, application in {**project.applications, **project.parts}.items():
+    for file, application in project.flows.items():
         _application(of(file), application, project, files)
     if project.spds is not None and project.spds_file is not None:
         check_script(of(project.spds_file), project.spds, project)

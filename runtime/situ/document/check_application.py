@@ -63,7 +63,7 @@ def used_resources(project: Project, application: Application) -> dict[str, Asid
     while waiting:
         one = waiting.pop()
         for screen in (s.screen for s in (one.always, *one.states) if s is not None):
-            if screen is not None and (screen.components or screen.background or screen.touched):
+            if screen is not None and not screen.is_empty:
                 used.setdefault("screen", screen.aside if one is application else Aside())
         for state in one.states:
             for action in state.actions:

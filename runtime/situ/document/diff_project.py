@@ -112,7 +112,7 @@ def _between_files(before: Project, after: Project, changes: list[Change]) -> li
 
 def _states(project: Project, changes: list[Change], kind: str) -> list[tuple[str, State]]:
     """The states that are gone or new, with their files; those of whole files too."""
-    files = {**project.applications, **project.parts}
+    files = project.flows
     return [
         (one.file, state)
         for one in changes

@@ -28,7 +28,7 @@ def deployable(project: Project) -> dict[str, bytes]:
     and other namespaces stay. Scenarios and ``robot.local.toml`` belong to the
     bench and to one robot: they are left out. UsageError where one cannot be read.
     """
-    documents: dict[str, Any] = {**project.applications, **project.parts}
+    documents: dict[str, Any] = project.flows
     if project.spds_file is not None:
         documents[project.spds_file] = project.spds
     if project.modules_file is not None:
@@ -98,11 +98,7 @@ def _is_editors(fragment: str) -> bool:
 def _media(project: Project) -> list[str]:
     """The media folder's files; without one, the files that the applications name."""
     if project.media is None:
-        named = {
-            file
-            for application in (*project.applications.values(), *project.parts.values())
-            for file in media_of(application)
-        }
+        named = {file for application in project.flows.values() for file in media_of(application)}
         return sorted(file for file in named if _is_file(project.root, file))
     found = []
     for folder, inner, files in os.walk(Path(project.root) / project.media):

@@ -123,7 +123,7 @@ class _Flattening:
         shared = source.always.screen if source.always is not None else None
         if any(state.flow is not None for state in source.states):
             return False
-        if shared is None or _is_empty(shared):
+        if shared is None or shared.is_empty:
             return True
         start = source.state(source.start_no or "")
         return (
@@ -204,7 +204,7 @@ class _Flattening:
         leaf = levels[-1]
         own, above = leaf.state.screen, tuple(id(one) for one in self.above(levels))
         if own is not None:
-            base = None if _is_empty(own) else leaf.path
+            base = None if own.is_empty else leaf.path
         wanted = None if base is None and not above else (base, above)
         shows = own is not None or wanted != shown
         views = (*views, *(() for _ in levels[len(views) :]))
@@ -373,7 +373,7 @@ class _Flattening:
             for one in reversed(levels)
             if one.state.always and one.file.always is not None
         ]
-        screens = [one for one in found if one is not None and not _is_empty(one)]
+        screens = [one for one in found if one is not None and not one.is_empty]
         self.screens.update((id(one), one) for one in screens)
         self.has_always_screen = self.has_always_screen or bool(screens)
         return screens
@@ -455,7 +455,3 @@ class _Flattening:
                     f"application/{self.source.name} is used, and some of its states would "
                     "have several names"
                 )
-
-
-def _is_empty(screen: Screen) -> bool:
-    return not (screen.components or screen.background or screen.touched)

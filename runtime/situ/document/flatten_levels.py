@@ -19,12 +19,12 @@ class Level(NamedTuple):
     @property
     def events(self) -> tuple[Event, ...]:
         """Its own, then those of its file's ``always``."""
-        always = self.file.always if self.state.always else None
+        always = self.file.always_in(self.state)
         return self.state.events if always is None else (*self.state.events, *always.events)
 
     @property
     def timeouts(self) -> tuple[Timeout, ...]:
-        always = self.file.always if self.state.always else None
+        always = self.file.always_in(self.state)
         every = (self.state.timeout, always.timeout if always is not None else None)
         return tuple(one for one in every if one is not None)
 

@@ -60,10 +60,11 @@ def load(path: str | Path) -> tuple[Project | None, list[Problem]]:
 
 def sources(project: Project) -> dict[str, str]:
     """The texts of a project's files as they lie there, by their paths in it: settings, documents,
-    parts, translations. OSError where one is gone."""
+    parts, translations. OSError where one is gone.
+    """
     found = [project.toml, *project.applications, *project.parts]
     found += [project.spds_file, project.modules_file]
-    found += [f"texts/{language}.po" for language in project.texts]
+    found += [f"{TEXTS_FOLDER}/{language}.po" for language in project.texts]
     root = Path(project.root)
     return {path: (root / path).read_text("utf-8") for path in found if path is not None}
 

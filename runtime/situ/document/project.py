@@ -69,6 +69,11 @@ class Project(Struct, frozen=True, kw_only=True):
     private: tuple[str, ...] = ()
     settings: tuple[Setting, ...] = ()
 
+    @property
+    def flows(self) -> dict[str, Application]:
+        """File to application: those of the project, then the parts."""
+        return {**self.applications, **self.parts}
+
     def flow(self, file: str) -> Application | None:
         """What a ``flow`` that names ``file`` runs."""
         return self.parts.get(file) or self.applications.get(file)

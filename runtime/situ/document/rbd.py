@@ -113,6 +113,11 @@ class Screen(Struct, frozen=True, gc=False):
     components: tuple[Component, ...] = ()
     aside: Aside = NOTHING
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether it is ``<screen/>``."""
+        return not (self.components or self.background or self.touched)
+
 
 # -- actions -----------------------------------------------------------------
 
@@ -302,3 +307,7 @@ class Application(Struct, frozen=True, gc=False):
     def state(self, no: str) -> State | None:
         """The state of that number (the first, if a faulty file has two)."""
         return next((s for s in self.states if s.no == no), None)
+
+    def always_in(self, state: State) -> Always | None:
+        """What of ``always`` is part of one of its states: all of it, or nothing."""
+        return self.always if state.always else None

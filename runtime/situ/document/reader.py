@@ -34,6 +34,7 @@ MAX_TEXT = 1_000_000
 MAX_PROBLEMS = 100
 
 LONGEST = "a million characters are the most"
+
 _Frame = tuple[Rule, str, bool, int, dict[str, Any]]
 """An open element: its rule, the parent's field that holds it and whether that holds
 many, its place in the file, and the fields of its value so far."""

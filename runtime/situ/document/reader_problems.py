@@ -29,7 +29,7 @@ _BROKEN = {
 
 
 class Found(NamedTuple):
-    """Something wrong. element: which one (``Aside.index``) it is told at; None: line and column."""
+    """Something wrong, at a line and column, or where an element is (``Aside.index``)."""
 
     code: str
     message: str

@@ -117,7 +117,7 @@ def _wanted(
     """
     found: dict[str, list[tuple[str, str]]] = {}
     kept: dict[str, bool] = {}
-    for file, application in {**project.applications, **project.parts}.items():
+    for file, application in project.flows.items():
         for one in shown_texts(application):
             if not one.text.strip() or one.lang not in (None, language):
                 continue
