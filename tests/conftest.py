@@ -8,11 +8,12 @@ import shutil
 import tempfile
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
+from situ import cli
 from situ.system_libraries import PATH
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -91,3 +92,16 @@ def _program(name: str) -> str:
             pytest.fail(missing)
         pytest.skip(missing)
     return path
+
+
+@pytest.fixture
+def replay(capfdbinary: pytest.CaptureFixture[bytes]) -> Callable[..., tuple[int, bytes, str]]:
+    """Runs ``situ replay``: its exit status, output, and what it tells."""
+
+    def run(*arguments: str | Path) -> tuple[int, bytes, str]:
+        capfdbinary.readouterr()
+        status = cli.main(["replay", *map(str, arguments)])
+        out, err = capfdbinary.readouterr()
+        return status, out, err.decode()
+
+    return run

@@ -7,14 +7,12 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from mcap.reader import make_reader
-from tests.rehearse.recorded_robot import LAB, Recorded, lines, recorder, ring
+from tests.rehearse.recorded_robot import LAB, Recorded, Replay, lines, recorder, ring
 
-from situ import cli
 from situ.decide import inputs
 from situ.decide.step import SECOND
 from situ.document.folder import sources
@@ -23,20 +21,6 @@ from situ.engine.record import OneFile, RingFiles
 from situ.errors import UsageError
 from situ.rehearse import recorded
 from situ.rehearse.recorded import Taken
-
-Replay = Callable[..., tuple[int, bytes, str]]
-
-
-@pytest.fixture
-def replay(capfdbinary: pytest.CaptureFixture[bytes]) -> Callable[..., tuple[int, bytes, str]]:
-    def run(*arguments: str | Path) -> tuple[int, bytes, str]:
-        capfdbinary.readouterr()
-        status = cli.main(["replay", *map(str, arguments)])
-        out, err = capfdbinary.readouterr()
-        return status, out, err.decode()
-
-    return run
-
 
 # -- what is recorded ----------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from situ.blackboard.backlog import stamped
@@ -16,6 +17,8 @@ from situ.rehearse.recorded import Line
 
 ROOT = Path(__file__).resolve().parents[2]
 LAB = ROOT / "tests" / "blackboard" / "lab"
+Replay = Callable[..., tuple[int, bytes, str]]
+"""``situ replay`` as a person types it: its status, output and what it tells (``replay``)."""
 
 
 class Recorded:

@@ -7,7 +7,7 @@ import functools
 import json
 import os
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mcap.writer import Writer
-from tests.rehearse.recorded_robot import LAB, ROOT, Recorded, recorder
+from tests.rehearse.recorded_robot import LAB, ROOT, Recorded, Replay, recorder
 
 from situ import cli
 from situ.decide import inputs
@@ -34,18 +34,6 @@ from situ.rehearse.recorded import Difference, Document, Heading, Line, Piece, S
 from situ.rehearse.recording import read_trace
 
 SCENARIOS = sorted(ROOT.glob("examples/*/scenarios/*.jsonl"))
-Replay = Callable[..., tuple[int, bytes, str]]
-
-
-@pytest.fixture
-def replay(capfdbinary: pytest.CaptureFixture[bytes]) -> Callable[..., tuple[int, bytes, str]]:
-    def run(*arguments: str | Path) -> tuple[int, bytes, str]:
-        capfdbinary.readouterr()
-        status = cli.main(["replay", *map(str, arguments)])
-        out, err = capfdbinary.readouterr()
-        return status, out, err.decode()
-
-    return run
 
 
 @pytest.mark.parametrize("script", SCENARIOS, ids=lambda p: f"{p.parts[-3]}/{p.stem}")
