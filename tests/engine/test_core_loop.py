@@ -128,6 +128,46 @@ def test_it_tells_when_it_is_to_be_called_next() -> None:
         deciding.close()
 
 
+RESTLESS = """<application name="restless" start="1">
+  <state no="1" name="here"><timeout next="2">0.001</timeout></state>
+  <state no="2" name="there"><timeout next="1">0.001</timeout></state>
+</application>
+"""
+
+
+class Passing(Time):
+    """A clock on a slow machine: whenever it is looked at, more time has passed than the robot
+    lets pass between two of its steps."""
+
+    def clock(self) -> float:
+        self.now += 0.002
+        return self.now
+
+
+def test_a_robot_that_never_keeps_up_with_its_timeouts_lets_others_have_their_turn(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "restless.rbd.xml").write_text(RESTLESS, "utf-8")
+    time = Passing()
+    deciding = Deciding(
+        load_ready(tmp_path / "restless.rbd.xml"),
+        *("inproc://requests", "inproc://notices"),
+        time.clock,
+        lambda call: None,
+        wall=time.wall,
+    )
+    deciding.start(deciding.bind())
+    try:
+        before = deciding.moment
+        due = deciding.turn()
+        assert deciding.moment > before
+        assert due is not None
+        assert due <= time.now
+    finally:
+        deciding.end(forget=True)
+        deciding.close()
+
+
 @pytest.fixture
 def waking() -> Waking:
     return Waking(signal.SIGUSR1)

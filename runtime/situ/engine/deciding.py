@@ -234,6 +234,8 @@ class Deciding:
         return due
 
     def _work(self) -> float | None:
+        if self._minute is not None and self._clock() >= self._minute:
+            self._keep_clock()
         if self._server.drain(self._received, self._flush):
             # Others must have their turn.
             return self._clock()
@@ -242,10 +244,8 @@ class Deciding:
             # Who has sent something by now is not taken for dead: it is drained.
             self._sessions.advance(self._now())
             self._flush()
-            return self._work()
-        if self._minute is not None and self._clock() >= self._minute:
-            self._keep_clock()
-            return self._work()
+            # To be drained after that; and a robot that never keeps up leaves others their turn.
+            return self._clock()
         if due is None:
             return self._minute
         # It may ring a little early by the clock's reckoning; never by ours.
