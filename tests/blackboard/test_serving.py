@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -271,6 +271,25 @@ def test_only_a_module_is_asked(robot: Robot) -> None:
         robot.connect().requests("measure")
     with pytest.raises(Refused, match="only a module is asked"):
         robot.run(ask())
+
+
+@pytest.mark.parametrize(
+    ("begin", "why"),
+    [
+        (lambda board: board.requests("measure", callback=print), "only a module is asked"),
+        (lambda board: board.perform(None, print), "only a service"),
+    ],
+    ids=["requests", "perform"],
+)
+def test_entering_what_is_refused_says_why(
+    robot: Robot, begin: Callable[[AsyncBoard], Any], why: str
+) -> None:
+    async def enter() -> None:
+        async with robot.connect_async() as board, begin(board):
+            pass
+
+    with pytest.raises(Refused, match=why):
+        robot.run(enter())
 
 
 def test_what_is_asked_of_others_is_not_heard(robot: Robot) -> None:

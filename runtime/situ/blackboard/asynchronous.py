@@ -9,10 +9,10 @@ from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Itera
 from typing import Any, Generic, TypeVar
 
 from situ.blackboard.authority import Asked
-from situ.blackboard.blocking import PATIENCE, Followed, told
+from situ.blackboard.blocking import PATIENCE, told
 from situ.blackboard.calls import Call
 from situ.blackboard.driving import Line
-from situ.blackboard.feeds import Change
+from situ.blackboard.feeds import Change, Feed
 from situ.blackboard.protocol import (
     Addresses,
     AnyReply,
@@ -98,13 +98,11 @@ class AsyncBoard:
     def watch(
         self, pattern: str, callback: Callable[[Change], None] | None = None
     ) -> AsyncFollowing[Change]:
-        """Not awaited: ``async for change in board.watch("face.*")``. What is wrong with the
-        pattern is raised at the first change. With ``async with`` it stands from there on."""
+        """Not awaited: ``async for change in board.watch("face.*")``. With ``async with`` it stands
+        from there on. What is wrong with the pattern is raised there, or at the first change."""
         watch = self._dialog.watch(pattern, callback)
         self._soon()
-        return AsyncFollowing(
-            self, watch, self._dialog.unwatch, lambda: watch.ready, lambda: watch.error
-        )
+        return AsyncFollowing(self, watch, self._dialog.unwatch)
 
     def trace(
         self, since: int | None = None, callback: Callable[[dict[str, Any]], None] | None = None
@@ -112,9 +110,7 @@ class AsyncBoard:
         """Not awaited, as ``watch``."""
         feed = self._dialog.trace(since, callback)
         self._soon()
-        return AsyncFollowing(
-            self, feed, self._dialog.untrace, lambda: feed.next is not None, lambda: None
-        )
+        return AsyncFollowing(self, feed, self._dialog.untrace)
 
     # -- what happens --------------------------------------------------------
 
@@ -124,7 +120,7 @@ class AsyncBoard:
         """Not awaited, as ``watch``; heard for certain from its ``async with`` on."""
         heard = self._dialog.messages(pattern, callback)
         self._soon()
-        return AsyncFollowing(self, heard, self._dialog.unlisten, lambda: heard.ready, lambda: None)
+        return AsyncFollowing(self, heard, self._dialog.unlisten)
 
     def perform(
         self, http: str | None, callback: Callable[[Outstanding | Carried], None]
@@ -132,7 +128,7 @@ class AsyncBoard:
         """What a service (role ``service``) is to carry out. Not awaited, as ``watch``."""
         effects = self._dialog.perform(self._dialog.person.services, http, callback)
         self._soon()
-        return AsyncFollowing(self, effects, lambda _: None, lambda: effects.ready, lambda: None)
+        return AsyncFollowing(self, effects, lambda _: None)
 
     def tell(self, request: Callable[[int], Request], *, again: bool = True) -> Call[AnyReply]:
         """Any request of the protocol; not awaited. again: as of ``Call``; it waits for the next
@@ -159,9 +155,7 @@ class AsyncBoard:
         """Not awaited, as ``watch``."""
         asked = self._dialog.serve(names, callback, self._do)
         self._soon()
-        return AsyncFollowing(
-            self, asked, self._dialog.unserve, lambda: asked.ready, lambda: asked.error
-        )
+        return AsyncFollowing(self, asked, self._dialog.unserve)
 
     async def serve(
         self, name: str, function: Callable[[dict[str, Any]], Coroutine[Any, Any, Any]]
@@ -325,40 +319,27 @@ async def _answered(
 class AsyncFollowing(Generic[T]):
     """As ``Following``: ``async for`` over it, or ``close`` it where it calls back."""
 
-    def __init__(
-        self,
-        board: AsyncBoard,
-        feed: Any,
-        stop: Callable[[Any], None],
-        ready: Callable[[], bool],
-        error: Callable[[], Refused | None],
-    ) -> None:
+    def __init__(self, board: AsyncBoard, feed: Feed[T], stop: Callable[[Any], None]) -> None:
         self._board = board
-        self._feed: Followed[T] = feed
+        self._feed = feed
         self._stop = stop
-        self._ready = ready
-        self._error = error
 
     async def next(self, within: float | None = None) -> T | None:
         feed = self._feed
         await self._board._until(
-            lambda: len(feed) > 0 or feed.ended or self._error() is not None, within
+            lambda: len(feed) > 0 or feed.ended or feed.error is not None, within
         )
-        error = self._error()
-        if error is not None:
-            self.close()
-            raise error
+        self._check()
         return feed.take()
 
     async def __aenter__(self) -> AsyncFollowing[T]:
         """Waits until it is sure that nothing is missed from here on."""
-        board = self._board
-        heard = await board._until(
-            lambda: self._ready() or self._error() is not None, board._timeout
-        )
+        board, feed = self._board, self._feed
+        heard = await board._until(lambda: feed.ready or feed.error is not None, board._timeout)
         if not heard:
             self.close()
             raise board._unreachable(board.link.dialog.unreachable())
+        self._check()
         return self
 
     async def __aexit__(self, *_: object) -> None:
@@ -371,6 +352,11 @@ class AsyncFollowing(Generic[T]):
     def close(self) -> None:
         self._stop(self._feed)
         self._board._soon()
+
+    def _check(self) -> None:
+        if self._feed.error is not None:
+            self.close()
+            raise self._feed.error
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self._feed!r}>"

@@ -5,13 +5,13 @@ from __future__ import annotations
 import contextlib
 import logging
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, TypeVar
 
 from situ.blackboard.authority import Asked
 from situ.blackboard.calls import Call
 from situ.blackboard.dialog import Dialog
 from situ.blackboard.driving import Driving
-from situ.blackboard.feeds import Change
+from situ.blackboard.feeds import Change, Feed
 from situ.blackboard.protocol import (
     Addresses,
     DebugVerb,
@@ -27,7 +27,7 @@ from situ.decide.expected import Expectation
 from situ.errors import BlackboardError, Refused, Unreachable
 
 T = TypeVar("T")
-T_co = TypeVar("T_co", covariant=True)
+F = TypeVar("F", bound=Feed[Any])
 
 PATIENCE = 5.0
 """Seconds that a request waits for its answer."""
@@ -96,25 +96,13 @@ class Board:
         Without ``callback`` to be iterated over; with it, it is called for each change
         from a thread in the background, one at a time.
         """
-        changes = self._follow(
-            lambda dialog: dialog.watch(pattern, callback),
-            lambda watch: watch.ready or watch.error is not None,
-            self._dialog.unwatch,
-        )
-        if changes._feed.error is not None:
-            changes.close()
-            raise changes._feed.error
-        return changes
+        return self._follow(lambda dialog: dialog.watch(pattern, callback), self._dialog.unwatch)
 
     def trace(
         self, since: int | None = None, callback: Callable[[dict[str, Any]], None] | None = None
     ) -> Following[dict[str, Any]]:
         """Trace events from seq ``since`` on (None: from now), as plain objects; as ``watch``."""
-        return self._follow(
-            lambda dialog: dialog.trace(since, callback),
-            lambda feed: feed.next is not None,
-            self._dialog.untrace,
-        )
+        return self._follow(lambda dialog: dialog.trace(since, callback), self._dialog.untrace)
 
     # -- what happens --------------------------------------------------------
 
@@ -128,9 +116,7 @@ class Board:
         sent while the connection is away is lost: what must arrive stands at a tag.
         """
         return self._follow(
-            lambda dialog: dialog.messages(pattern, callback),
-            lambda heard: heard.ready,
-            self._dialog.unlisten,
+            lambda dialog: dialog.messages(pattern, callback), self._dialog.unlisten
         )
 
     def publish(self, event: str, application: str | None = None) -> None:
@@ -158,15 +144,9 @@ class Board:
 
         Raises Refused where this is no module.
         """
-        asked = self._follow(
-            lambda dialog: dialog.serve(names, callback, self._do),
-            lambda requests: requests.ready or requests.error is not None,
-            self._dialog.unserve,
+        return self._follow(
+            lambda dialog: dialog.serve(names, callback, self._do), self._dialog.unserve
         )
-        if asked._feed.error is not None:
-            asked.close()
-            raise asked._feed.error
-        return asked
 
     def serve(self, name: str, function: Callable[[dict[str, Any]], Any]) -> None:
         """Answers the requests of this name one after the other, until the board is closed.
@@ -275,9 +255,8 @@ class Board:
 
     def _follow(
         self,
-        begin: Callable[[Dialog], Any],
-        ready: Callable[[Any], bool],
-        stop: Callable[[Any], None],
+        begin: Callable[[Dialog], F],
+        stop: Callable[[F], None],
     ) -> Following[Any]:
         driver = self._driver
         driver.check()
@@ -286,9 +265,12 @@ class Board:
                 raise Unreachable("the connection is closed")
             feed = begin(self._dialog)
         following = Following[Any](self, feed, stop)
-        if not driver.until(lambda: ready(feed), self._timeout):
+        if not driver.until(lambda: feed.ready or feed.error is not None, self._timeout):
             following.close()
             raise self._unreachable(self._dialog.unreachable())
+        if feed.error is not None:
+            following.close()
+            raise feed.error
         return following
 
     def _unreachable(self, error: Unreachable) -> Unreachable:
@@ -313,20 +295,10 @@ def answered(request: ServiceRequest, function: Callable[[dict[str, Any]], Any])
         request.answer(result)
 
 
-class Followed(Protocol[T_co]):
-    """A ``Watch``, ``Messages``, ``Requests`` or a ``TraceFeed``."""
-
-    ended: bool
-
-    def take(self) -> T_co | None: ...
-
-    def __len__(self) -> int: ...
-
-
 class Following(Generic[T]):
     """What comes, one after the other: iterate over it, or ``close`` it where it calls back."""
 
-    def __init__(self, board: Board, feed: Any, stop: Callable[[Any], None]) -> None:
+    def __init__(self, board: Board, feed: Feed[T], stop: Callable[[Any], None]) -> None:
         self._board = board
         self._feed = feed
         self._stop = stop
@@ -334,7 +306,7 @@ class Following(Generic[T]):
     def next(self, within: float | None = None) -> T | None:
         """The next one; None when ``within`` seconds are over (None: waits for ever), or
         it or the board was closed."""
-        feed: Followed[T] = self._feed
+        feed = self._feed
         if not len(feed):
             self._board._driver.until(lambda: len(feed) > 0 or feed.ended, within)
         with self._board._driver.lock:

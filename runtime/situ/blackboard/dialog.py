@@ -16,9 +16,8 @@ from msgspec.structs import replace
 
 from situ.blackboard import json_values, protocol, topics, wire
 from situ.blackboard.calls import Call, Person
-from situ.blackboard.feeds import Effects, Messages, TraceFeed, Watch
+from situ.blackboard.feeds import Feed
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Request
-from situ.blackboard.serving import Requests
 from situ.blackboard.subscriptions import Subscriptions
 from situ.blackboard.wire import Malformed
 from situ.decide.expected import Expectation
@@ -380,7 +379,7 @@ class Dialog:
         self.ended = True
         return call
 
-    def following(self) -> list[Watch | Messages | TraceFeed | Effects | Requests]:
+    def following(self) -> list[Feed[Any]]:
         """All that is watched, listened to, traced, carried out and answered."""
         one = self._subscriptions
         return [*one.watches, *one.messages, *one.feeds, *one.effects, *one.requests]

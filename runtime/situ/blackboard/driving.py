@@ -14,8 +14,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from situ.blackboard.dialog import Dialog
-from situ.blackboard.feeds import Effects, Messages, TraceFeed, Watch
-from situ.blackboard.serving import Requests
+from situ.blackboard.feeds import Feed
 from situ.errors import BlackboardError
 
 PARKED = 0.05
@@ -192,7 +191,7 @@ class Driver:
                 with contextlib.suppress(BlockingIOError):
                     self._wakers[0].recv(4096)
 
-    def _calling(self) -> list[Watch | Messages | TraceFeed | Effects | Requests]:
+    def _calling(self) -> list[Feed[Any]]:
         """What has something for its callback."""
         following = self.line.dialog.following()
         return [one for one in following if one.callback is not None and len(one)]

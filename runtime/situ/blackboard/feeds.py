@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import msgspec
 from msgspec import Struct
@@ -18,8 +18,33 @@ from situ.blackboard.services import Carried
 from situ.document import names
 from situ.errors import Refused
 
+T = TypeVar("T")
+
 KEPT = 10_000
 """Changes or events held for who does not take them."""
+
+
+class Feed(Generic[T]):
+    """What has come and is to be taken, by its user or for ``callback``.
+
+    ready: whether nothing that comes from here on is missed. asking: whether the core is being
+    asked. ended: nothing comes any more. error: why the core refused it.
+    """
+
+    def __init__(self, callback: Callable[[T], None] | None, most: int | None = None) -> None:
+        self.callback = callback
+        self.ready = False
+        self.asking = False
+        self.ended = False
+        self.error: Refused | None = None
+        self._queue: deque[T] = deque(maxlen=most)
+
+    def take(self) -> T | None:
+        """The next one; None where there is none yet."""
+        return self._queue.popleft() if self._queue else None
+
+    def __len__(self) -> int:
+        return len(self._queue)
 
 
 class Change(Struct, frozen=True):
@@ -37,35 +62,22 @@ class Change(Struct, frozen=True):
     missed: int = 0
 
 
-class Watch:
+class Watch(Feed[Change]):
     """The changes of what ``pattern`` fits, and ``known``: entry by tag, as last heard.
 
-    ready: whether ``known`` is what the core has. ended: nothing comes any more.
-    error: why the core refused to have it watched.
+    ready: whether ``known`` is what the core has.
     """
 
     def __init__(self, pattern: str, callback: Callable[[Change], None] | None = None) -> None:
+        super().__init__(callback)
         self.pattern = pattern
-        self.callback = callback
         self.known: dict[str, protocol.Entry] = {}
-        self.ready = False
-        self.asking = False
-        self.ended = False
-        self.error: Refused | None = None
-        self._queue: deque[Change] = deque()
         self._early: list[protocol.Change] = []
         self._first = True
         self._seen = self._told = 0
 
     def fits(self, tag: str) -> bool:
         return names.matches(self.pattern, tag)
-
-    def take(self) -> Change | None:
-        """The next change; None where there is none yet."""
-        return self._queue.popleft() if self._queue else None
-
-    def __len__(self) -> int:
-        return len(self._queue)
 
     def __repr__(self) -> str:
         return f"<Watch {self.pattern}, {len(self)} to be taken>"
@@ -141,7 +153,7 @@ class Watch:
         self._queue = deque(last.values())
 
 
-class Messages:
+class Messages(Feed[protocol.Message]):
     """The messages whose topic ``pattern`` fits, from when ``ready`` on.
 
     What is sent while the connection is away is not heard; of more than ``KEPT`` that
@@ -151,19 +163,8 @@ class Messages:
     def __init__(
         self, pattern: str, callback: Callable[[protocol.Message], None] | None = None
     ) -> None:
+        super().__init__(callback, most=KEPT)
         self.pattern = topics.one_line(pattern)
-        self.callback = callback
-        self.ready = False
-        self.asking = False
-        self.ended = False
-        self._queue: deque[protocol.Message] = deque(maxlen=KEPT)
-
-    def take(self) -> protocol.Message | None:
-        """The next message; None where there is none yet."""
-        return self._queue.popleft() if self._queue else None
-
-    def __len__(self) -> int:
-        return len(self._queue)
 
     def __repr__(self) -> str:
         return f"<Messages {self.pattern}, {len(self)} to be taken>"
@@ -175,7 +176,7 @@ class Messages:
             self._queue.append(message)
 
 
-class Effects:
+class Effects(Feed[protocol.Outstanding | Carried]):
     """What services are to carry out: first ``Outstanding``, all of it, then each effect.
 
     ``Outstanding`` comes again after every loss, of an effect or of the connection: what is in
@@ -188,23 +189,12 @@ class Effects:
         http: str | None,
         callback: Callable[[protocol.Outstanding | Carried], None] | None = None,
     ) -> None:
+        super().__init__(callback)
         self.services = services
         self.http = http
-        self.callback = callback
-        self.ready = False
-        self.asking = False
-        self.ended = False
-        self._queue: deque[protocol.Outstanding | Carried] = deque()
         self._early: list[protocol.Effect] = []
         self._next: dict[str, int] = {}
         self._told: dict[str, int] = {}
-
-    def take(self) -> protocol.Outstanding | Carried | None:
-        """What is to be done next; None where there is nothing yet."""
-        return self._queue.popleft() if self._queue else None
-
-    def __len__(self) -> int:
-        return len(self._queue)
 
     # -- for the dialog ------------------------------------------------------
 
@@ -243,7 +233,7 @@ class Effects:
         return late
 
 
-class TraceFeed:
+class TraceFeed(Feed[dict[str, Any]]):
     """Trace events as plain objects (formats.md, *Trace*, with ``time``), in order of seq.
 
     missed: how many the core no longer had when they were asked for. A seq that is not
@@ -253,22 +243,14 @@ class TraceFeed:
     def __init__(
         self, since: int | None, callback: Callable[[dict[str, Any]], None] | None = None
     ) -> None:
-        self.callback = callback
+        super().__init__(callback)
         self.next = since
-        self.asking = False
-        self.ended = False
+        # Asked for from there on, whenever that is.
+        self.ready = since is not None
         self.missed = 0
         self.restarts = 0
-        self._queue: deque[dict[str, Any]] = deque()
         self._early: list[dict[str, Any]] = []
         self._told = 0
-
-    def take(self) -> dict[str, Any] | None:
-        """The next event; None where there is none yet."""
-        return self._queue.popleft() if self._queue else None
-
-    def __len__(self) -> int:
-        return len(self._queue)
 
     def __repr__(self) -> str:
         return f"<TraceFeed from {self.next}, {len(self)} to be taken>"
@@ -289,6 +271,7 @@ class TraceFeed:
         """True where the core has more."""
         if self.next is None:
             self.next = reply.next
+            self.ready = True
         if reply.first > self.next:
             self.missed += reply.first - self.next
             self.next = reply.first
@@ -306,7 +289,7 @@ class TraceFeed:
 
     def restart(self) -> None:
         """The core was started anew: its trace begins at 1."""
-        self.next, self._told, self.asking = 1, 0, False
+        self.next, self._told, self.asking, self.ready = 1, 0, False, True
         self._early.clear()
         self.restarts += 1
 

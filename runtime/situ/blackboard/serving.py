@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable
 from typing import Any
 
 from situ.blackboard import protocol
 from situ.blackboard.calls import Call
-from situ.errors import Refused, Unreachable
+from situ.blackboard.feeds import Feed
+from situ.errors import Unreachable
 
 Send = Callable[[Callable[[int], protocol.Answer]], Call[Any] | None]
 """Sends an answer, made with the id that it must carry; None where there is no connection."""
@@ -57,11 +57,8 @@ class _Given:
         self.ok, self.result, self.error = ok, result, error
 
 
-class Requests:
-    """The requests of these names, until taken; each once, whatever gets lost on the way.
-
-    error: why the core refused to have them asked.
-    """
+class Requests(Feed[ServiceRequest]):
+    """The requests of these names, until taken; each once, whatever gets lost on the way."""
 
     def __init__(
         self,
@@ -70,24 +67,12 @@ class Requests:
         send: Send,
         enter: Enter,
     ) -> None:
+        super().__init__(callback)
         self.names = names
-        self.callback = callback
-        self.ready = False
-        self.asking = False
-        self.ended = False
-        self.error: Refused | None = None
         self._send = send
         self._enter = enter
-        self._queue: deque[ServiceRequest] = deque()
         self._open: dict[int, ServiceRequest] = {}
         self._count = self._latest = 0
-
-    def take(self) -> ServiceRequest | None:
-        """The next request; None where there is none yet."""
-        return self._queue.popleft() if self._queue else None
-
-    def __len__(self) -> int:
-        return len(self._queue)
 
     def __repr__(self) -> str:
         return f"<Requests {', '.join(self.names)}, {len(self)} to be taken>"

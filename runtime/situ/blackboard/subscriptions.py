@@ -15,7 +15,7 @@ from typing import Any, Protocol, TypeVar
 
 from situ.blackboard import protocol, topics
 from situ.blackboard.calls import Call
-from situ.blackboard.feeds import Change, Effects, Messages, TraceFeed, Watch
+from situ.blackboard.feeds import Change, Effects, Feed, Messages, TraceFeed, Watch
 from situ.blackboard.services import Carried
 from situ.blackboard.serving import Enter, Requests, ServiceRequest
 from situ.errors import Refused
@@ -212,7 +212,7 @@ class Subscriptions:
 
         request = protocol.Watch(id=self._talk.next_id(), patterns=patterns)
         call = self._talk.ask(request, read, again=False)
-        call.then(lambda: _refused(watches, call))
+        call.then(lambda: _failed(watches, call))
 
     # -- messages ------------------------------------------------------------
 
@@ -257,12 +257,7 @@ class Subscriptions:
     def _ask_outstanding(self, effects: Effects) -> None:
         request = protocol.Perform(id=self._talk.next_id(), http=effects.http)
         call = self._talk.ask(request, effects.stands, again=False)
-
-        def ended() -> None:
-            if call.error is not None:
-                effects.asking = False
-
-        call.then(ended)
+        call.then(lambda: _failed([effects], call))
 
     # -- requests ------------------------------------------------------------
 
@@ -307,14 +302,7 @@ class Subscriptions:
 
         request = protocol.Serve(id=self._talk.next_id(), requests=names)
         call = self._talk.ask(request, read, again=False)
-
-        def ended() -> None:
-            if call.error is not None:
-                requests.asking = False
-            if isinstance(call.error, Refused):
-                requests.error = call.error
-
-        call.then(ended)
+        call.then(lambda: _failed([requests], call))
 
     def _answer(self, made: Callable[[int], protocol.Answer]) -> Call[None] | None:
         if not self._talk.connected:
@@ -356,23 +344,21 @@ class Subscriptions:
 
         request = protocol.Trace(id=self._talk.next_id(), since=feed.next)
         call = self._talk.ask(request, read, again=False)
-        call.then(lambda: _not_traced(feed, call))
+        call.then(lambda: _failed([feed], call))
 
 
 _Heard = Watch | Messages | Effects | Requests
 """What an echo is waited for."""
 
 
-def _refused(watches: list[Watch], call: Call[None]) -> None:
-    for watch in watches:
-        watch.asking = False
+def _failed(feeds: Iterable[Feed[Any]], call: Call[None]) -> None:
+    """Where it is: they ask no longer, and know why where they were refused."""
+    if call.error is None:
+        return
+    for one in feeds:
+        one.asking = False
         if isinstance(call.error, Refused):
-            watch.error = call.error
-
-
-def _not_traced(feed: TraceFeed, call: Call[None]) -> None:
-    if call.error is not None:
-        feed.asking = False
+            one.error = call.error
 
 
 def _nothing(reply: protocol.Done) -> None:
