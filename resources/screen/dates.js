@@ -1,6 +1,7 @@
 // Dates typed by digits alone, in the order that the screen's language writes them in.
 
 const SIZES = { day: 2, month: 2, year: 4 };
+const WRITTEN = /^(?<year>\d{4})-(?<month>\d{2})-(?<day>\d{2})$/;
 const LETTERS = {
   en: { day: "D", month: "M", year: "Y" },
   de: { day: "T", month: "M", year: "J" },
@@ -53,13 +54,17 @@ export function dateRead(text) {
     digits = digits.slice(SIZES[type]);
   }
   const date = `${found.year}-${found.month}-${found.day}`;
-  const moment = new Date(`${date}T00:00Z`);
-  const is = !Number.isNaN(moment.getTime()) && moment.toISOString().startsWith(date);
-  return is ? date : undefined;
+  return isDay(date) ? date : undefined;
+}
+
+// Whether it is YYYY-MM-DD of a day that there is.
+export function isDay(text) {
+  const moment = new Date(`${text}T00:00Z`);
+  return WRITTEN.test(text) && !Number.isNaN(moment.getTime()) && moment.toISOString().startsWith(text);
 }
 
 // The reverse of `dateRead`; what is no date stays as it is.
 export function dateShown(value) {
-  const match = /^(?<year>\d{4})-(?<month>\d{2})-(?<day>\d{2})$/.exec(value);
+  const match = WRITTEN.exec(value);
   return match ? dateTyped(written().order.map((type) => match.groups[type]).join("")) : value;
 }

@@ -1,6 +1,8 @@
 // Values of a setting's type: what a person fills in, what it means, how it is told.
 // `read` gives {value}, null where it was left empty, or {wrong: a word's key}.
 
+import { isDay } from "./dates.js";
+
 const TIME = /^([01]\d|2[0-3]):[0-5]\d$/;
 const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/;
 
@@ -8,11 +10,6 @@ function input(kind, more) {
   const node = document.createElement("input");
   Object.assign(node, { type: kind, autocomplete: "off" }, more);
   return node;
-}
-
-function day(text) {
-  const moment = new Date(`${text}T00:00Z`);
-  return !Number.isNaN(moment.getTime()) && moment.toISOString().startsWith(text);
 }
 
 // One line that is typed, saved by its button or Enter.
@@ -47,7 +44,7 @@ const makers = {
   time: () => typed(input("time"), (value) => TIME.test(value), (text) => TIME.exec(text)?.[0]),
   date() {
     const node = input("date", { min: "0001-01-01", max: "9999-12-31" });
-    return typed(node, (value) => typeof value === "string" && day(value), (text) => (day(text) ? text : undefined));
+    return typed(node, (value) => typeof value === "string" && isDay(value), (text) => (isDay(text) ? text : undefined));
   },
   boolean() {
     const node = input("checkbox");
@@ -88,7 +85,7 @@ export function field(form) {
   return made;
 }
 
-// A value as people read it, in the page's language.
+// A value as people read it.
 export function told(value) {
   return typeof value === "string" ? value : JSON.stringify(value);
 }

@@ -120,7 +120,7 @@ function draw(card, name, { state, name: called, suspended, paused, events }) {
   if (!events.length) element("p", "", card.node).textContent = visit.words.nothing;
   const list = element("div", "events", card.node);
   for (const event of events) {
-    const button = element("button", event.says.length ? "first" : "plain-event", list);
+    const button = element("button", event.says.length ? "first" : "", list);
     button.type = "button";
     button.dataset.event = event.name;
     button.disabled = !visit.may || suspended || paused || !event.holds;

@@ -129,6 +129,9 @@ def test_what_others_change_is_seen_at_once(visit: Visit) -> None:
         await ward.note("ward.volume", "Changed by bob")
         await ward.board.set("ward.volume", "very")
         await ward.note("ward.volume", "Now very, which does not fit here")
+        # A year alone is no day.
+        await ward.board.set("ward.visit", "2027")
+        await ward.note("ward.visit", "Now 2027, which does not fit here")
 
     visit(scenario)
 
