@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from situ.document import words
-from situ.document.condition import Condition
+from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Single
 from situ.document.rbd import Message, Param, Robot, Speech
 
@@ -33,6 +33,19 @@ def test_an_empty_list_and_an_empty_text_can_be_seen() -> None:
 def test_no_condition_is_nothing() -> None:
     assert words.condition(None) == ""
     assert words.condition(Condition((Single("t", "is", "1"),))) == "t is 1"
+
+
+def test_a_group_is_in_brackets_where_it_could_be_read_otherwise() -> None:
+    one, two = Single("a", "is", "1"), Single("b", "is", "2")
+    alone = Group("all", (one,))
+    either = Group("any", (one, two))
+    assert words.condition(Condition((alone, two))) == "a is 1 and b is 2"
+    assert words.condition(Condition((either, two))) == "(a is 1 or b is 2) and b is 2"
+    nested = Group("all", (either,))
+    assert words.condition(Condition((nested, two))) == "(a is 1 or b is 2) and b is 2"
+    assert (
+        words.condition(Condition((Group("none", (one,)), two))) == "(none of: a is 1) and b is 2"
+    )
 
 
 def test_an_action_is_told_by_what_it_does() -> None:

@@ -96,6 +96,9 @@ def condition(value: Condition | None) -> str:
 
 
 def _inner(value: Test | Group, among: tuple[Test | Group, ...]) -> str:
+    # One child alone is joined with nothing: its group needs no brackets.
+    while isinstance(value, Group) and value.kind != "none" and len(value.children) == 1:
+        value = value.children[0]
     said = child(value)
     return f"({said})" if isinstance(value, Group) and len(among) > 1 else said
 
