@@ -253,9 +253,7 @@ def test_a_step_takes_the_resume_then_unnamed_events_then_the_raised() -> None:
     run.do(1, Set({"busy": True}, "m"), Pause(ANN))
     run.do(1, Raise("go"), Set({"x": 1}, "m"), Set({"busy": False}, "m"))
     run.do(2, Step(ANN))
-    assert (
-        run.lines(2) == ["2 event resumed", "2 ignored resumed", "2 paused app 1 operator:ann"][::2]
-    )
+    assert run.lines(2) == ["2 event resumed", "2 paused app 1 operator:ann"]
     run.do(3, Step(ANN), Step(ANN))
     assert run.trace.states() == [(0, "1"), (3, "2"), (3, "3")]
 

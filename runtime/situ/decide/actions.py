@@ -225,9 +225,10 @@ class Actions:
             world.step.at(world.step.now + world.auto_finish, FINISH, self._owner, running.id)
 
     def _voice_taken(self) -> bool:
-        return bool(self.state.voice) or any(
-            r.action in ("speech", "sound") for r in self.state.running.values()
-        )
+        return bool(self.state.voice) or self._sounds()
+
+    def _sounds(self) -> bool:
+        return any(r.action in ("speech", "sound") for r in self.state.running.values())
 
     def _supersede(self, resource: str, cause: int | None) -> None:
         """A second robot action on a resource cancels the first."""
@@ -300,11 +301,7 @@ class Actions:
                 self._go_on(number, cause)
 
     def _next_voice(self, cause: int | None) -> None:
-        while (
-            self.state.voice
-            and not self.suspended
-            and not any(r.action in ("speech", "sound") for r in self.state.running.values())
-        ):
+        while self.state.voice and not self.suspended and not self._sounds():
             waiting, self.state.voice = self.state.voice, []
             number, place = waiting[0]
             self._start(number, place, cause)

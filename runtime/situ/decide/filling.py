@@ -44,9 +44,16 @@ class Filling:
         params = self._params(action.params, state, cause)
         return {"program": action.program, "params": params}
 
+    def value(self, text: str, state: str, cause: int | None) -> Any:
+        """The value of a text."""
+        return self._template(text, state, cause).value(self._world.board.look)
+
+    def where(self, state: str) -> str:
+        """Where a warning about the state says it is."""
+        return f"{self._application}, state {state}"
+
     def _params(self, params: tuple[Param, ...], state: str, cause: int | None) -> dict[str, Any]:
-        look = self._world.board.look
-        return {p.name: self._template(p.text, state, cause).value(look) for p in params}
+        return {p.name: self.value(p.text, state, cause) for p in params}
 
     def _text(self, text: str, state: str, cause: int | None) -> str:
         return self._template(text, state, cause).text(self._world.board.look)
@@ -56,6 +63,3 @@ class Filling:
         for name in filled.missing(self._world.board.look) if filled.names else ():
             self._world.step.warn(cause, f"{name} has no value", self.where(state))
         return filled
-
-    def where(self, state: str) -> str:
-        return f"{self._application}, state {state}"

@@ -13,6 +13,7 @@ from typing import Any
 from situ.decide import trace
 from situ.decide.board import Entry
 from situ.decide.effects import Begin, Changed
+from situ.decide.filling import Filling
 from situ.decide.values import is_number, template
 from situ.decide.world import World, refusal, untraced
 from situ.document import names
@@ -44,12 +45,12 @@ def ready(world: World, application: str, action: Action) -> Perform:
 def _set_at_once(world: World, application: str, action: Set) -> Perform:
     """The commonest action, all on one spot; without a call where its value is a constant."""
     tag, step, board = action.tag, world.step, world.board
-    filled, value = template(action.text), _Quick(world, application).reader(action.text)
+    filled, filling = template(action.text), Filling(world, application)
     constant = None if filled.names else filled.value(board.look)
     varies = bool(filled.names) or isinstance(constant, (list, dict))
 
     def perform(state: str, cause: int | None) -> int:
-        held = value(state, cause) if varies else constant
+        held = filling.value(action.text, state, cause) if varies else constant
         seq, now, seconds = step.seq + 1, step.now, step.seconds
         events = step.events
         events.append(
@@ -82,22 +83,8 @@ class _Quick:
     def __init__(self, world: World, application: str) -> None:
         self.world = world
         self.application = application
-
-    def reader(self, text: str) -> Callable[[str, int | None], Any]:
-        """Gives the value of a template, with a warning for each name that has none."""
-        filled, board, step = template(text), self.world.board, self.world.step
-        if not filled.names:
-            return lambda state, cause: filled.value(board.look)
-
-        def value(state: str, cause: int | None) -> Any:
-            for name in filled.missing(board.look):
-                step.warn(cause, f"{name} has no value", self.where(state))
-            return filled.value(board.look)
-
-        return value
-
-    def value(self, text: str, state: str, cause: int | None) -> Any:
-        return self.reader(text)(state, cause)
+        filling = Filling(world, application)
+        self.value, self._where = filling.value, filling.where
 
     def begin(self, state: str, cause: int | None, action: str, **fields: Any) -> int:
         return self.world.step.trace(
@@ -108,10 +95,7 @@ class _Quick:
         self.world.write(tags, self.application, cause)
 
     def warn(self, state: str, cause: int, message: str) -> None:
-        self.world.step.warn(cause, message, self.where(state))
-
-    def where(self, state: str) -> str:
-        return f"{self.application}, state {state}"
+        self.world.step.warn(cause, message, self._where(state))
 
 
 def _set(one: _Quick, action: Set, state: str, cause: int | None) -> int:
