@@ -14,7 +14,7 @@ from situ_studio.canvas import thumbnails
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.projection import FIRST, HEADER, NEW, PITCH, TIMEOUT, WIDTH, Card, Exit
-from situ_studio.canvas.style import Label, Look
+from situ_studio.canvas.style import Label, Look, whole_label
 
 RADIUS = 8.0
 STUB = 15.0
@@ -45,7 +45,7 @@ def paint_chip(
         look.icon(painter, icon, x + STUB + 3, y - 6, 12, look["text2"])
         return
     ink = look["error"] if red else look["accent"] if color == "accent" else look["text2"]
-    Label(text, 11, 600).draw_middle(painter, x + STUB + width / 2, y + 4, ink)
+    whole_label(text, 11, 600).draw_middle(painter, x + STUB + width / 2, y + 4, ink)
 
 
 def arrow(
@@ -77,6 +77,7 @@ class CardItem(NodeFace):
         self._texts: dict[str, Label] = {}
         self._large: tuple[int, Label, Label, Label | None] | None = None
         self._icons: tuple[str, ...] = ()
+        self._picture: tuple[thumbnails.Mark, ...] | None = None
 
     def room(self, face: Card) -> QRectF:
         return QRectF(-18, -18, face.width + 88, face.height + 36)
@@ -84,6 +85,7 @@ class CardItem(NodeFace):
     def prepare(self) -> None:
         self._laid = None
         self._large = None
+        self._picture = None
 
     def _lay_out(self) -> None:
         card, look = self.face, self.look
@@ -258,14 +260,14 @@ class CardItem(NodeFace):
             return
         if card.no in live.active:
             said = words.seconds(round(live.entered.get(card.no, 0.0), 1))
-            Label(said, 16, 600).draw_right(painter, WIDTH - 14, 62, look["live"])
+            whole_label(said, 16, 600).draw_right(painter, WIDTH - 14, 62, look["live"])
         elif card.no in live.counts:
-            Label(f"{live.counts[card.no]}×", 15, 500).draw_right(
+            whole_label(f"{live.counts[card.no]}×", 15, 500).draw_right(
                 painter, WIDTH - 14, 62, look["text"]
             )
             if card.no in live.times:
                 said = words.seconds(round(live.times[card.no]))
-                Label(said, 13, 400).draw_right(painter, WIDTH - 14, 82, look["text3"])
+                whole_label(said, 13, 400).draw_right(painter, WIDTH - 14, 82, look["text3"])
 
     def _paint_full(self, painter: QPainter, look: Look) -> None:
         self._lay_out()
@@ -368,7 +370,9 @@ class CardItem(NodeFace):
     def _paint_picture(self, painter: QPainter, look: Look, area: QRectF) -> None:
         card = self.face
         if card.screen is not None:
-            thumbnails.paint(painter, card.screen, area, look)
+            if self._picture is None:
+                self._picture = thumbnails.marks(card.screen)
+            thumbnails.paint(painter, self._picture, area, look)
         elif card.kind == "part":
             painter.setPen(QPen(look["line_strong"], 1))
             painter.setBrush(look["field"])

@@ -13,7 +13,7 @@ from situ_studio.canvas.cards import STUB, arrow, chip_width, paint_chip
 from situ_studio.canvas.library import PipeItem
 from situ_studio.canvas.live import LiveView, strength
 from situ_studio.canvas.routes import Point, Route
-from situ_studio.canvas.style import Label, Look
+from situ_studio.canvas.style import Label, Look, whole_label
 
 CORNER = 8.0
 GUARD_HEIGHT = 22.0
@@ -212,7 +212,7 @@ class RoutedPipe(PipeItem):
         x, y = self.route.label
         count = self._count()
         if count and (look.live is not None):
-            text = Label(f"{count}×", 14, 600)
+            text = whole_label(f"{count}×", 14, 600)
             box = QRectF(x - text.width / 2 - 8, y - 11, text.width + 16, 22)
             painter.setPen(
                 QPen(look["live"] if taken else look["line_strong"], 1.25 if taken else 1)

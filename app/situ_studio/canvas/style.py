@@ -86,6 +86,12 @@ class Label:
         self.draw(painter, x - self.width / 2, baseline, color)
 
 
+@lru_cache(maxsize=512)
+def whole_label(text: str, pixels: int, weight: int) -> Label:
+    """A whole label, laid out once for all that show it: chips, counts and times."""
+    return Label(text, pixels, weight)
+
+
 class Look:
     """The state of one canvas that its items paint by."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF
@@ -23,7 +23,6 @@ class Mark(NamedTuple):
     height: float
 
 
-@lru_cache(maxsize=256)
 def marks(screen: rbd.Screen) -> tuple[Mark, ...]:
     """The shapes of a screen; at most 24, the first components count."""
     made: list[Mark] = []
@@ -64,15 +63,15 @@ def marks(screen: rbd.Screen) -> tuple[Mark, ...]:
     return tuple(made[:24])
 
 
-def paint(painter: QPainter, screen: rbd.Screen, area: QRectF, look: Look) -> None:
-    """Draws the screen into ``area``, its frame included."""
+def paint(painter: QPainter, shapes: Sequence[Mark], area: QRectF, look: Look) -> None:
+    """Draws a screen of these shapes into ``area``, its frame included."""
     painter.setPen(QPen(look["line_strong"], 1))
     painter.setBrush(look["field"])
     painter.drawRoundedRect(area, 3, 3)
     inner = area.adjusted(2, 2, -2, -2)
     across, down = inner.width() / 100, inner.height() / 100
     painter.setPen(Qt.PenStyle.NoPen)
-    for mark in marks(screen):
+    for mark in shapes:
         rect = QRectF(
             inner.left() + mark.x * across,
             inner.top() + mark.y * down,
