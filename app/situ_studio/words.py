@@ -6,6 +6,7 @@ import re
 from typing import Any
 
 from situ.document import rbd, spds
+from situ.document import words as said
 from situ_studio import kinds, places
 from situ_studio.edit import Document, Place
 
@@ -133,7 +134,7 @@ def expected_next(part: Any) -> str:
     for name in _raised(part):
         if name not in known:
             return name
-    number = 1
+    number = len(part.events) + 1
     while f"event{number}" in known:
         number += 1
     return f"event{number}"
@@ -145,8 +146,7 @@ def situation_words(script: spds.Spds, situation: spds.Situation) -> str:
     if situation.condition is None or not situation.condition.children:
         first = "This always holds."
     else:
-        parts = [kinds.condition_words(c) for c in situation.condition.children]
-        first = f"This holds while {' and '.join(parts)}."
+        first = f"This holds while {said.condition(situation.condition)}."
     stays = ""
     if situation.dwell is not None:
         stays = f" Once current it stays for {situation.dwell:g} s at least."
@@ -154,20 +154,14 @@ def situation_words(script: spds.Spds, situation: spds.Situation) -> str:
         stays = f" Once current it ends after {situation.limit:g} s at the latest."
     before = [s.name for s in script.situations[:index]]
     order = (
-        f" {_list(before)} go{'es' if len(before) == 1 else ''} first."
+        f" {said.listed(before)} go{'es' if len(before) == 1 else ''} first."
         if before
         else (" It goes before all others.")
     )
     every = sorted(script.priorities(situation).items(), key=lambda pair: -pair[1])
     who = (
-        f" {_list([m for m, _ in every])} may move the robot, in this order."
+        f" {said.listed([m for m, _ in every])} may move the robot, in this order."
         if every
         else (" Nothing may move the robot.")
     )
     return f"{first}{stays}{order}{who}"
-
-
-def _list(names: list[str]) -> str:
-    if len(names) < 2:
-        return "".join(names)
-    return f"{', '.join(names[:-1])} and {names[-1]}"

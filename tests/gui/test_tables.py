@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtWidgets import QApplication
 
-from situ.document import condition, rbd
+from situ.document import rbd
 from situ.resources import resource
 from situ_studio import actions, icons, kinds, theme
 from situ_studio.commands import Commands
@@ -146,13 +146,3 @@ def test_the_style_sheet_knows_every_token(colours: theme.Theme, qt: QApplicatio
     used = set(re.findall(r"#[0-9A-Fa-f]{6,8}\b", sheet))
     known: set[Any] = set(msgspec.structs.asdict(colours).values())
     assert used <= known
-
-
-def test_conditions_are_said_in_words() -> None:
-    test = condition.Test("hand.waving", "is", "true", within=2)
-    missing = condition.Test("user.name", "exists", "false")
-    group = condition.Group("any", (test, missing))
-    assert kinds.condition_words(test) == "hand.waving is true, within 2 s"
-    assert kinds.condition_words(group) == (
-        "(hand.waving is true, within 2 s or user.name is missing)"
-    )

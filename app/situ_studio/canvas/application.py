@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QWidget
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio.canvas import gestures, layout
-from situ_studio.canvas.base import Canvas, Place
+from situ_studio.canvas.base import Canvas
 from situ_studio.canvas.cards import CardItem
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.menu import FollowMenu
@@ -30,6 +30,7 @@ from situ_studio.canvas.projection import (
     identified,
     place_of,
 )
+from situ_studio.edit import Place
 from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 

@@ -18,10 +18,10 @@ from situ_studio.canvas.overlay import InPlace, MiniMap, ZoomBar, name_editor
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.style import Look
 from situ_studio.canvas.viewer import Viewer
+from situ_studio.edit import Place
 from situ_studio.insert import NotHere, insert
 from situ_studio.theme import Theme
 
-Place = tuple[str, ...]
 BAR = 40.0
 """The lower edge that the zoom bar takes."""
 ZOOMS = (0.1, 0.15, 0.25, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0)

@@ -15,9 +15,10 @@ from msgspec.structs import replace
 
 from situ.document import rbd
 from situ.document.aside import NOTHING
-from situ.document.rbd import Always, Application, Event, State, Timeout
-from situ_studio import changes, places
-from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, Place, exit_of
+from situ.document.rbd import Application, Event, State, Timeout
+from situ_studio import changes, places, words
+from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, exit_of
+from situ_studio.edit import Place
 
 GRID = 8.0
 """Cards snap to this."""
@@ -114,26 +115,6 @@ def disconnect(application: Application, place: Place) -> Done:
     return after, text
 
 
-def event_name(owner: State | Always) -> str:
-    """A name for a new event: one that is raised but not expected yet, else a free one."""
-    expected = {e.name for e in owner.events}
-    raised: list[str | None] = []
-    screen = owner.screen
-    if screen is not None:
-        raised += [getattr(c, "event", None) or getattr(c, "done", None) for c in screen.components]
-        raised.append(screen.touched)
-    if isinstance(owner, State):
-        for action in owner.actions:
-            raised += [action.done, action.failed]
-    for name in raised:
-        if name and name not in expected:
-            return name
-    number = len(owner.events) + 1
-    while f"event{number}" in expected:
-        number += 1
-    return f"event{number}"
-
-
 def add_event(
     application: Application, owner: Place, target: str | None, name: str | None = None
 ) -> Done:
@@ -141,7 +122,7 @@ def add_event(
     value = places.get(application, owner)
     if value is None:
         return application, ""
-    event = Event(name=name or event_name(value), next=target)
+    event = Event(name=name or words.expected_next(value), next=target)
     after = places.change(application, owner, events=(*value.events, event))
     goal = f" to {title(application, target)}" if target else ""
     return after, f"Add {event.name} of {called(application, owner)}{goal}"

@@ -16,6 +16,8 @@ from msgspec.structs import replace
 from situ.document import rbd, words
 from situ.document.problem import Problem
 from situ.document.rbd import Application, Event, State, Timeout
+from situ_studio import kinds
+from situ_studio.edit import Place
 
 WIDTH = 176.0
 HEADER = 28.0
@@ -32,24 +34,6 @@ TIMEOUT = "timeout"
 ENTRY = "in"
 
 Kind = Literal["state", "start", "end", "part", "always"]
-Place = tuple[str, ...]
-
-
-ICONS: dict[str, str] = {
-    "speech": "speech",
-    "robot": "robot",
-    "service": "service",
-    "message": "message",
-    "launch": "launch",
-    "sound": "sound",
-    "set": "set",
-    "add": "set",
-    "append": "append",
-    "take": "take",
-    "clear": "clear",
-    "repeat": "repeat",
-}
-"""An action's element to the name of its icon."""
 
 
 class Exit(Struct, frozen=True):
@@ -235,6 +219,12 @@ def _leading(exit: Exit, known: frozenset[str] | set[str]) -> Exit:
     return replace(exit, short=exit.next, missing=missing)
 
 
+def _icon(action: rbd.Action) -> str:
+    kind = kinds.kind_of(action)
+    assert kind is not None
+    return kind.icon
+
+
 def _line(state: State) -> tuple[str, str]:
     if state.flow is not None:
         return state.flow, "part"
@@ -242,7 +232,7 @@ def _line(state: State) -> tuple[str, str]:
         if isinstance(action, rbd.Speech):
             return action.text, "speech"
     for action in state.actions:
-        return words.action(action), ICONS.get(action.element, "set")
+        return words.action(action), _icon(action)
     for component in state.screen.components if state.screen else ():
         if isinstance(component, rbd.Text):
             return component.text, "text"
@@ -314,7 +304,7 @@ class Projector:
                 card = kept[2]
             elif isinstance(value, State):
                 line, icon = _line(value)
-                icons = dict.fromkeys(ICONS.get(a.element, "set") for a in value.actions)
+                icons = dict.fromkeys(_icon(a) for a in value.actions)
                 kind: Kind = "state"
                 if value.no == start:
                     kind = "start"

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 from situ.document.problem import Problem
 from situ.document.spds import Spds
 from situ_studio.canvas import script_gestures as gestures
-from situ_studio.canvas.base import Canvas, Place
+from situ_studio.canvas.base import Canvas
 from situ_studio.canvas.curves import CurvedPipe, InheritedPipe
 from situ_studio.canvas.gestures import Follow
 from situ_studio.canvas.live import LiveScript
@@ -34,6 +34,7 @@ from situ_studio.canvas.script_projection import (
     uid,
 )
 from situ_studio.canvas.style import Label
+from situ_studio.edit import Place
 from situ_studio.theme import Theme
 
 TAKES = {

@@ -9,8 +9,8 @@ from msgspec.structs import replace
 from situ.document.condition import Condition, Group, Test
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ_studio import changes, places
+from situ_studio.edit import Place
 
-Place = tuple[str, ...]
 Done = tuple[Spds, str]
 
 FIRST_PRIORITY = 50

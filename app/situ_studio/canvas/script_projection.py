@@ -16,10 +16,11 @@ from situ.document import words
 from situ.document.condition import Condition, Group, Test
 from situ.document.problem import Problem
 from situ.document.spds import Observed, Situation, Spds
+from situ_studio import kinds
+from situ_studio.edit import Place
 
 Kind = Literal["data", "condition", "situation", "module", "resource"]
 Mark = Literal["", "warning", "error"]
-Place = tuple[str, ...]
 
 LEFT: dict[str, float] = {
     "data": 16,
@@ -47,14 +48,6 @@ TALL, LOW = 52.0, 44.0
 PITCH = 72.0
 LINE = 18.0
 OUT, IN = "out", "in"
-
-_TYPES = {
-    "boolean": "yes or no",
-    "number": "number",
-    "text": "text",
-    "list": "list",
-    "object": "object",
-}
 
 
 class ScriptNode(Struct, frozen=True):
@@ -357,7 +350,7 @@ def _add_data(
         place: Place = ("data", tag)
         detail = "not observed"
         if known is not None:
-            detail = known.unit or _TYPES.get(known.type or "", "any value")
+            detail = known.unit or dict(kinds.TYPES).get(known.type or "", "any value")
         add(
             ScriptNode(
                 uid=uid("data", tag),

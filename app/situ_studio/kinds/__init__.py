@@ -45,8 +45,6 @@ from situ_studio.kinds.said import (
     GROUPS,
     TESTS,
     TYPES,
-    condition_words,
-    test_words,
     type_words,
 )
 from situ_studio.kinds.screen import (
@@ -153,9 +151,7 @@ __all__ = [
     "Field",
     "Kind",
     "Section",
-    "condition_words",
     "kind",
     "kind_of",
-    "test_words",
     "type_words",
 ]

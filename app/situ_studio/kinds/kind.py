@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from msgspec import Struct
 
-from situ_studio.theme import Kind as Tint
+if TYPE_CHECKING:
+    from situ_studio.theme import Kind as Tint
 
 Editor = Literal[
     "text",  # one line

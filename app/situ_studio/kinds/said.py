@@ -1,8 +1,9 @@
-"""Tests, groups and types in a designer's words."""
+"""Tests, groups and types as a designer chooses them.
+
+Whole conditions in words: ``situ.document.words``.
+"""
 
 from __future__ import annotations
-
-from situ.document.condition import Group, Test
 
 TESTS: tuple[tuple[str, str], ...] = (
     ("is", "is"),
@@ -32,27 +33,3 @@ TYPES: tuple[tuple[str, str], ...] = (
 def type_words(kind: str | None, unit: str | None) -> str:
     """``yes or no``, ``number, deg``."""
     return ", ".join(part for part in (dict(TYPES).get(kind or ""), unit) if part)
-
-
-def test_words(test: Test) -> str:
-    """A test without its tag: ``is true, within 2 s``."""
-    if test.test == "exists":
-        words = "exists" if test.value == "true" else "is missing"
-    else:
-        words = f"{dict(TESTS)[test.test]} {test.value}"
-    if test.within is not None:
-        words += f", within {test.within:g} s"
-    if test.hold is not None:
-        words += f", for {test.hold:g} s"
-    return words
-
-
-def condition_words(child: Test | Group) -> str:
-    """A test or a group in one line: ``patients is not []``."""
-    if isinstance(child, Test):
-        return f"{child.tag} {test_words(child)}"
-    inner = [condition_words(c) for c in child.children]
-    if child.kind == "none":
-        return f"none of ({'; '.join(inner)})"
-    joined = (" and " if child.kind == "all" else " or ").join(inner)
-    return f"({joined})" if len(inner) > 1 else joined

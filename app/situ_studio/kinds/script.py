@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from situ.document import modules, spds
+from situ.document import modules, spds, words
 from situ.document.condition import Test
 from situ_studio.kinds.kind import Field, Kind, Section
-from situ_studio.kinds.said import TESTS, TYPES, condition_words, type_words
+from situ_studio.kinds.said import TESTS, TYPES, type_words
 
 SITUATION = Kind(
     name="situation",
@@ -146,7 +146,7 @@ CONDITION = Kind(
         ),
     ),
     make=lambda name: Test(name, "exists", "true"),
-    summary=lambda v: condition_words(v),
+    summary=words.child,
     palette="script",
 )
 SCRIPT = Kind(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from situ.document import rbd
+from situ.document import rbd, words
 from situ_studio import kinds
 from situ_studio.edit import Document
 from situ_studio.panels.rows import Row
@@ -38,7 +38,7 @@ def event_row(document: Document, event: rbd.Event, mark: str = "") -> Row:
     """An event: its name, its phrases, where it leads, and its guard."""
     guard = ""
     if event.when is not None:
-        guard = "if " + " and ".join(kinds.condition_words(c) for c in event.when.children)
+        guard = f"if {words.condition(event.when)}"
     phrases = ", ".join(f"“{s.text}”" for s in event.says)
     return Row(
         icon="event",

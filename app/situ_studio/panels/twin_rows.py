@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from situ.document import modules, rbd, spds
+from situ.document import words as said
 from situ_studio import kinds, words
 from situ_studio.edit import Place
 
@@ -121,9 +122,9 @@ def _action(place: Place, action: rbd.Action) -> Node:
 def _event(document: rbd.Application, place: Place, event: rbd.Event) -> Node:
     guard = ""
     if event.when is not None:
-        guard = "if " + " and ".join(kinds.condition_words(c) for c in event.when.children)
-    said = ", ".join(f"“{s.text}”" for s in event.says)
-    details = "; ".join(w for w in (guard, said) if w)
+        guard = f"if {said.condition(event.when)}"
+    phrases = ", ".join(f"“{s.text}”" for s in event.says)
+    details = "; ".join(w for w in (guard, phrases) if w)
     return Node(
         place,
         event,
@@ -163,15 +164,12 @@ def application_rows(document: rbd.Application) -> Iterator[Node]:
 def script_rows(document: spds.Spds) -> Iterator[Node]:
     for number, situation in enumerate(document.situations, start=1):
         place = ("situation", situation.name)
-        said = " and ".join(
-            kinds.condition_words(c)
-            for c in (situation.condition.children if situation.condition is not None else ())
-        )
+        holds = said.condition(situation.condition) or "always"
         yield Node(
             place,
             situation,
             ("situation", "situation"),
-            (f"Situation {number}", situation.name, situation.extends or "", said or "always"),
+            (f"Situation {number}", situation.name, situation.extends or "", holds),
             {1: (place, "name", "Name"), 2: (place, "extends", "Takes over")},
             partial(_entries, place, situation),
             bool(situation.entries),

@@ -9,6 +9,7 @@ from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Question
 from situ.document.problem import Problem
 from situ.document.rbd import Application, Event, Say, Service, State
+from situ_studio import kinds
 from situ_studio.canvas.projection import NEW, Projector, exit_of, place_of
 
 
@@ -96,3 +97,9 @@ def test_conditions_in_words() -> None:
         " and (none of: d is one of x, y, for 0.5 s)"
     )
     assert words.condition(Condition((Question("list", "isnot", "[]"),))) == "list is not [ ]"
+
+
+def test_an_action_has_the_icon_on_its_card_that_it_has_in_the_palette() -> None:
+    every = tuple(kind.make("") for kind in kinds.ACTIONS)
+    made = Projector().picture(Application("a", states=(State("1", actions=every),)))
+    assert made.cards["1"].icons == tuple(kind.icon for kind in kinds.ACTIONS)
