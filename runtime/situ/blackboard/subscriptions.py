@@ -21,7 +21,8 @@ from situ.blackboard.serving import Enter, Requests, ServiceRequest
 from situ.errors import Refused
 
 T = TypeVar("T")
-
+F = TypeVar("F", bound=Feed[Any])
+H = TypeVar("H", Watch, Messages, Effects, Requests)
 
 PATIENCE = 4
 """Heartbeats for which an echo is waited for."""
@@ -138,21 +139,17 @@ class Subscriptions:
 
     def watch(self, pattern: str, callback: Callable[[Change], None] | None = None) -> Watch:
         """What stands there, then every change; kept up over losses of the connection."""
-        watch = Watch(pattern, callback)
-        if all(one.pattern != pattern for one in self.watches):
-            self.topics.append((topics.changes(pattern), True))
-        self.watches.append(watch)
+        new = all(one.pattern != pattern for one in self.watches)
+        topic = topics.changes(pattern)
+        watch = self._follow(Watch(pattern, callback), self.watches, [topic] if new else [])
+        # Last: another thread may look in the meantime (``Dialog.known``).
         self._by_tag.clear()
-        if self._talk.connected:
-            self._sync([watch])
         return watch
 
     def unwatch(self, watch: Watch) -> None:
         """No more of it is heard; asking twice is no fault."""
-        watch.ended = True
-        if watch not in self.watches:
+        if not _leave(watch, self.watches):
             return
-        self.watches.remove(watch)
         self._by_tag.clear()
         if any(one.pattern == watch.pattern for one in self.watches):
             return
@@ -160,6 +157,14 @@ class Subscriptions:
         if self._talk.connected:
             request = protocol.Unwatch(id=self._talk.next_id(), patterns=(watch.pattern,))
             self._talk.ask(request, _nothing, again=False)
+
+    def _follow(self, one: H, among: list[H], new: Iterable[bytes]) -> H:
+        """new: topics that nobody needed before it."""
+        self.topics.extend((topic, True) for topic in new)
+        among.append(one)
+        if self._talk.connected:
+            self._sync([one])
+        return one
 
     def _heard(self) -> list[_Heard]:
         return [*self.watches, *self.messages, *self.effects, *self.requests]
@@ -222,19 +227,14 @@ class Subscriptions:
         """Messages of applications from when ``ready``; kept up over losses of the connection,
         in which those that are sent meanwhile are lost."""
         messages = Messages(pattern, callback)
-        if all(one.pattern != messages.pattern for one in self.messages):
-            self.topics.append((topics.messages(messages.pattern), True))
-        self.messages.append(messages)
-        if self._talk.connected:
-            self._sync([messages])
-        return messages
+        new = all(one.pattern != messages.pattern for one in self.messages)
+        topic = topics.messages(messages.pattern)
+        return self._follow(messages, self.messages, [topic] if new else [])
 
     def unlisten(self, messages: Messages) -> None:
         """No more of them is heard; asking twice is no fault."""
-        messages.ended = True
-        if messages not in self.messages:
+        if not _leave(messages, self.messages):
             return
-        self.messages.remove(messages)
         if all(one.pattern != messages.pattern for one in self.messages):
             self.topics.append((topics.messages(messages.pattern), False))
 
@@ -248,11 +248,7 @@ class Subscriptions:
     ) -> Effects:
         """What these services (those told in hello) are to carry out, from now on."""
         effects = Effects(tuple(services), http, callback)
-        self.topics.extend((topics.effect(one), True) for one in effects.services)
-        self.effects.append(effects)
-        if self._talk.connected:
-            self._sync([effects])
-        return effects
+        return self._follow(effects, self.effects, map(topics.effect, effects.services))
 
     def _ask_outstanding(self, effects: Effects) -> None:
         request = protocol.Perform(id=self._talk.next_id(), http=effects.http)
@@ -269,19 +265,13 @@ class Subscriptions:
     ) -> Requests:
         """What applications ask of this module by these names, from now on."""
         requests = Requests(names, callback, self._answer, enter)
-        if not self.requests and self._module is not None:
-            self.topics.append((topics.asked(self._module), True))
-        self.requests.append(requests)
-        if self._talk.connected:
-            self._sync([requests])
-        return requests
+        new = [topics.asked(self._module)] if self._module is not None else []
+        return self._follow(requests, self.requests, [] if self.requests else new)
 
     def unserve(self, requests: Requests) -> None:
         """No more of them are answered; asking twice is no fault."""
-        requests.ended = True
-        if requests not in self.requests:
+        if not _leave(requests, self.requests):
             return
-        self.requests.remove(requests)
         if self._talk.connected:
             self._ask_questions(requests)
         if not self.requests and self._module is not None:
@@ -326,11 +316,8 @@ class Subscriptions:
         return feed
 
     def untrace(self, feed: TraceFeed) -> None:
-        feed.ended = True
-        if feed in self.feeds:
-            self.feeds.remove(feed)
-            if not self.feeds:
-                self.topics.append((topics.TRACE, False))
+        if _leave(feed, self.feeds) and not self.feeds:
+            self.topics.append((topics.TRACE, False))
 
     def _fetch(self, feed: TraceFeed) -> None:
         if feed.asking or feed.ended or not self._talk.connected:
@@ -349,6 +336,15 @@ class Subscriptions:
 
 _Heard = Watch | Messages | Effects | Requests
 """What an echo is waited for."""
+
+
+def _leave(one: F, among: list[F]) -> bool:
+    """Whether it was followed until now."""
+    one.ended = True
+    if one not in among:
+        return False
+    among.remove(one)
+    return True
 
 
 def _failed(feeds: Iterable[Feed[Any]], call: Call[None]) -> None:
