@@ -65,6 +65,15 @@ def failing(error: BaseException) -> Callable[[], int]:
     return run
 
 
+@pytest.mark.parametrize("given", ["0", "-1", "soon", "nan", "inf"])
+@pytest.mark.parametrize("option", ["--speed", "--patience", "--auto-finish"])
+def test_a_time_and_a_speed_are_numbers_above_0(
+    option: str, given: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(["run", "x", f"{option}={given}"]) == 2
+    assert f"{option}: a number above 0 is needed" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("error", "told"),
     [
