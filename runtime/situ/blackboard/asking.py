@@ -16,8 +16,8 @@ from situ.blackboard.protocol import Question
 from situ.blackboard.services import PATIENCE, asked_of
 from situ.decide.effects import Begin
 from situ.decide.inputs import Finish
+from situ.decide.step import SECOND
 
-SECOND = 1_000_000
 ERROR = 500
 """Characters of what a module says that went wrong."""
 

@@ -22,9 +22,8 @@ from situ.decide import inputs, trace
 from situ.decide.board import Board
 from situ.decide.effects import AnyEffect, Begin, Changed, Refuse
 from situ.decide.expected import Expectation
+from situ.decide.step import SECOND
 from situ.document.project import Project
-
-SECOND = 1_000_000
 
 Heard = Callable[[list[trace.TraceEvent], float], None]
 """Is told each step's trace events, with the UNIX time."""

@@ -104,9 +104,7 @@ class DurableTags:
         if self._thread is None:
             self._thread = threading.Thread(target=self._work, name="situ-durable", daemon=True)
             self._thread.start()
-        rows = [
-            (c.tag, msgspec.json.encode(c.value).decode(), c.version, c.writer) for c in changes
-        ]
+        rows = [(c.tag, _encode(c.value).decode(), c.version, c.writer) for c in changes]
         self._waiting.put((rows, done))
 
     def close(self) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from situ.blackboard import protocol, wire
-from situ.blackboard.core import SECOND, Core, Outgoing
+from situ.blackboard.core import Core, Outgoing
 from situ.blackboard.guard import Guard
 from situ.blackboard.history import (
     Ended,
@@ -35,6 +35,7 @@ from situ.blackboard.services import SERVICES, carried_by, may_repeat
 from situ.blackboard.wire import Malformed
 from situ.decide import inputs
 from situ.decide.effects import Begin
+from situ.decide.step import SECOND
 from situ.document import names
 from situ.document.names import LONGEST
 

@@ -9,11 +9,12 @@ from typing import Any
 import msgspec
 
 from situ.blackboard.calls import Person
-from situ.blackboard.core import SECOND, Core, Outgoing
+from situ.blackboard.core import Core, Outgoing
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.session import Sessions
 from situ.decide import inputs
 from situ.decide.robot import Robot
+from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent
 from situ.document.project import Project
 from situ.errors import BlackboardError
