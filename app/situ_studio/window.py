@@ -20,6 +20,7 @@ from situ_studio import places, words
 from situ_studio.actions import Actions
 from situ_studio.commands import Commands
 from situ_studio.dialogs import Dialogs
+from situ_studio.disk import DiskSide
 from situ_studio.document_view import DocumentView
 from situ_studio.edit import Document, Place
 from situ_studio.frame import Frame
@@ -64,6 +65,7 @@ class MainWindow(Frame):
         self.recovery = Recovery(session, home, self.recovered)
         self.commands = Commands(self)
         self.robot = RobotSide(self)
+        self.disk = DiskSide(self)
         self.add_commands(Actions(self.commands, self.theme, self))
         self.search.clicked.connect(self.commands.find)
         self._wire()
@@ -79,7 +81,6 @@ class MainWindow(Frame):
         session.selected.connect(self._on_undone)
         session.stack_changed.connect(self._on_stack)
         session.problems_changed.connect(self._on_problems)
-        session.changed_on_disk.connect(self._on_disk)
         self.tabs.chosen.connect(self.show_file)
         self.tabs.closed.connect(self.close_file)
         self.tabs.view_chosen.connect(self.show_mode)
@@ -177,7 +178,7 @@ class MainWindow(Frame):
             self.tabs.views.hide()
         self._settle_title()
         self._settle_problems()
-        self._settle_incomplete()
+        self.disk.settle()
         self.project_tree.show_current(self.current_file)
         self._settle_document()
 
@@ -372,7 +373,7 @@ class MainWindow(Frame):
         """A double click or Enter on a card: its form gets the focus."""
         self.fill_in(tuple(place))
 
-    # -- problems and the disk -------------------------------------------------------------
+    # -- problems -------------------------------------------------------------
 
     def _problems_of(self, file: str) -> list[Problem]:
         return self.session.problems_of(file)
@@ -422,51 +423,6 @@ class MainWindow(Frame):
         if problem.mend.file == self.current_file:
             self.select(problem.place)
         self.say(words)
-
-    def _on_disk(self, file: str) -> None:
-        if file not in self.session.dirty:
-            try:
-                self.session.take_from_disk(file)
-            except Exception as error:
-                text = self.tr("Another program changed {0}, and it has errors now: {1}")
-                self.notice.ask(
-                    text.format(file, error),
-                    (self.tr("Keep mine"), lambda: self._on_mine(file)),
-                    about=file,
-                )
-                return
-            if self.notice.about == file:
-                self.notice.hide()
-            self._settle_incomplete()
-            self.say(self.tr("{0} was changed by another program: read anew.").format(file))
-            return
-        self.notice.ask(
-            self.tr("Another program changed {0}; you have changed it too.").format(file),
-            (self.tr("Take the one on disk"), lambda: self._on_theirs(file)),
-            (self.tr("Keep mine"), lambda: self._on_mine(file)),
-            about=file,
-        )
-
-    def _on_theirs(self, file: str) -> None:
-        try:
-            self.session.take_from_disk(file)
-        except Exception as error:
-            self.dialogs.tell(str(error))
-
-    def _on_mine(self, file: str) -> None:
-        self.session.keep_mine(file)
-
-    def _settle_incomplete(self) -> None:
-        """Says that the shown file can not be changed, where that is so."""
-        file = self.current_file
-        if file is None or not self.session.is_incomplete(file):
-            self.incomplete.hide()
-            return
-        text = self.tr(
-            "{0} has errors, and what they name is not shown. It can not be changed here until "
-            "they are mended in a text editor; then it is read anew."
-        )
-        self.incomplete.ask(text.format(file))
 
     # -- bringing panels up to date ----------------------------------------------------------
 
