@@ -311,6 +311,15 @@ def test_a_paused_application_stays_paused_where_it_is_sent() -> None:
     assert run.trace.states() == [(0, "1"), (1, "2"), (2, "3")]
 
 
+def test_where_it_is_sent_while_paused_what_waits_behind_an_action_goes_on_waiting() -> None:
+    actions = """<service name="s" url="http://x/" wait="true"/><launch program="p"/>"""
+    run = Run(state("1") + state("2", actions=actions))
+    run.do(1, Pause(ANN), Goto(ANN, "2"), Finish("service"))
+    assert run.lines(1, "action") == ["1 action s"]
+    run.do(2, Resume(ANN))
+    assert run.lines(2, "action") == ["2 action p"]
+
+
 PART = application(state("p") + state("q"), "part")
 
 
