@@ -13,9 +13,18 @@ from typing import NamedTuple
 from situ.document.analysis_search import Search
 from situ.document.finding import Place
 from situ.document.project import Project
-from situ.document.rbd import AGAIN, BACK, Always, Application, Event, Screen, State, Timeout
+from situ.document.rbd import (
+    AGAIN,
+    BACK,
+    RESUMED,
+    Always,
+    Application,
+    Event,
+    Screen,
+    State,
+    Timeout,
+)
 
-RESUMED = "resumed"
 MOST = 20_000
 """Innermost states that are looked at; parts in parts can make any number of them."""
 

@@ -22,12 +22,14 @@ from difflib import get_close_matches
 from typing import NamedTuple
 
 from situ.document import words
-from situ.document.analysis_active import RESUMED, Active, Level, Run
+from situ.document.analysis_active import Active, Level, Run
 from situ.document.analysis_search import Search
 from situ.document.finding import Place
 from situ.document.mend import written
 from situ.document.problem import Change, Mend
 from situ.document.rbd import (
+    RESUMED,
+    TIMED_OUT,
     Action,
     Always,
     Button,
@@ -47,7 +49,6 @@ from situ.document.rbd import (
     Timeout,
 )
 
-TIMEOUT = "timeout"
 HERE, WAITED, SHOWN, WRITES, SOON, ANYWHERE = range(6)
 """In which states an event may be judged, from those that have what raises it."""
 
@@ -138,8 +139,8 @@ class _Expected:
             file = active.levels[number].file
             own = (*place, "timeout")
             where: Place = ("always", "timeout") if isinstance(holder, Always) else own
-            if not self.fine(run, (file, where, "next"), TIMEOUT, [active]):
-                self.open(run, Raiser(file, where, timeout, "next", TIMEOUT, HERE), [active])
+            if not self.fine(run, (file, where, "next"), TIMED_OUT, [active]):
+                self.open(run, Raiser(file, where, timeout, "next", TIMED_OUT, HERE), [active])
         for level in active.levels:
             self._events(run, active, level, level.state, ("state", level.state.no))
             always = level.always
@@ -223,7 +224,7 @@ class _Expected:
         """The events that can be judged before one that was raised: None for the unnamed."""
         found = self._own.get(id(run))
         if found is None:
-            own: set[str | None] = {None, RESUMED, TIMEOUT, "done"}
+            own: set[str | None] = {None, RESUMED, TIMED_OUT, "done"}
             for active in run.actives.values():
                 for level in active.levels:
                     own.add(f"done.{level.state.no}")

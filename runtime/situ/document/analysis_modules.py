@@ -19,7 +19,7 @@ from situ.document.analysis_ways import Ways
 from situ.document.aside import Aside
 from situ.document.check_application import used_resources
 from situ.document.finding import Place
-from situ.document.rbd import AGAIN, BACK, Robot, Sound, Speech
+from situ.document.rbd import AGAIN, BACK, Robot, Sound, Speech, resource_of
 from situ.document.spds import Situation, Spds
 
 Asks = tuple[frozenset[str], frozenset[str]]
@@ -84,7 +84,7 @@ def requests(ways: Ways, reached: set[str]) -> frozenset[Asks] | None:
         needs: set[str] = set()
         takes: set[str] = set()
         for action in state.actions:
-            resource = _resource(action)
+            resource = resource_of(action)
             if resource is not None:
                 optional = isinstance(action, (Speech, Sound, Robot)) and action.optional
                 (takes if optional else needs).add(resource)
@@ -126,12 +126,6 @@ def _shown(ways: Ways, reached: set[str]) -> dict[str, set[bool]]:
             targets = into[no] if way.next == BACK else ways.targets(way)
             waiting += [(target, after(target, is_shown)) for target in targets]
     return found
-
-
-def _resource(action: object) -> str | None:
-    if isinstance(action, (Speech, Sound)):
-        return "speech"
-    return action.resource if isinstance(action, Robot) else None
 
 
 # -- winning ---------------------------------------------------------------------

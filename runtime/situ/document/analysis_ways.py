@@ -16,11 +16,8 @@ from msgspec import Struct
 
 from situ.document.analysis_search import Search
 from situ.document.finding import Place
-from situ.document.rbd import AGAIN, BACK, Application, Event, State, Timeout
+from situ.document.rbd import AGAIN, BACK, RESUMED, Application, Event, State, Timeout
 from situ.document.satisfy import ALWAYS, NEVER, Node
-
-RESUMED = "resumed"
-"""The event that comes before all others when an application gets its resources back."""
 
 
 class Way(Struct, frozen=True, eq=False):

@@ -6,10 +6,11 @@ from situ.document import names, words
 from situ.document.analysis_data import actions, placed_actions, screens
 from situ.document.analysis_search import Search
 from situ.document.care_mend import puts
-from situ.document.care_ways import TIMEOUT, expected, few, may_be_part, serves
+from situ.document.care_ways import expected, few, may_be_part, serves
 from situ.document.datatypes import shown
 from situ.document.rbd import (
     AGAIN,
+    TIMED_OUT,
     Application,
     Button,
     Repeat,
@@ -68,7 +69,7 @@ def cut_off(search: Search, file: str, application: Application) -> None:
 
 def _leaves_by_event(application: Application, state: State) -> bool:
     for event in expected(application, state):
-        if event.name == TIMEOUT:
+        if event.name == TIMED_OUT:
             if event.next is None:
                 return False
             if event.when is None:

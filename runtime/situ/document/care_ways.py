@@ -16,6 +16,7 @@ from situ.document.analysis_search import Search
 from situ.document.project import Project
 from situ.document.rbd import (
     BACK,
+    TIMED_OUT,
     Action,
     Always,
     Application,
@@ -28,9 +29,6 @@ from situ.document.rbd import (
     State,
     Timeout,
 )
-
-TIMEOUT = "timeout"
-"""The event that a timeout without ``next`` raises."""
 
 By = Literal["hand", "time", "itself", "outside", "elsewhere"]
 
@@ -135,7 +133,7 @@ def _by(event: Event, by_hand: set[str], own: set[str], raised: set[str], part: 
         return "itself" if event.when is None else "outside"
     if event.name in by_hand:
         return "hand"
-    if event.name == TIMEOUT:
+    if event.name == TIMED_OUT:
         return "time"
     if event.name == "done" or event.name.startswith("done."):
         # A part that ends raises it; what else does raises it as any other.

@@ -228,7 +228,7 @@ def _way_back(project: Project, start: str, end: str) -> list[str] | None:
     for file in waiting:
         if file == end:
             return ways[file]
-        part = project.parts.get(file) or project.applications.get(file)
+        part = project.flow(file)
         for state in part.states if part is not None else ():
             if state.flow is not None and state.flow not in ways:
                 ways[state.flow] = [*ways[file], state.flow]

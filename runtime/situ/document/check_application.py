@@ -43,6 +43,7 @@ from situ.document.rbd import (
     State,
     Take,
     Timeout,
+    resource_of,
 )
 
 _URL = re.compile(r"https?://\S|board:[^/\s]+/\S|media:\S", re.IGNORECASE)
@@ -67,21 +68,15 @@ def used_resources(project: Project, application: Application) -> dict[str, Asid
                 used.setdefault("screen", screen.aside if one is application else Aside())
         for state in one.states:
             for action in state.actions:
-                resource = _resource(action)
+                resource = resource_of(action)
                 if resource is not None:
                     used.setdefault(resource, action.aside if one is application else Aside())
             if state.flow is not None and state.flow not in seen:
                 seen.add(state.flow)
-                part = project.parts.get(state.flow) or project.applications.get(state.flow)
+                part = project.flow(state.flow)
                 if part is not None:
                     waiting.append(part)
     return used
-
-
-def _resource(action: Action) -> str | None:
-    if isinstance(action, Robot):
-        return action.resource
-    return "speech" if isinstance(action, (Speech, Sound)) else None
 
 
 def check_application(

@@ -43,6 +43,7 @@ from situ.document.project import Project
 from situ.document.rbd import (
     AGAIN,
     BACK,
+    RESUMED,
     Action,
     Add,
     Append,
@@ -292,7 +293,7 @@ class _Flattening:
         for event in events:
             to = None if event.next is None else self.move(node, level, event.next)
             if event.next is None or to is not None:
-                if event.name == "resumed" and to is not None and node.shows:
+                if event.name == RESUMED and to is not None and node.shows:
                     self.check_resumed(node)
                 yield bare(replace(event, next=to))
             elif event.name is not None:

@@ -17,6 +17,12 @@ from situ.document.condition import Condition
 AGAIN = "#again"
 BACK = "#back"
 
+TIMED_OUT = "timeout"
+"""The event that a timeout without ``next`` raises."""
+
+RESUMED = "resumed"
+"""The event that comes before all others when an application gets its resources back."""
+
 
 class Param(Struct, frozen=True, gc=False):
     """``<param name="…">text</param>``; the text is a template (references, JSON)."""
@@ -224,6 +230,14 @@ class Repeat(Action, frozen=True, kw_only=True):
 
 VISIBLE_ACTIONS: tuple[type[Action], ...] = (Speech, Robot, Sound)
 """Those that use a resource of the robot; they belong to states, never to events."""
+
+
+def resource_of(action: Action) -> str | None:
+    """The resource that an action uses."""
+    if isinstance(action, Robot):
+        return action.resource
+    return "speech" if isinstance(action, (Speech, Sound)) else None
+
 
 # -- states ------------------------------------------------------------------
 
