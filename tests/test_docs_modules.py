@@ -10,18 +10,16 @@ import runpy
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
+from tests.live_trace import DEADLINE, find
 
 import situ
 import situ.testing
 
 ROOT = Path(__file__).parent.parent
-DEADLINE = 20.0
 PAGE = (ROOT / "docs" / "modules.md").read_text("utf-8")
 PROGRAMS = dict(re.findall(r"```python\n# (\w+\.py)\n(.*?)```", PAGE, re.DOTALL))
 
@@ -77,15 +75,6 @@ def robot(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Robot]:
 def board(robot: Robot) -> Iterator[situ.Board]:
     with situ.connect(robot.endpoint, timeout=DEADLINE) as connected:
         yield connected
-
-
-def find(events: Any, **fields: Any) -> dict[str, Any]:
-    end = time.monotonic() + DEADLINE
-    while (left := end - time.monotonic()) > 0:
-        event = events.next(left)
-        if event is not None and fields.items() <= event.items():
-            return dict(event)
-    raise AssertionError(f"no event {fields}")
 
 
 def test_every_program_of_the_page_is_run_here() -> None:

@@ -16,11 +16,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.live_trace import DEADLINE, find
 
 import situ
 
 ROOT = Path(__file__).parent.parent
-DEADLINE = 20.0
 PAGE = (ROOT / "docs" / "recognisers.md").read_text("utf-8")
 PROGRAMS = dict(re.findall(r"```python\n# (\w+\.py)\n(.*?)```", PAGE, re.DOTALL))
 
@@ -166,15 +166,6 @@ def robot(tmp_path: Path) -> Iterator[Robot]:
     running = Robot(tmp_path)
     yield running
     running.close()
-
-
-def find(events: Any, **fields: Any) -> dict[str, Any]:
-    end = time.monotonic() + DEADLINE
-    while (left := end - time.monotonic()) > 0:
-        event = events.next(left)
-        if event is not None and fields.items() <= event.items():
-            return dict(event)
-    raise AssertionError(f"no event {fields}")
 
 
 def until(listen: Any, phrase: str | None) -> list[str]:

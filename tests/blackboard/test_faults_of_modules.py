@@ -11,15 +11,13 @@ import socket
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from tests.live_trace import DEADLINE, find
 
 import situ
-
-DEADLINE = 20.0
 
 BLOCKING = """
 import sys, situ
@@ -184,16 +182,6 @@ def carry(running: Any) -> Iterator[situ.Authority]:
         connected.authority("head") as authority,
     ):
         yield authority
-
-
-def find(events: Any, **fields: Any) -> dict[str, Any]:
-    """The next event with these fields."""
-    end = time.monotonic() + DEADLINE
-    while (left := end - time.monotonic()) > 0:
-        event = events.next(left)
-        if event is not None and fields.items() <= event.items():
-            return dict(event)
-    raise AssertionError(f"no event {fields}")
 
 
 def passes(events: Any) -> None:
