@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
+from functools import lru_cache
 from itertools import islice
 
 import msgspec
@@ -96,6 +97,8 @@ def _with_time(line: bytes, moment: float) -> bytes:
     return line[:-1] + b',"time":"%s"}' % time_text(moment).encode()
 
 
+# All events of a step have one moment, and several may record or follow them.
+@lru_cache(maxsize=1)
 def time_text(moment: float) -> str:
     """RFC 3339 in UTC with microseconds: ``2026-01-02T03:04:05.678900Z``."""
     # Not by strftime: every event that is recorded or followed has one.
