@@ -23,7 +23,18 @@ ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "problems.md"
 SOURCES = ROOT / "runtime" / "situ" / "document"
 
-TELLERS = {"error", "warning", "warn", "problem", "_problem", "bad", "Finding", "Problem", "append"}
+TELLERS = {
+    "error",
+    "warning",
+    "warn",
+    "problem",
+    "_problem",
+    "bad",
+    "Finding",
+    "Found",
+    "Problem",
+    "append",
+}
 """What is called with a code, among other texts."""
 
 NO_CODES = {"utf-8", "utf-8-sig", "us-ascii", "event-driven"}
