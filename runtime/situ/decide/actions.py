@@ -15,11 +15,21 @@ from situ.decide import trace
 from situ.decide.board import reach
 from situ.decide.effects import Begin, Cancel
 from situ.decide.filling import Filling
-from situ.decide.program import Ended, Program, is_optional, name_of, resource_of
+from situ.decide.program import Ended, Program, is_optional, name_of
 from situ.decide.quick import QUICK, Perform, ready
 from situ.decide.step import FINISH
 from situ.decide.world import World
-from situ.document.rbd import Action, Launch, Movie, Repeat, Robot, Service, Sound, Speech
+from situ.document.rbd import (
+    Action,
+    Launch,
+    Movie,
+    Repeat,
+    Robot,
+    Service,
+    Sound,
+    Speech,
+    resource_of,
+)
 
 NEW, QUEUED, RUNNING, ENDED, INTERRUPTED = range(5)
 

@@ -5,8 +5,8 @@ The order is that of ``settling``: a resumption, unnamed events, then what was r
 
 from __future__ import annotations
 
-from situ.decide.machine import DONE, RESUMED, Machine
-from situ.document.rbd import BACK
+from situ.decide.machine import DONE, Machine
+from situ.document.rbd import BACK, RESUMED
 
 Passage = tuple[str, str, int | None]
 """From which state to which, by their paths, and the seq of what causes it."""

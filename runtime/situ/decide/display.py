@@ -9,7 +9,7 @@ from msgspec import UNSET, Struct
 
 from situ.decide import trace
 from situ.decide.actions import Actions
-from situ.decide.program import Program, StateProgram, shows_nothing
+from situ.decide.program import Program, StateProgram
 from situ.decide.screens import ScreenProgram, Shown
 from situ.decide.texts import translator
 from situ.decide.world import World
@@ -57,13 +57,13 @@ class Display:
         """
         base = self.state.base
         if here.screen is not None:
-            base = None if shows_nothing(here.screen.source) else here.no
+            base = None if here.screen.source.is_empty else here.no
         return None if base is None and not here.shared else (base, here.shared)
 
     def begin(self, here: StateProgram, cause: int | None) -> None:
         """The state begins: its screen is shown, unless what it wants is kept."""
         if here.screen is not None:
-            self.state.base = None if shows_nothing(here.screen.source) else here.no
+            self.state.base = None if here.screen.source.is_empty else here.no
             self._actions.state.played.clear()
         if here.screen is not None or self.wanted(here) != self.state.shown:
             self._show(here, cause)

@@ -21,13 +21,11 @@ from situ.decide.program import Candidate, Program, StateProgram
 from situ.decide.timeouts import Timeouts, TimeoutState
 from situ.decide.way import Way, find, published
 from situ.decide.world import World
-from situ.document.rbd import AGAIN, BACK, Application
+from situ.document.rbd import AGAIN, BACK, RESUMED, TIMED_OUT, Application
 
 Asked = Callable[[str, int], None]
 """Told that a module asks for something else than before, and the seq of that event."""
 
-RESUMED = "resumed"
-TIMED_OUT = "timeout"
 DONE = "done"
 
 

@@ -28,6 +28,7 @@ from situ.document.rbd import (
     Speech,
     State,
     Timeout,
+    resource_of,
 )
 
 if TYPE_CHECKING:
@@ -237,9 +238,11 @@ class Program:
         above = [
             one.always.screen
             for one in reversed(around)
-            if one.always is not None and not shows_nothing(one.always.screen)
+            if one.always is not None
+            and one.always.screen is not None
+            and not one.always.screen.is_empty
         ]
-        screens = tuple(self._screen(screen) for screen in above if screen is not None)
+        screens = tuple(self._screen(screen) for screen in above)
         number = self._numbers.setdefault(tuple(map(id, screens)), len(self.shared))
         if number == len(self.shared):
             self.shared.append(screens)
@@ -267,20 +270,8 @@ class Program:
         return len(self.actions) - 1
 
 
-def resource_of(action: Action) -> str | None:
-    """The resource that an action uses; None for those that use none."""
-    if isinstance(action, (Speech, Sound)):
-        return "speech"
-    return action.resource if isinstance(action, Robot) else None
-
-
 def is_optional(action: Action) -> bool:
     return isinstance(action, (Speech, Sound, Robot)) and action.optional
-
-
-def shows_nothing(screen: Screen | None) -> bool:
-    """Whether a screen is absent or ``<screen/>``."""
-    return screen is None or not (screen.components or screen.background or screen.touched)
 
 
 NAMES = {"service": "name", "robot": "command", "launch": "program"}

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from situ.decide.program import is_optional, name_of, resource_of
+from situ.decide.program import is_optional, name_of
 from situ.document import names, words
 from situ.document.project import Project
-from situ.document.rbd import Action, Sound, Speech
+from situ.document.rbd import Action, Sound, Speech, resource_of
 from situ.rehearse.past import Past
 from situ.rehearse.reason import Reason
 from situ.rehearse.recording import Fields

@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from situ.decide.intake import NOT_UNDERSTOOD
-from situ.decide.machine import RESUMED, TIMED_OUT
 from situ.decide.program import name_of
 from situ.document import words
 from situ.document.project import Project
-from situ.document.rbd import AGAIN, BACK, Movie
+from situ.document.rbd import AGAIN, BACK, RESUMED, TIMED_OUT, Movie
 from situ.rehearse.past import Past
 from situ.rehearse.reason import Reason, not_held
 from situ.rehearse.recording import Fields
