@@ -189,16 +189,23 @@ DARK = Theme(
 
 FAMILY = "Inter"
 FAMILIES = [FAMILY, "Noto Sans CJK JP", "Noto Sans", "sans-serif"]
-"""The bundled typeface, then one that has Japanese."""
+"""The bundled typeface, then the bundled one that has Japanese."""
+FONT_FILES = (
+    "Inter-Regular.otf",
+    "Inter-Medium.otf",
+    "Inter-SemiBold.otf",
+    "NotoSansCJKjp-Regular.otf",
+    "NotoSansCJKjp-Bold.otf",
+)
 
 CAPTION, LABEL, FORM, BODY, SECTION, PAGE, WELCOME = 11.0, 12.0, 12.5, 13.0, 15.0, 20.0, 28.0
 """Type sizes in px."""
 
 
 def load_fonts() -> None:
-    """Makes the bundled Inter known to Qt; needs a QGuiApplication. Once is enough."""
-    for weight in ("Regular", "Medium", "SemiBold"):
-        QFontDatabase.addApplicationFont(str(resource("fonts", f"Inter-{weight}.otf")))
+    """Makes the bundled typefaces known to Qt; needs a QGuiApplication. Once is enough."""
+    for file in FONT_FILES:
+        QFontDatabase.addApplicationFont(str(resource("fonts", file)))
 
 
 def font(size: float = BODY, weight: int = 400) -> QFont:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from PySide6.QtGui import QRawFont
+from PySide6.QtGui import QFontDatabase, QRawFont
 
 from situ.document.care_screen import FULL_ONES, LETTER, LETTERS, NARROW, NARROW_ONES
+from situ_studio.theme import load_fonts
 
 FONTS = Path(__file__).resolve().parents[2] / "resources" / "fonts"
 TIGHT = 0.015
@@ -25,3 +26,21 @@ def test_no_letter_is_narrower_than_the_care_lints_take_it(weight: str) -> None:
         (advance,) = font.advancesForGlyphIndexes(font.glyphIndexesForString(letter))
         assert advance.x() / 100 - TIGHT >= taken, letter
         assert not FULL_ONES.match(letter)
+
+
+@pytest.mark.parametrize(
+    ("weight", "letters"),
+    [
+        ("Regular", "はいイイエ薬を飲む。「髙橋さん」〜ｱ①"),
+        ("Bold", "はいイイエ薬を飲む。「橋本さん」〜ｱ"),
+    ],
+)
+def test_the_bundled_japanese_has_the_letters_of_texts_and_names(weight: str, letters: str) -> None:
+    font = QRawFont(str(FONTS / f"NotoSansCJKjp-{weight}.otf"), 100)
+    assert font.isValid()
+    assert [one for one in letters if not font.supportsCharacter(ord(one))] == []
+
+
+def test_the_studio_writes_japanese_with_the_bundled_letters() -> None:
+    load_fonts()
+    assert "Noto Sans CJK JP" in QFontDatabase.families(QFontDatabase.WritingSystem.Japanese)
