@@ -1,16 +1,19 @@
-"""Cards for screen readers: the viewer's children in the accessible tree (canvas.md).
+"""The drawing for screen readers: cards, transitions and actions in the accessible tree.
 
-Qt exposes no items of a graphics view by itself. One factory is installed per
-process, before a viewer is first asked for; it knows viewers by their class.
+Qt exposes no items of a graphics view by itself (canvas.md). One factory is installed
+per process, before a viewer is first asked for; it knows viewers by their class. What is
+heard are the values of ``spoken``; each one that somebody asked for has one interface.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol
 
 from PySide6.QtCore import QCoreApplication, QObject, QRect, QRectF
 from PySide6.QtGui import (
     QAccessible,
+    QAccessibleActionInterface,
     QAccessibleEvent,
     QAccessibleInterface,
     QColor,
@@ -18,102 +21,294 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAccessibleWidget
 
-from situ_studio.canvas.nodes import NodeFace
+from situ_studio.canvas.spoken import Spoken
 from situ_studio.canvas.viewer import Viewer
+from situ_studio.edit import Place
 
 INSTALLED = "situ_cards_are_accessible"
+ROLES = {
+    "node": QAccessible.Role.ListItem,
+    "action": QAccessible.Role.StaticText,
+    "transition": QAccessible.Role.Link,
+}
+MANY = 20
+"""More changes at once than these are told as one."""
+Path = tuple[str, ...]
+"""Keys from a card inwards."""
+
+
+class Speaker(Protocol):
+    """The canvas, as far as its accessible tree needs it."""
+
+    def heard(self) -> Sequence[str]:
+        """Keys of what stands at the top, in order."""
+        ...
+
+    def spoken(self, key: str) -> Spoken: ...
+    def card_area(self, uid: str) -> QRectF: ...
+    def selection(self) -> tuple[Place, ...]: ...
+    def choose(self, place: Place) -> None:
+        """As a click would."""
+        ...
+
+    def begin(self, place: Place) -> None:
+        """As a double click would."""
+        ...
 
 
 class AccessibleViewer(QAccessibleWidget):
     """The drawing: a list of its cards in document order."""
 
-    def __init__(self, viewer: Viewer) -> None:
+    def __init__(self, viewer: Viewer, speaker: Speaker) -> None:
         super().__init__(viewer, QAccessible.Role.Canvas, "Drawing")
-        self._viewer = viewer
+        self.viewer = viewer
+        self.speaker = speaker
+        self.tell: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility
+        self._keys: dict[str, int] | None = None
+        self._order: list[str] = []
+        self._values: dict[Path, tuple[Spoken, dict[str, Spoken]]] = {}
         # Qt holds no reference to what Python hands it.
-        self._cards: dict[int, AccessibleCard] = {}
+        self._parts: dict[Path, AccessiblePart] = {}
+        self._chosen: tuple[Place, ...] = ()
 
-    def _items(self) -> list[NodeFace]:
-        return list(self._viewer.cards_in_order())
+    # -- what is heard ---------------------------------------------------------------
+
+    def keys(self) -> dict[str, int]:
+        """Of the cards, each with its position."""
+        if self._keys is None:
+            self._keys = {key: index for index, key in enumerate(self.speaker.heard())}
+            self._order = list(self._keys)
+        return self._keys
+
+    def value(self, path: Path) -> Spoken | None:
+        """What is at ``path`` now; None where there is nothing any more."""
+        found = self._entry(path)
+        return found[0] if found is not None else None
+
+    def below(self, path: Path) -> list[str]:
+        """The keys of what is in it."""
+        found = self._entry(path)
+        return list(found[1]) if found is not None else []
+
+    def _entry(self, path: Path) -> tuple[Spoken, dict[str, Spoken]] | None:
+        if path not in self._values:
+            if len(path) == 1:
+                value = self.speaker.spoken(path[0]) if path[0] in self.keys() else None
+            else:
+                outer = self._entry(path[:-1])
+                value = outer[1].get(path[-1]) if outer is not None else None
+            if value is None:
+                return None
+            self._values[path] = value, {one.key: one for one in value.below()}
+        return self._values[path]
+
+    def part(self, path: Path) -> AccessiblePart | None:
+        """The interface of what is at ``path``."""
+        if self.value(path) is None:
+            return None
+        if path not in self._parts:
+            self._parts[path] = AccessiblePart(self, path)
+        return self._parts[path]
+
+    def path_of(self, place: Place) -> Path | None:
+        """Where a place of the document is heard; None where it is not."""
+        for key in self.keys():
+            top = self.value((key,))
+            if top is not None and top.place and place[: len(top.place)] == top.place:
+                return self._search((key,), top, place)
+        return None
+
+    def _search(self, path: Path, value: Spoken, place: Place) -> Path | None:
+        if value.place == place:
+            return path
+        for key in self.below(path):
+            inner = self.value((*path, key))
+            if inner is not None and place[: len(inner.place)] == inner.place:
+                return self._search((*path, key), inner, place)
+        return None
+
+    # -- what Qt asks ------------------------------------------------------------------
 
     def childCount(self) -> int:
-        return len(self._items())
+        return len(self.keys())
 
     def child(self, index: int) -> Any:
-        items = self._items()
-        return self._card(items[index]) if 0 <= index < len(items) else None
+        if not 0 <= index < self.childCount():
+            return None
+        return self.part((self._order[index],))
+
+    def childAt(self, x: int, y: int) -> Any:
+        for key in reversed(list(self.keys())):
+            found = self.part((key,))
+            if found is not None and found.rect().contains(x, y):
+                return found.childAt(x, y) or found
+        return None
+
+    def focusChild(self) -> Any:
+        chosen = self.speaker.selection()
+        path = self.path_of(chosen[0]) if len(chosen) == 1 else None
+        return self.part(path) if path is not None and self.viewer.hasFocus() else None
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
-        for index, item in enumerate(self._items()):
-            if isinstance(child, AccessibleCard) and child.item is item:
-                return index
+        if isinstance(child, AccessiblePart) and len(child.path) == 1:
+            return self.keys().get(child.path[0], -1)
         return -1
 
-    def _card(self, item: NodeFace) -> AccessibleCard:
-        kept = self._cards.get(id(item))
-        if kept is None or kept.item is not item:
-            kept = self._cards[id(item)] = AccessibleCard(self, item)
-        return kept
+    # -- what is told ------------------------------------------------------------------
+
+    def on_shown(self) -> None:
+        """The drawing shows another document: what is heard is asked for anew."""
+        old = {path: value.name for path, (value, _) in self._values.items()}
+        keys = self._keys
+        self._keys, self._values = None, {}
+        gone = [path for path in self._parts if self.value(path) is None]
+        if QAccessible.isActive():
+            for path in gone[:MANY]:
+                self._event(path, QAccessible.Event.ObjectDestroyed)
+            for path in [p for p in self._parts if p in old and p not in gone]:
+                value = self.value(path)
+                if value is not None and value.name != old[path]:
+                    self._event(path, QAccessible.Event.NameChanged)
+            new = [k for k in self.keys() if k not in keys] if keys is not None else []
+            for key in new[:MANY]:
+                self._event((key,), QAccessible.Event.ObjectCreated)
+        for path in gone:
+            self._forget(path)
+
+    def on_selected(self) -> None:
+        """Another thing is selected: the one that it is has the focus."""
+        before, self._chosen = self._chosen, self.speaker.selection()
+        if not QAccessible.isActive():
+            return
+        for places, kind in (
+            (set(before) - set(self._chosen), QAccessible.Event.SelectionRemove),
+            (set(self._chosen) - set(before), QAccessible.Event.SelectionAdd),
+        ):
+            if len(places) > MANY:
+                self.tell(QAccessibleEvent(self.viewer, QAccessible.Event.SelectionWithin))
+                continue
+            for place in sorted(places):
+                self._event(self.path_of(place), kind)
+        if len(self._chosen) == 1:
+            self._event(self.path_of(self._chosen[0]), QAccessible.Event.Focus)
+
+    def _event(self, path: Path | None, kind: QAccessible.Event) -> None:
+        part = None
+        if path is not None:
+            part = self._parts.get(path) or self.part(path)
+        if part is not None:
+            self.tell(QAccessibleEvent(part, kind))
+
+    def _forget(self, path: Path) -> None:
+        # Where an assistive program listens, Qt knows it by a number: it must not keep that.
+        part = self._parts.pop(path)
+        QAccessible.deleteAccessibleInterface(QAccessible.uniqueId(part))
+
+    def forget_all(self) -> None:
+        """The viewer is gone."""
+        for path in list(self._parts):
+            self._forget(path)
 
 
-class AccessibleCard(QAccessibleInterface):
-    """One card: what it is called, what it shows, where it is; valid while it is in the scene."""
+class AccessiblePart(QAccessibleInterface):
+    """A card, a transition or an action: what it is called, where it is, whether it is chosen.
 
-    def __init__(self, parent: AccessibleViewer, item: NodeFace) -> None:
+    It is valid while there is something at its path.
+    """
+
+    def __init__(self, drawing: AccessibleViewer, path: Path) -> None:
         super().__init__()
-        self._parent = parent
-        self.item = item
+        self._drawing = drawing
+        self.path = path
+        self._actions = PartActions(self)
+
+    @property
+    def _value(self) -> Spoken:
+        return self._drawing.value(self.path) or Spoken(self.path[-1], "node", "")
+
+    def place(self) -> Place:
+        return self._value.place
 
     def isValid(self) -> bool:
-        return self.item.scene() is not None
+        return self._drawing.value(self.path) is not None
 
     def object(self) -> Any:
         return None
 
     def window(self) -> QWindow:
-        return self._parent.window()
+        return self._drawing.window()
 
     def parent(self) -> QAccessibleInterface:
-        return self._parent
+        if len(self.path) == 1:
+            return self._drawing
+        return self._drawing.part(self.path[:-1]) or self._drawing
 
     def childCount(self) -> int:
-        return 0
+        return len(self._drawing.below(self.path))
 
     def child(self, index: int) -> Any:
-        return None
+        keys = self._drawing.below(self.path)
+        return self._drawing.part((*self.path, keys[index])) if 0 <= index < len(keys) else None
 
     def childAt(self, x: int, y: int) -> Any:
+        for index in range(self.childCount()):
+            found = self.child(index)
+            if found is not None and found.rect().contains(x, y):
+                return found
         return None
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
+        keys = self._drawing.below(self.path)
+        if isinstance(child, AccessiblePart) and child.path[:-1] == self.path:
+            return keys.index(child.path[-1]) if child.path[-1] in keys else -1
         return -1
 
     def role(self) -> QAccessible.Role:
-        return QAccessible.Role.ListItem
+        return ROLES[self._value.role]
 
     def state(self) -> QAccessible.State:
         state = QAccessible.State()
-        state.selectable = True
-        state.selected = self.item.isSelected()
+        chosen = self._drawing.speaker.selection()
+        place = self._value.place
+        state.selectable = state.focusable = True
+        state.selected = bool(place) and place in chosen
+        state.focused = state.selected and len(chosen) == 1 and self._drawing.viewer.hasFocus()
+        viewport = self._drawing.viewer.viewport()
+        seen = QRect(viewport.mapToGlobal(viewport.rect().topLeft()), viewport.size())
+        state.offscreen = not seen.intersects(self.rect())
         return state
 
     def rect(self) -> QRect:
-        viewer = self.item.viewer()
-        if viewer is None:
+        viewer = self._drawing.viewer
+        if not self.isValid():
             return QRect()
-        area = self.item.mapRectToScene(QRectF(0, 0, self.item.width, self.item.height))
-        area = viewer.mapFromScene(area).boundingRect()
-        return QRect(viewer.viewport().mapToGlobal(area.topLeft()), area.size())
+        area = self._drawing.speaker.card_area(self.path[0])
+        inner = self._value.area
+        if inner is not None:
+            area = QRectF(area.left() + inner[0], area.top() + inner[1], inner[2], inner[3])
+        found = viewer.mapFromScene(area).boundingRect()
+        return QRect(viewer.viewport().mapToGlobal(found.topLeft()), found.size())
 
     def text(self, kind: QAccessible.Text) -> str:
         if kind == QAccessible.Text.Name:
-            return str(self.item.face.hint().split("\n")[0])
-        if kind == QAccessible.Text.Description:
-            return str(self.item.face.spoken())
-        return ""
+            return self._value.name
+        return self._value.description if kind == QAccessible.Text.Description else ""
 
     def setText(self, kind: QAccessible.Text, text: str) -> None:
         return
+
+    def interface_cast(self, kind: QAccessible.InterfaceType) -> Any:
+        if kind == QAccessible.InterfaceType.ActionInterface:
+            return self._actions
+        return super().interface_cast(kind)
+
+    def do(self, name: str) -> None:
+        """``Press`` is a double click, ``SetFocus`` a click."""
+        place = self._value.place
+        if name == QAccessibleActionInterface.pressAction():
+            self._drawing.speaker.begin(place)
+        elif name == QAccessibleActionInterface.setFocusAction():
+            self._drawing.speaker.choose(place)
 
     def backgroundColor(self) -> QColor:
         return QColor()
@@ -122,8 +317,25 @@ class AccessibleCard(QAccessibleInterface):
         return QColor()
 
 
+class PartActions(QAccessibleActionInterface):
+    """What an assistive program can do with a part of the drawing."""
+
+    def __init__(self, part: AccessiblePart) -> None:
+        super().__init__()
+        self._part = part
+
+    def actionNames(self) -> list[str]:
+        return [self.pressAction(), self.setFocusAction()]
+
+    def doAction(self, actionName: str) -> None:
+        self._part.do(actionName)
+
+    def keyBindingsForAction(self, actionName: str) -> list[str]:
+        return []
+
+
 def install() -> None:
-    """Makes cards known to screen readers; once a process, further calls do nothing."""
+    """Makes drawings known to screen readers; once a process, further calls do nothing."""
     application = QCoreApplication.instance()
     if application is not None and not application.property(INSTALLED):
         application.setProperty(INSTALLED, True)
@@ -131,16 +343,9 @@ def install() -> None:
 
 
 def _factory(name: str, watched: QObject) -> Any:
-    if not isinstance(watched, Viewer):
+    if not isinstance(watched, Viewer) or watched.speaker is None:
         return None
     # Kept by what it speaks for: Qt holds no reference.
-    watched.spoken_as = AccessibleViewer(watched)
-    return watched.spoken_as
-
-
-def tell_focus(viewer: Viewer, index: int) -> None:
-    """A screen reader, if one listens, hears which card is chosen now."""
-    if QAccessible.isActive():
-        event = QAccessibleEvent(viewer, QAccessible.Event.Focus)
-        event.setChild(index)
-        QAccessible.updateAccessibility(event)
+    spoken_as = watched.spoken_as = AccessibleViewer(watched, watched.speaker)
+    watched.destroyed.connect(lambda: spoken_as.forget_all())
+    return spoken_as

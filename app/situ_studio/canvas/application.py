@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 
 from situ.document.problem import Problem
 from situ.document.rbd import Application
-from situ_studio.canvas import gestures, layout
+from situ_studio.canvas import gestures, layout, spoken
 from situ_studio.canvas.base import Canvas
 from situ_studio.canvas.cards import CardItem
 from situ_studio.canvas.live import LiveView
@@ -354,6 +354,9 @@ class ApplicationCanvas(Canvas):
     def edit_name(self, uid: str) -> None:
         if self._picture.cards[uid].no:
             super().edit_name(uid)
+
+    def spoken(self, uid: str) -> spoken.Spoken:
+        return spoken.card(self.document, self._picture.cards[uid])
 
     # -- places --------------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
 from situ_studio import kinds
-from situ_studio.canvas import accessible, walk
+from situ_studio.canvas import accessible, spoken, walk
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.overlay import InPlace, MiniMap, ZoomBar, name_editor
@@ -52,9 +52,7 @@ class Canvas(QWidget):
         self.graph = Graph(self.viewer, self.look, self._item_kind)
         self.viewer.straight_lines = self.graph.lines
         self.viewer.on_key = self._key
-        self.viewer.cards_in_order = lambda: [
-            self.graph.nodes[uid].view for uid in self.graph.cards
-        ]
+        self.viewer.speaker = self
         self.document: Any = None
         self._problems: tuple[Problem, ...] = ()
         self._told: tuple[Place, ...] = ()
@@ -135,6 +133,8 @@ class Canvas(QWidget):
             self._quiet -= 1
         if self._editor is not None and self._editor.key not in cards:
             self._editor.close_editor()
+        if self.viewer.spoken_as is not None:
+            self.viewer.spoken_as.on_shown()
         self._moved_timer.stop()
         few = len(links) <= self.few or first or 3 * len(changed) > len(cards)
         self._route(None if few else changed)
@@ -349,10 +349,34 @@ class Canvas(QWidget):
         if now != self._told:
             self._told = now
             self.minimap.redraw()
-            uids = self.selected_uids()
-            if len(uids) == 1:
-                accessible.tell_focus(self.viewer, list(self.graph.cards).index(uids[0]))
+            if self.viewer.spoken_as is not None:
+                self.viewer.spoken_as.on_selected()
             self.selection_changed.emit(now)
+
+    # -- for screen readers ------------------------------------------------------------------
+
+    def heard(self) -> Sequence[str]:
+        """The uids of what is heard of the drawing, in document order."""
+        return list(self.graph.cards)
+
+    def spoken(self, uid: str) -> spoken.Spoken:
+        """What is heard of a card."""
+        return spoken.node(self.graph.cards[uid], self._place(uid))
+
+    def choose(self, place: Place) -> None:
+        """As a click there would: selects it, in view, with the focus; an action in its card."""
+        self.viewer.setFocus()
+        self.select([place])
+        uid, _ = self._find(place)
+        if uid is not None:
+            self.viewer.reveal(self.card_area(uid))
+        if self.selection() != (place,):
+            self.selection_changed.emit((place,))
+
+    def begin(self, place: Place) -> None:
+        """As a double click there would: its form gets the focus."""
+        self.choose(place)
+        self.activated.emit(place)
 
     # -- mouse and keys ---------------------------------------------------------------------
 

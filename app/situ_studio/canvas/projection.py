@@ -124,9 +124,14 @@ class Card(Struct, frozen=True):
         return "\n".join(parts)
 
     def spoken(self) -> str:
-        """The card for those who hear it: what it says, and where its exits lead."""
-        ways = [f"{e.label} {'leads to ' + e.next if e.next else 'stays'}" for e in self.exits]
-        return "; ".join(part for part in (self.line, *ways) if part)
+        """The card for those who hear it: what it is and says, and where its exits lead."""
+        ways = [
+            f"{'after ' * e.timeout}{e.label} {'leads to ' + e.next if e.next else 'stays'}"
+            for e in self.exits
+        ]
+        kind = self.kind if self.kind in ("start", "end", "part") else ""
+        mark = {"error": "has an error", "warning": "has a warning"}.get(self.mark, "")
+        return "; ".join(part for part in (kind, mark, self.line, *ways) if part)
 
     def exit(self, name: str) -> Exit | None:
         return next((e for e in self.exits if e.id == name), None)

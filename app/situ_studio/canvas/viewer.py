@@ -7,7 +7,7 @@ then turns it into one edit or none and puts the picture back to the document.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
@@ -80,7 +80,7 @@ class Viewer(Ground):
         self._space = False
         self._pressed: tuple[QPoint, Any] | None = None
         self._travelled = False
-        self.cards_in_order: Callable[[], Iterable[NodeFace]] = tuple
+        self.speaker: Any = None
         self.spoken_as: Any = None
         self.held = Qt.KeyboardModifier.NoModifier
         self.on_key: Callable[[QKeyEvent], bool] = lambda event: False

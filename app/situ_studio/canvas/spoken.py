@@ -1,0 +1,121 @@
+"""What a screen reader hears of a drawing: cards, and in them their actions and ways out. No Qt.
+
+A thing's name alone says what it is; its description says the rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, Literal
+
+from msgspec import Struct
+
+from situ.document import rbd, words
+from situ.document.rbd import Application
+from situ_studio import kinds, places
+from situ_studio.canvas.projection import LINE, PITCH, TIMEOUT, WIDTH, Card, Exit
+from situ_studio.edit import Place
+
+Role = Literal["node", "action", "transition"]
+Area = tuple[float, float, float, float]
+"""Left, top, width and height, from the corner of the card."""
+SPEECH_LINE: Area = (8, 31, WIDTH - 16, LINE)
+"""Where a card shows in words what it does first."""
+ICONS = 92.0
+"""The upper edge of a card's icons."""
+
+
+class Spoken(Struct, frozen=True):
+    """One thing that is heard. key: its name among its neighbours; area: None is the whole card.
+
+    below: what is in it, made when somebody asks.
+    """
+
+    key: str
+    role: Role
+    name: str
+    description: str = ""
+    place: Place = ()
+    area: Area | None = None
+    below: Callable[[], Sequence[Spoken]] = tuple
+
+
+def node(face: Any, place: Place, below: Callable[[], Sequence[Spoken]] = tuple) -> Spoken:
+    """A card of either canvas."""
+    name = face.hint().split("\n")[0]
+    return Spoken(face.uid, "node", name, face.spoken(), place, None, below)
+
+
+def card(application: Application, face: Card) -> Spoken:
+    """A state, or what is part of every state, with its actions and then its transitions."""
+    return node(face, face.place, partial(_inside, application, face))
+
+
+def _inside(application: Application, face: Card) -> tuple[Spoken, ...]:
+    value = places.get(application, face.place)
+    owner = f"state {face.no}" if face.no else "every state"
+    actions = [
+        _action(
+            action,
+            f"action {index}",
+            (*face.place, "action", str(index)),
+            f"on entry of {owner}",
+            _icon_area(face, action),
+        )
+        for index, action in enumerate(getattr(value, "actions", ()))
+    ]
+    return (*actions, *(_transition(application, face, owner, e) for e in face.exits))
+
+
+def _transition(application: Application, face: Card, owner: str, leaving: Exit) -> Spoken:
+    tail = (TIMEOUT,) if leaving.timeout else ("event", leaving.id)
+    place = (*face.place, *tail)
+    event = places.get(application, place)
+    more = [f"only if {leaving.guard}"] if leaving.guard else []
+    more += [f"said as {words.quoted(say.text)}" for say in getattr(event, "says", ())]
+    name = f"after {leaving.label}" if leaving.timeout else leaving.label
+    _, y = face.port(leaving.id)
+    area = (WIDTH * 0.35, y - PITCH / 2, WIDTH * 0.65, PITCH)
+    return Spoken(
+        key=leaving.id,
+        role="transition",
+        name=f"{name} {_goal(application, leaving)}",
+        description="; ".join((f"transition of {owner}", *more)),
+        place=place,
+        area=area,
+        below=partial(_on_the_way, getattr(event, "actions", ()), place, area),
+    )
+
+
+def _goal(application: Application, leaving: Exit) -> str:
+    if leaving.next is None:
+        return "stays"
+    if leaving.next == rbd.AGAIN:
+        return "begins the same state anew"
+    if leaving.next == rbd.BACK:
+        return "leads back"
+    missing = ", which does not exist" if leaving.missing else ""
+    return f"leads to {words.leads(application, leaving.next)}{missing}"
+
+
+def _on_the_way(actions: Sequence[rbd.Action], place: Place, area: Area) -> tuple[Spoken, ...]:
+    return tuple(
+        _action(action, str(index), (*place, "action", str(index)), "on the way", area)
+        for index, action in enumerate(actions)
+    )
+
+
+def _action(action: rbd.Action, key: str, place: Place, when: str, area: Area) -> Spoken:
+    name, whole = words.whole_action(action), words.action(action)
+    more = [whole] if whole not in name else []
+    more += [f"then {action.done}"] if action.done else []
+    more += [f"{action.failed} if it fails"] if action.failed else []
+    return Spoken(key, "action", name, "; ".join((f"action {when}", *more)), place, area)
+
+
+def _icon_area(face: Card, action: rbd.Action) -> Area:
+    kind = kinds.kind_of(action)
+    if kind is None or kind.icon not in face.icons:
+        return SPEECH_LINE
+    return 8.0 + 19 * face.icons.index(kind.icon), ICONS, 14.0, 14.0
