@@ -8,7 +8,7 @@ or saved (architecture, idea 1).
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from datetime import datetime
 from pathlib import Path
 
@@ -29,13 +29,21 @@ from situ_studio.edit import Document, Edit, Place
 
 Selection = tuple[Place, ...]
 
+Looking = tuple[float, float, float]
+"""Where a canvas looks: its zoom, and the scene's point in its upper left corner."""
+
 
 class Step(Struct):
-    """An edit with what was selected before and after it, so that undo brings that back too."""
+    """What one gesture changed, with what was selected before and after it and where the canvas
+    looked, so that undo and redo bring that back too.
 
-    edit: Edit
+    edits: one a document; the first is that of the document in which it was done.
+    """
+
+    edits: tuple[Edit, ...]
     before: Selection = ()
     after: Selection = ()
+    looking: Looking | None = None
 
 
 class Session(QObject):
@@ -48,8 +56,8 @@ class Session(QObject):
     """Another project is open."""
     changed = Signal(str)
     """The document of that file is another value now."""
-    selected = Signal(str, tuple)
-    """Undo or redo brought this selection of that file back."""
+    selected = Signal(str, tuple, object)
+    """Undo or redo brought this selection of that file back, and where its canvas looked."""
     stack_changed = Signal()
     """What can be undone, redone or saved is not what it was."""
     problems_changed = Signal()
@@ -162,33 +170,66 @@ class Session(QObject):
 
     # -- the undo stack ----------------------------------------------------------
 
-    def commit(self, file: str, after: Document, text: str, selected: Selection = ()) -> bool:
+    def commit(
+        self,
+        file: str,
+        after: Document,
+        text: str,
+        selected: Selection = (),
+        looking: Looking | None = None,
+    ) -> bool:
         """Makes ``after`` the document of ``file``, as one named step; False where it already is,
         or where the document is incomplete.
 
-        selected: what was selected before. Documents that differ only in positions or notes are
+        selected, looking: as it was before. Documents that differ only in positions or notes are
         equal, so identity decides.
         """
-        return not self.is_incomplete(file) and self._commit(file, after, text, selected)
+        return self.commit_all({file: after}, text, selected, looking)
 
-    def _commit(self, file: str, after: Document, text: str, selected: Selection = ()) -> bool:
-        before = self._value(file)
-        if after is before:
+    def commit_all(
+        self,
+        changed: Mapping[str, Document],
+        text: str,
+        selected: Selection = (),
+        looking: Looking | None = None,
+    ) -> bool:
+        """Changes several documents as one named step, as ``commit`` does one.
+
+        changed: the file in which it was done stands first. None is changed, and the answer is
+        False, where one of them is incomplete.
+        """
+        if any(self.is_incomplete(file) for file in changed):
+            return False
+        return self._commit(changed, text, selected, looking)
+
+    def _commit(
+        self,
+        changed: Mapping[str, Document],
+        text: str,
+        selected: Selection = (),
+        looking: Looking | None = None,
+    ) -> bool:
+        every = ((file, self._value(file), after) for file, after in changed.items())
+        edits = tuple(
+            Edit(f, before, after, text) for f, before, after in every if after is not before
+        )
+        if not edits:
             return False
         del self._steps[self._at :]
-        self._steps.append(Step(Edit(file, before, after, text), selected, selected))
+        self._steps.append(Step(edits, selected, selected, looking))
         self._at += 1
-        self._exchange(file, after)
+        for edit in edits:
+            self._exchange(edit.file, edit.after)
         return True
 
     @property
     def undo_text(self) -> str | None:
         """The name of the step that undo takes back; None where there is none."""
-        return self._steps[self._at - 1].edit.text if self._at else None
+        return self._steps[self._at - 1].edits[0].text if self._at else None
 
     @property
     def redo_text(self) -> str | None:
-        return self._steps[self._at].edit.text if self._at < len(self._steps) else None
+        return self._steps[self._at].edits[0].text if self._at < len(self._steps) else None
 
     def undo(self, selected: Selection = ()) -> None:
         """Takes the last step back; does nothing where there is none.
@@ -200,8 +241,9 @@ class Session(QObject):
         self._at -= 1
         step = self._steps[self._at]
         step.after = selected
-        self._exchange(step.edit.file, step.edit.before)
-        self.selected.emit(step.edit.file, step.before)
+        for edit in reversed(step.edits):
+            self._exchange(edit.file, edit.before)
+        self.selected.emit(step.edits[0].file, step.before, step.looking)
 
     def redo(self) -> None:
         """Does the step again that undo took back last; does nothing where there is none."""
@@ -209,8 +251,9 @@ class Session(QObject):
             return
         step = self._steps[self._at]
         self._at += 1
-        self._exchange(step.edit.file, step.edit.after)
-        self.selected.emit(step.edit.file, step.after)
+        for edit in step.edits:
+            self._exchange(edit.file, edit.after)
+        self.selected.emit(step.edits[0].file, step.after, step.looking)
 
     @property
     def dirty(self) -> list[str]:
@@ -263,7 +306,7 @@ class Session(QObject):
             raise UsageError(f"{file}: of another kind now")
         self._on_disk[file] = hashlib.sha256(data).digest()
         self._saved[file] = document
-        self._commit(file, document, self.tr("Take {0} from disk").format(file))
+        self._commit({file: document}, self.tr("Take {0} from disk").format(file))
 
     def keep_mine(self, file: str) -> None:
         """The document here goes before what another program wrote: the next save overwrites it."""

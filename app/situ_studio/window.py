@@ -28,7 +28,7 @@ from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.recovery import Recovery
 from situ_studio.robot import RobotSide
-from situ_studio.session import Session
+from situ_studio.session import Looking, Session
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Lexicon
 from situ_studio.welcome import Example
@@ -302,7 +302,9 @@ class MainWindow(Frame):
             return
         view = self.views.get(file)
         if not self.session.is_incomplete(file):
-            self.session.commit(file, after, text, view.selected if view is not None else ())
+            selected = view.selected if view is not None else ()
+            looking = view.call("looking") if view is not None else None
+            self.session.commit(file, after, text, selected, looking)
             return
         self.say(self.tr("{0} has errors: it can be read, not changed.").format(stem(file)))
         document = self.session.document(file)
@@ -328,7 +330,7 @@ class MainWindow(Frame):
             self._settle_document()
         self._refresh_tree()
 
-    def _on_undone(self, file: str, selected: tuple[Place, ...]) -> None:
+    def _on_undone(self, file: str, selected: tuple[Place, ...], looking: Looking | None) -> None:
         self.open_file(file)
         view = self.current_view
         document = self.current_document
@@ -336,6 +338,9 @@ class MainWindow(Frame):
             chosen = tuple(p for p in selected if places.get(document, p) is not None)
             view.select(chosen)
             view.selected = chosen
+            if looking is not None:
+                view.call("look_at", looking)
+            view.call("bring_into_view", chosen)
             self._settle_selection()
 
     def _on_stack(self) -> None:

@@ -192,6 +192,17 @@ class Canvas(QWidget):
         """Around the middle of the canvas."""
         self.viewer.zoom_to(factor)
 
+    def looking(self) -> tuple[float, float, float]:
+        """Where it looks: the zoom, and the scene's point in the upper left corner."""
+        corner = self.viewer.seen().topLeft()
+        return self.look.zoom, corner.x(), corner.y()
+
+    def look_at(self, looking: tuple[float, float, float]) -> None:
+        """Looks where ``looking`` said."""
+        zoom, left, top = looking
+        size = QSizeF(self.viewer.viewport().size()) / zoom
+        self.viewer.show_area(QRectF(QPointF(left, top), size), zoom)
+
     def zoom_to_fit(self) -> None:
         """The whole drawing, at most at 100 %."""
         self.viewer.show_area(self.extent().adjusted(-24, -24, 24, 8), below=BAR)
@@ -205,13 +216,23 @@ class Canvas(QWidget):
         else:
             self.viewer.show_area(QRectF(area.topLeft(), QSizeF(size) / 0.8), 0.8)
 
-    def zoom_to(self, places: Iterable[Place]) -> None:
-        """Cards of these places, moved into view; zoomed out only where they do not fit."""
+    def _area_of(self, places: Iterable[Place]) -> QRectF:
         area = QRectF()
         for place in places:
             uid, _ = self._find(place)
             if uid is not None:
                 area = area.united(self.card_area(uid))
+        return area
+
+    def bring_into_view(self, places: Iterable[Place]) -> None:
+        """Moves the drawing as far as needed so that the cards of these places are seen."""
+        area = self._area_of(places)
+        if not area.isEmpty() and not self.viewer.seen().contains(area):
+            self.viewer.reveal(area)
+
+    def zoom_to(self, places: Iterable[Place]) -> None:
+        """Cards of these places, moved into view; zoomed out only where they do not fit."""
+        area = self._area_of(places)
         if not area.isEmpty():
             wide = self.viewer.seen()
             if area.width() > wide.width() or area.height() > wide.height():
