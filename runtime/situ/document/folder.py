@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from msgspec.structs import replace
 
@@ -58,6 +59,20 @@ def load(path: str | Path) -> tuple[Project | None, list[Problem]]:
     return _Loading(given.parent).single(given.name, _bytes(given, path))
 
 
+def load_texts(texts: Mapping[str, str], root: str = ".") -> tuple[Project | None, list[Problem]]:
+    """As ``load``, of the texts of a project's files by their paths in it, as ``sources`` gives
+    them, ``robot.local.toml`` too where there is one. root: where it would lie; nothing is read
+    there. Without a ``situ.toml`` the first is the document.
+    """
+    loading = _Loading(Path(root), _Held(texts))
+    if PROJECT_FILE in texts:
+        return loading.project(_Held(texts).read(PROJECT_FILE))
+    for first in texts:
+        return loading.single(first, _Held(texts).read(first))
+    said = f"There are no files: give the texts of a project, its {PROJECT_FILE} among them"
+    return None, [Problem(file=root, code="missing-file", message=said)]
+
+
 def sources(project: Project) -> dict[str, str]:
     """The texts of a project's files as they lie there, by their paths in it: settings, documents,
     parts, translations. OSError where one is gone.
@@ -71,14 +86,19 @@ def sources(project: Project) -> dict[str, str]:
 
 def resolve(root: str | Path, path: str) -> Path | None:
     """Where a path of a project lies, links followed; None where it leaves the folder ``root``."""
-    if not path or "\\" in path or "\0" in path or Path(path).is_absolute():
-        return None
-    if ".." in Path(path).parts:
+    if not stays_inside(path):
         return None
     # Path.resolve raises where links go in a circle, in some Pythons.
     home = os.path.realpath(root)
     found = Path(os.path.realpath(os.path.join(home, path)))
     return found if found.is_relative_to(home) else None
+
+
+def stays_inside(path: str) -> bool:
+    """Whether a path, by its words alone, is one of a project."""
+    if not path or "\\" in path or "\0" in path or Path(path).is_absolute():
+        return False
+    return ".." not in Path(path).parts
 
 
 def called(root: str, file: str) -> str:
@@ -139,11 +159,58 @@ def _bytes(file: Path, given: str | Path) -> bytes:
         raise UsageError(f"{file}: cannot be read: {_reason(error)}") from error
 
 
+class _Files(Protocol):
+    """Where the files of a project are, by their paths in it."""
+
+    def inside(self, path: str) -> bool: ...
+
+    def has(self, path: str) -> bool: ...
+
+    def read(self, path: str) -> bytes:
+        """Raises OSError."""
+
+
+class _Lying:
+    """In their folder."""
+
+    def __init__(self, root: Path) -> None:
+        self._root = root
+
+    def inside(self, path: str) -> bool:
+        return resolve(self._root, path) is not None
+
+    def has(self, path: str) -> bool:
+        place = resolve(self._root, path)
+        return place is not None and place.is_file()
+
+    def read(self, path: str) -> bytes:
+        return (self._root / path).read_bytes()
+
+
+class _Held:
+    """As texts."""
+
+    def __init__(self, texts: Mapping[str, str]) -> None:
+        self._texts = texts
+
+    def inside(self, path: str) -> bool:
+        return stays_inside(path)
+
+    def has(self, path: str) -> bool:
+        return path in self._texts
+
+    def read(self, path: str) -> bytes:
+        if path not in self._texts:
+            raise FileNotFoundError(path)
+        return self._texts[path].encode(errors="replace")
+
+
 class _Loading:
     """One ``load``: gathers the problems of all files."""
 
-    def __init__(self, root: Path) -> None:
+    def __init__(self, root: Path, files: _Files | None = None) -> None:
         self.root = root
+        self.files = files if files is not None else _Lying(root)
         self.problems: list[Problem] = []
 
     def called(self, file: str) -> str:
@@ -212,7 +279,7 @@ class _Loading:
 
     def local(self) -> ProjectFile | None:
         try:
-            data = (self.root / LOCAL_FILE).read_bytes()
+            data = self.files.read(LOCAL_FILE)
         except FileNotFoundError:
             return None
         except OSError as error:
@@ -237,13 +304,12 @@ class _Loading:
         """The document in a file that ``[project]`` names, None where there is none."""
         if file is None:
             return None
-        place = resolve(self.root, file)
-        if place is None:
+        if not self.files.inside(file):
             said = f"{file} leads out of the project: its files lie inside its folder"
             toml.problem("path-outside", said, "project", key, file)
             return None
         try:
-            data = place.read_bytes()
+            data = self.files.read(file)
         except (FileNotFoundError, IsADirectoryError, NotADirectoryError):
             said = f"There is no file {file}: add it, or take it out here"
             toml.problem("missing-file", said, "project", key, file)
@@ -264,8 +330,7 @@ class _Loading:
         path: str | None = toml.get("project", key)
         if path is None:
             return None
-        place = resolve(self.root, path)
-        if place is None:
+        if not self.files.inside(path):
             said = f"{path} leads out of the project: its files lie inside its folder"
             toml.problem("path-outside", said, "project", key, path)
             return None
@@ -275,13 +340,13 @@ class _Loading:
         found: dict[str, dict[str, str]] = {}
         for language in languages:
             file = f"{TEXTS_FOLDER}/{language}.po"
-            place = resolve(self.root, file)
-            if place is None or not language.replace("-", "").replace("_", "").isalnum():
+            is_code = language.replace("-", "").replace("_", "").isalnum()
+            if not is_code or not self.files.inside(file):
                 said = f"{shown(language)} is no language: write a code such as ja or pt-BR"
                 toml.problem("bad-value", said, "project", "languages", language)
                 continue
             try:
-                data = place.read_bytes()
+                data = self.files.read(file)
             except FileNotFoundError:
                 continue
             except OSError as error:
@@ -302,11 +367,10 @@ class _Loading:
                 if file is None or file in seen:
                     continue
                 seen.add(file)
-                place = resolve(self.root, file)
-                if place is None or not place.is_file():
+                if not (self.files.inside(file) and self.files.has(file)):
                     continue
                 try:
-                    data = place.read_bytes()
+                    data = self.files.read(file)
                 except OSError as error:
                     self.unreadable(file, error)
                     continue
