@@ -270,6 +270,23 @@ COMMANDS: tuple[Command, ...] = (
         choice="theme",
         checked="has_theme",
     ),
+    _c(
+        "next_panel",
+        "Next panel",
+        "next_panel",
+        argument=1,
+        shortcut="F6",
+        menu="View",
+        rule=True,
+    ),
+    _c(
+        "previous_panel",
+        "Panel before",
+        "next_panel",
+        argument=-1,
+        shortcut="Shift+F6",
+        menu="View",
+    ),
     *_INSERT,
     _c(
         "align.left",

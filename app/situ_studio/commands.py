@@ -261,6 +261,9 @@ class Commands(QObject):
         if view is not None:
             view.call("zoom_to", view.selected)
 
+    def next_panel(self, way: int) -> None:
+        self._window.next_panel(way)
+
     def choose_theme(self, choice: str) -> None:
         self._window.choose_theme(choice)
 

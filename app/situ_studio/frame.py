@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ_studio import tab_order
 from situ_studio.actions import Actions
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
@@ -201,6 +202,32 @@ class Frame(QMainWindow):
         bar.addWidget(self.search)
         bar.addWidget(_spring())
         self.actions_.fill_toolbar(bar, "right")
+
+    # -- the focus ----------------------------------------------------------------------------
+
+    @property
+    def panels_in_order(self) -> tuple[QWidget, ...]:
+        """From the toolbar by the left, the middle and the right to the lower edge."""
+        sides = ("project", "outline", "palette")
+        left = (w for name in sides for w in (self.headers[name], self.docks[name].widget()))
+        return (
+            self.toolbar,
+            *left,
+            self.welcome,
+            self.tabs,
+            *(self.recovered, self.incomplete, self.notice),
+            self.documents,
+            *(self.inspector.header, self.inspector),
+            *(self.bottom.strip, self.bottom),
+            self.status,
+        )
+
+    def focusNextPrevChild(self, next: bool) -> bool:
+        return tab_order.next_stop(self.panels_in_order, 1 if next else -1)
+
+    def next_panel(self, way: int) -> None:
+        """The focus goes to the next panel (1), or to the one before (-1)."""
+        tab_order.next_panel(self.panels_in_order, way)
 
     # -- looks --------------------------------------------------------------------------------
 

@@ -1,0 +1,76 @@
+"""Where Tab and F6 go: widget by widget as one reads, panel by panel round the window.
+
+Forms are built anew at each selection, and Qt's own order is that of building.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtWidgets import QApplication, QWidget
+
+REASONS = {1: Qt.FocusReason.TabFocusReason, -1: Qt.FocusReason.BacktabFocusReason}
+
+
+def reading_order(areas: Sequence[QRect]) -> list[int]:
+    """Positions of the areas line by line, from left to right in each.
+
+    Two share a line where the middle of one lies between the upper and lower edge of the other.
+    """
+    waiting = sorted(range(len(areas)), key=lambda i: (areas[i].center().y(), areas[i].left()))
+    ordered: list[int] = []
+    while waiting:
+        first = areas[waiting[0]]
+        line = [i for i in waiting if first.top() <= areas[i].center().y() <= first.bottom()]
+        ordered += sorted(line, key=lambda i: areas[i].left())
+        waiting = [i for i in waiting if i not in line]
+    return ordered
+
+
+def stops(panel: QWidget) -> list[QWidget]:
+    """The widgets of a panel at which Tab stops, as one reads."""
+    found = [w for w in (panel, *panel.findChildren(QWidget)) if _stops_at(w)]
+    areas = [QRect(w.mapTo(panel, QPoint()), w.size()) for w in found]
+    return [found[i] for i in reading_order(areas)]
+
+
+def _stops_at(widget: QWidget) -> bool:
+    takes = widget.focusPolicy() & Qt.FocusPolicy.TabFocus
+    return bool(takes) and widget.isVisible() and widget.isEnabled() and not widget.focusProxy()
+
+
+def next_stop(panels: Iterable[QWidget], way: int) -> bool:
+    """Moves the focus one widget on (1) or back (-1), round the end; False where none takes it."""
+    every = [w for panel in panels if panel.isVisible() for w in stops(panel)]
+    return _focus(every, _now(every), way)
+
+
+def next_panel(panels: Iterable[QWidget], way: int) -> bool:
+    """Moves the focus to the first widget of the next panel that has one."""
+    firsts: list[QWidget] = []
+    here = -1
+    for panel in panels:
+        inside = stops(panel) if panel.isVisible() else []
+        if inside:
+            if _now(inside) >= 0:
+                here = len(firsts)
+            firsts.append(inside[0])
+    return _focus(firsts, here, way)
+
+
+def _now(every: Sequence[QWidget]) -> int:
+    """The position of what has the focus, or holds it; -1 where none does."""
+    focus = QApplication.focusWidget()
+    for index, widget in enumerate(every):
+        if focus is not None and (widget is focus or widget.isAncestorOf(focus)):
+            return index
+    return -1
+
+
+def _focus(every: Sequence[QWidget], here: int, way: int) -> bool:
+    if not every:
+        return False
+    at = here + way if here >= 0 else (0 if way > 0 else -1)
+    every[at % len(every)].setFocus(REASONS[way])
+    return True
