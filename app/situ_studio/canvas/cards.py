@@ -148,10 +148,33 @@ class CardItem(NodeFace):
             self._paint_tiny(painter, look)
         elif level == "quarter":
             self._paint_quarter(painter, look)
-        elif level == "half":
+        elif widget is None or self._changes(look):
+            # A picture for print keeps its lines; what a robot does to a card is another each time.
+            self._paint_near(painter)
+        else:
+            state = (
+                look.version,
+                level,
+                look.live is None,
+                self.isSelected(),
+                self.isUnderMouse(),
+                self.hovered,
+                self.row,
+            )
+            look.pictures.paint(painter, self.uid, self.face, state, self._rect, self._paint_near)
+
+    def _paint_near(self, painter: QPainter) -> None:
+        look = self.look
+        assert look is not None
+        if look.level == "half":
             self._paint_half(painter, look)
         else:
             self._paint_full(painter, look)
+
+    def _changes(self, look: Look) -> bool:
+        """Whether the card shows what differs from moment to moment."""
+        live, no = look.live, self.face.no
+        return isinstance(live, LiveView) and (no in live.active or no in live.counts)
 
     def _live(self, look: Look) -> bool:
         return isinstance(look.live, LiveView) and self.face.no in look.live.active

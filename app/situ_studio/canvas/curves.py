@@ -7,7 +7,6 @@ from typing import Any
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, Qt
 from PySide6.QtWidgets import (
-    QGraphicsItem,
     QGraphicsPathItem,
     QGraphicsSceneMouseEvent,
     QStyleOptionGraphicsItem,
@@ -16,7 +15,7 @@ from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas.cards import arrow
 from situ_studio.canvas.live import LiveScript
-from situ_studio.canvas.pipes import HIT, RoutedPipe
+from situ_studio.canvas.pipes import HIT, UNDER, RoutedPipe
 from situ_studio.canvas.routes import Route
 from situ_studio.canvas.script_projection import Inherited, ScriptLink
 from situ_studio.canvas.style import Label, Look
@@ -43,8 +42,8 @@ class CurvedPipe(RoutedPipe):
 
     link: ScriptLink
 
-    def __init__(self, look: Look, parent: QGraphicsItem) -> None:
-        super().__init__(look, parent)
+    def __init__(self, look: Look) -> None:
+        super().__init__(look)
         self._part = 0.5
         self._pill_text: Label | None = None
 
@@ -149,14 +148,14 @@ class CurvedPipe(RoutedPipe):
 class InheritedPipe(QGraphicsPathItem):
     """A priority that the selected situation takes over: pale and dashed, not in the document."""
 
-    def __init__(self, look: Look, value: Inherited, parent: QGraphicsItem) -> None:
-        super().__init__(parent)
+    def __init__(self, look: Look, value: Inherited) -> None:
+        super().__init__()
         self.look = look
         self.value = value
         self._text = Label(str(value.priority), 11, 500)
         self._end = QPointF()
         self._part = 0.4
-        self.setZValue(-0.5)
+        self.setZValue(UNDER - 0.5)
 
     def set_curve(self, start: QPointF, end: QPointF, part: float) -> None:
         self.prepareGeometryChange()

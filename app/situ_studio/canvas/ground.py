@@ -30,7 +30,7 @@ ZOOM_LEAST, ZOOM_MOST = 0.04, 4.0
 
 class Ground(NodeViewer):
     """straight_lines: every pipe as a QLineF, and those just taken, for where cards are small.
-    on_ground: draws on the ground, under everything. layer: holds all pipes.
+    on_ground: draws on the ground, under everything.
     """
 
     # NodeGraphQt's own, untyped.
@@ -42,12 +42,11 @@ class Ground(NodeViewer):
 
     def __init__(self, look: Look, parent: Widget | None = None) -> None:
         self.look = look
-        self.layer = Layer()
+        self._pipes: set[QGraphicsItem] = set()
         self.straight_lines: Callable[[], tuple[list[Any], list[Any]]] = lambda: ([], [])
         self.on_ground: Callable[[QPainter], None] | None = None
         self._dots: tuple[int, QPixmap] | None = None
         super().__init__(parent)
-        self.scene().addItem(self.layer)
         self.setFrameShape(QGraphicsView.Shape.NoFrame)
         self.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
         self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.SmartViewportUpdate)
@@ -57,6 +56,27 @@ class Ground(NodeViewer):
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontSavePainterState, True)
         self.setMinimumSize(120, 90)
+
+    # -- pipes ----------------------------------------------------------------------------
+
+    def _shows_pipes(self) -> bool:
+        return self.look.level in ("full", "half")
+
+    def hold_pipe(self, pipe: QGraphicsItem) -> None:
+        """Puts a pipe into the scene, seen where pipes are not drawn as straight lines.
+
+        Not under one parent: Qt finds what is seen and what is hit by place only among items
+        that have none, and would ask every pipe at each frame and each move of the mouse.
+        """
+        pipe.setVisible(self._shows_pipes())
+        self._pipes.add(pipe)
+        self.scene().addItem(pipe)
+
+    def release_pipe(self, pipe: QGraphicsItem) -> None:
+        """Takes a pipe out of the scene."""
+        self._pipes.discard(pipe)
+        if pipe.scene() is not None:
+            self.scene().removeItem(pipe)
 
     def seen(self) -> QRectF:
         """The part of the scene that is in the window."""
@@ -78,7 +98,8 @@ class Ground(NodeViewer):
             self.setTransform(QTransform.fromScale(zoom, zoom))
         changed = self.look.zoom != zoom
         if self.look.set_zoom(zoom, self.devicePixelRatioF()):
-            self.layer.setVisible(self.look.level in ("full", "half"))
+            for pipe in self._pipes:
+                pipe.setVisible(self._shows_pipes())
         if changed:
             self.zoomed.emit(zoom)
         self.looked.emit()
@@ -213,18 +234,3 @@ class Ground(NodeViewer):
         if taken:
             painter.setPen(QPen(self.look["live"], 2.5 / self.look.zoom))
             painter.drawLines(taken)
-
-
-class Layer(QGraphicsItem):
-    """Holds all pipes, under the cards, so that they can be hidden in one call."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, True)
-        self.setZValue(-1)
-
-    def boundingRect(self) -> QRectF:
-        return QRectF()
-
-    def paint(self, painter: QPainter, option: Any, widget: Widget | None = None) -> None:
-        return

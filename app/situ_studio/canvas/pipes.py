@@ -18,6 +18,8 @@ from situ_studio.canvas.style import Label, Look, whole_label
 CORNER = 8.0
 GUARD_HEIGHT = 22.0
 LABEL_HEIGHT = 18.0
+UNDER, ABOVE = -1.0, -0.5
+"""Pipes lie under the cards; those of the selection above the others."""
 HIT = 9.0
 """How wide a pipe is for the mouse."""
 
@@ -51,9 +53,9 @@ class RoutedPipe(PipeItem):
     _input_port: Any
     _output_port: Any
 
-    def __init__(self, look: Look, parent: QGraphicsItem) -> None:
+    def __init__(self, look: Look) -> None:
         # Not PipeItem's: it would make a child item for the arrow.
-        QGraphicsPathItem.__init__(self, parent)
+        QGraphicsPathItem.__init__(self)
         self._input_port = None
         self._output_port = None
         self._color = (0, 0, 0, 255)
@@ -70,6 +72,7 @@ class RoutedPipe(PipeItem):
         self._hit: QPainterPath | None = None
         self._way: QPainterPath | None = None
         self._chip = ""
+        self.setZValue(UNDER)
         self.setAcceptHoverEvents(True)
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIsSelectable, True)
         self.setCacheMode(QGraphicsItem.CacheMode.NoCache)
@@ -132,7 +135,7 @@ class RoutedPipe(PipeItem):
 
     def refresh(self) -> None:
         """Painted anew, above the others where it belongs to the selection."""
-        self.setZValue(1 if self.selected() else 0)
+        self.setZValue(ABOVE if self.selected() else UNDER)
         self.update()
 
     def selected(self) -> bool:
@@ -316,10 +319,7 @@ class RoutedPipe(PipeItem):
                     viewer.touched.add(port.node.uid)
         if viewer is not None:
             viewer.bury(self)
-        scene = self.scene()
-        self.setParentItem(None)
-        if scene is not None:
-            scene.removeItem(self)
+            viewer.release_pipe(self)
 
 
 class LivePipe(PipeItem):

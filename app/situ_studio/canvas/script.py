@@ -126,7 +126,7 @@ class ScriptCanvas(Canvas):
     def _show_taken_over(self, _: Any = None) -> None:
         """Priorities that the selected situation takes over, dashed."""
         for item in self._taken_over:
-            self.viewer.scene().removeItem(item)
+            self.viewer.release_pipe(item)
         self._taken_over = []
         self._mark_way()
         keys = [k for k in self.selected_uids() if self._picture.cards[k].kind == "situation"]
@@ -149,7 +149,8 @@ class ScriptCanvas(Canvas):
         for value in inherited(self.document, situation, key):
             if value.target not in self.graph.nodes:
                 continue
-            item = InheritedPipe(self.look, value, self.viewer.layer)
+            item = InheritedPipe(self.look, value)
+            self.viewer.hold_pipe(item)
             start = self._end(value.source, OUT) + QPointF(0, 8)
             end = self._end(value.target, "in") - QPointF(0, 7)
             for part in (0.22, 0.28, 0.34, 0.4, 0.16, 0.46, 0.52, 0.58, 0.25):

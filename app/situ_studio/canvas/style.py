@@ -13,6 +13,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QStaticText, Q
 
 from situ_studio import icons
 from situ_studio.canvas.live import LiveScript, LiveView
+from situ_studio.canvas.pictures import Pictures
 from situ_studio.theme import Theme, font
 
 Level = Literal["full", "half", "quarter", "tiny"]
@@ -99,6 +100,7 @@ class Look:
         self.zoom = 1.0
         self.level: Level = "full"
         self.ratio = 1.0
+        self.pictures = Pictures()
         # Routes are still being looked for: straight lines until then.
         self.unrouted = False
         self.live: LiveView | LiveScript | None = None

@@ -113,7 +113,8 @@ class Viewer(Ground):
     # -- gestures: what NodeGraphQt calls ----------------------------------------------
 
     def establish_connection(self, start_port: Any, end_port: Any) -> None:
-        pipe = self.pipe_kind(self.look, self.layer)
+        pipe = self.pipe_kind(self.look)
+        self.hold_pipe(pipe)
         pipe.set_connections(start_port, end_port)
         self.touched.add(start_port.node.uid)
         self.touched.add(end_port.node.uid)
@@ -128,7 +129,7 @@ class Viewer(Ground):
         area = QRectF(pos.x() - slop, pos.y() - slop, 2 * slop, 2 * slop)
         found = []
         for item in self.scene().items(area):
-            if item in (self._LIVE_PIPE, self._SLICER_PIPE, self.layer):
+            if item in (self._LIVE_PIPE, self._SLICER_PIPE):
                 continue
             if item_type is None or isinstance(item, item_type):
                 found.append(item)

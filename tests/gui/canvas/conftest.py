@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QPainter, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -370,6 +370,23 @@ def agree(desk: Desk) -> None:
     assert not viewer._rubber_band.isActive
     assert viewer._detached_port is None
     assert not graph.connections
+
+
+def _farthest(one: QImage, other: QImage) -> int:
+    """The largest difference of any px in any colour, of 255."""
+    assert one.size() == other.size()
+    apart = one.convertToFormat(QImage.Format.Format_RGB32)
+    painter = QPainter(apart)
+    painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Difference)
+    painter.drawImage(0, 0, other.convertToFormat(QImage.Format.Format_RGB32))
+    painter.end()
+    colours = apart.convertToFormat(QImage.Format.Format_RGB888)
+    return max(bytes(colours.constBits()))
+
+
+@pytest.fixture
+def farthest() -> Callable[[QImage, QImage], int]:
+    return _farthest
 
 
 @pytest.fixture

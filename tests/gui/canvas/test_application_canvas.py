@@ -13,6 +13,7 @@ from PySide6.QtGui import (
     QDragMoveEvent,
     QDropEvent,
     QGuiApplication,
+    QImage,
     QMouseEvent,
 )
 from PySide6.QtTest import QTest
@@ -720,7 +721,9 @@ def test_every_level_of_detail_is_painted(made: Any, zoom: float, looks: theme.T
     assert len(colors) > 2
 
 
-def test_live_highlights_touch_neither_document_nor_model(made: Any, check: Check) -> None:
+def test_live_highlights_touch_neither_document_nor_model(
+    made: Any, check: Check, farthest: Callable[[QImage, QImage], int]
+) -> None:
     canvas, hand = made.canvas, made.hand
     plain = canvas.viewer.grab().toImage()
     canvas.set_live(
@@ -740,5 +743,5 @@ def test_live_highlights_touch_neither_document_nor_model(made: Any, check: Chec
     assert color.green() > color.red()
     assert plain.pixelColor(edge) != color
     canvas.set_live(None)
-    assert canvas.viewer.grab().toImage() == plain
+    assert farthest(canvas.viewer.grab().toImage(), plain) <= 2
     assert made.edits == []
