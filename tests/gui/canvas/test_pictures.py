@@ -57,7 +57,9 @@ def painted(
 
 @pytest.mark.parametrize("ratio", [1.0, 1.25, 1.5, 2.0])
 @pytest.mark.parametrize("zoom", [0.8, 1.0, 1.7])
-def test_a_kept_picture_is_what_is_painted(qt: QApplication, ratio: float, zoom: float) -> None:
+def test_a_kept_picture_is_what_is_painted(
+    qt: QApplication, farthest: Apart, ratio: float, zoom: float
+) -> None:
     pictures, draw = Pictures(), Drawn()
     at = QPointF(12, 8) / ratio
     first, made, kept = (painted(pictures, draw, ratio, zoom, at) for _ in range(3))
