@@ -79,6 +79,15 @@ class Commands(QObject):
     def can_auto_layout(self) -> bool:
         return self._can("auto_layout", selected=False)
 
+    def can_make_part(self) -> bool:
+        return self._window.parts.can_make()
+
+    def can_enter_part(self) -> bool:
+        return self._window.parts.can_enter()
+
+    def can_leave_part(self) -> bool:
+        return self._window.parts.can_leave()
+
     def _can_insert(self, part: str) -> bool:
         document = self._window.current_document
         return any(kind.palette == part for kind in offered(document))
@@ -222,10 +231,22 @@ class Commands(QObject):
         if view is not None:
             view.call("align", "across" if how == "distribute" else how)
 
+    def make_part(self) -> None:
+        self._window.parts.make()
+
+    def enter_part(self) -> None:
+        self._window.parts.enter()
+
+    def leave_part(self) -> None:
+        self._window.parts.leave()
+
     def insert(self, name: str) -> None:
         """Puts a new thing where the selection is, and selects it."""
         view, document = self._window.current_view, self._window.current_document
         if view is None or document is None:
+            return
+        if name == "part":
+            self._window.parts.insert()
             return
         if name == "state" and view.can("add_state"):
             view.call("add_state")

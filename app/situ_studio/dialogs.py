@@ -37,6 +37,17 @@ class Dialogs(QObject):
         )
         return text.strip() or None if well else None
 
+    def part(self, known: list[str]) -> str | None:
+        """Which part a state shall run: one of these, or the name of a new one; None: neither."""
+        text, well = QInputDialog.getItem(
+            self._window,
+            self.tr("Add a part"),
+            self.tr("Choose a part, or type the name of a new one"),
+            known,
+            editable=True,
+        )
+        return text.strip() or None if well else None
+
     def unsaved(self, files: list[str]) -> Answer:
         """What to do with documents that have changed."""
         box = QMessageBox(self._window)

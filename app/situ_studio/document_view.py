@@ -37,6 +37,8 @@ class DocumentView(QStackedWidget):
     activated = Signal(tuple)
     status = Signal(str)
     zoomed = Signal()
+    part_asked = Signal(object, tuple)
+    """A part was dropped: where its card's corner shall be, and the exit into whose pipe."""
 
     def __init__(self, theme: Theme, file: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -115,6 +117,8 @@ class DocumentView(QStackedWidget):
                 self._canvas = make_canvas(self._document, self._theme, self)
                 self._add(self._canvas)
                 self._canvas.viewer.clicked.connect(lambda *_: self._on_clicked())
+                if isinstance(self._document, Application):
+                    self._canvas.part_asked.connect(self.part_asked)
                 if self._live is not None:
                     self._canvas.set_live(self._live)
             return self._canvas

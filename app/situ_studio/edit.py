@@ -19,10 +19,11 @@ Place = tuple[str, ...]
 class Edit(Struct, frozen=True):
     """One named step of the undo stack: ``file`` turned from ``before`` into ``after``.
 
+    before, after: None where the project did not have, or has no more, that file.
     text: what a designer reads in the Edit menu and the history, such as ``Rename state 5``.
     """
 
     file: str
-    before: Document
-    after: Document
+    before: Document | None
+    after: Document | None
     text: str

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from situ_studio import tab_order
 from situ_studio.actions import Actions
+from situ_studio.breadcrumbs import Breadcrumbs
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.panels.fields import Choice, Flag
@@ -99,6 +100,8 @@ class Frame(QMainWindow):
         column.setSpacing(0)
         self.tabs = DocumentTabs(self.theme)
         column.addWidget(self.tabs)
+        self.crumbs = Breadcrumbs(self.theme)
+        column.addWidget(self.crumbs)
         self.recovered = Notice(self.theme)
         self.incomplete = Notice(self.theme)
         self.notice = Notice(self.theme)
@@ -266,6 +269,7 @@ class Frame(QMainWindow):
             self.inspector,
             self.problems,
             self.tabs,
+            self.crumbs,
             self.bottom,
             self.welcome,
             self.finder,

@@ -16,6 +16,7 @@ import msgspec
 from PySide6.QtCore import QLockFile, QObject, QTimer
 
 from situ.document import codec, folder
+from situ.document.rbd import Application
 from situ.errors import SituError
 from situ_studio.edit import Document
 from situ_studio.panels.notice import Notice
@@ -146,7 +147,9 @@ class Recovery(QObject):
         for name, text in kept.files.items():
             document, _ = codec.read(text.encode(), name)
             now = self._session.document(name)
-            if document is not None and now is not None and type(document) is type(now):
+            # A part that was made, and not saved, is known to no file of the project yet.
+            new = now is None and isinstance(document, Application)
+            if document is not None and (new or type(document) is type(now)):
                 self._session.commit(name, document, self.tr("Bring back unsaved changes"))
         # Only once they are kept anew.
         self.keep()

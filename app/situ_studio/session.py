@@ -56,6 +56,8 @@ class Session(QObject):
     """Another project is open."""
     changed = Signal(str)
     """The document of that file is another value now."""
+    listed = Signal()
+    """The project has a file more, or one less."""
     selected = Signal(str, tuple, object)
     """Undo or redo brought this selection of that file back, and where its canvas looked."""
     stack_changed = Signal()
@@ -195,8 +197,9 @@ class Session(QObject):
     ) -> bool:
         """Changes several documents as one named step, as ``commit`` does one.
 
-        changed: the file in which it was done stands first. None is changed, and the answer is
-        False, where one of them is incomplete.
+        changed: the file in which it was done stands first; an application in a file that the
+        project does not have becomes a new part of it. None is changed, and the answer is False,
+        where one of them is incomplete.
         """
         if any(self.is_incomplete(file) for file in changed):
             return False
@@ -209,7 +212,7 @@ class Session(QObject):
         selected: Selection = (),
         looking: Looking | None = None,
     ) -> bool:
-        every = ((file, self._value(file), after) for file, after in changed.items())
+        every = ((file, self.document(file), after) for file, after in changed.items())
         edits = tuple(
             Edit(f, before, after, text) for f, before, after in every if after is not before
         )
@@ -371,7 +374,7 @@ class Session(QObject):
     def _edited_since(self, problem: Problem) -> bool:
         """Whether a problem of reading is about a document that is not as it was read."""
         file = self.file_of(problem)
-        return file is not None and self.document(file) is not self._read[file]
+        return file is not None and self.document(file) is not self._read.get(file)
 
     def _open_project(self) -> Project:
         if self._project is None:
@@ -384,9 +387,16 @@ class Session(QObject):
             raise UsageError(f"{file} is no document of this project")
         return document
 
-    def _exchange(self, file: str, document: Document) -> None:
+    def _exchange(self, file: str, document: Document | None) -> None:
         project = self._open_project()
-        if isinstance(document, Application):
+        listed = self.document(file) is not None
+        if document is None:
+            project = replace(project, parts={f: a for f, a in project.parts.items() if f != file})
+        elif not listed:
+            assert isinstance(document, Application)
+            project = replace(project, parts={**project.parts, file: document})
+            self._on_disk.setdefault(file, self._digest(file))
+        elif isinstance(document, Application):
             kind = "parts" if file in project.parts else "applications"
             project = replace(project, **{kind: {**getattr(project, kind), file: document}})
         elif isinstance(document, Spds):
@@ -396,6 +406,9 @@ class Session(QObject):
             project = replace(project, modules=document)
         self._project = project
         self._check_soon.start()
+        if listed != (document is not None):
+            self._called = {}
+            self.listed.emit()
         self.changed.emit(file)
         self.stack_changed.emit()
 

@@ -130,6 +130,12 @@ class DocumentTabs(QFrame):
     def files(self) -> list[str]:
         return [self.bar.tabData(i) for i in range(self.bar.count())]
 
+    @property
+    def chosen_file(self) -> str | None:
+        """The file of the chosen tab."""
+        index = self.bar.currentIndex()
+        return self.bar.tabData(index) if index >= 0 else None
+
     def choose(self, file: str) -> None:
         """Chooses a tab and tells it, also if it was chosen already."""
         index = self.files().index(file)

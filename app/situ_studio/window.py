@@ -26,6 +26,7 @@ from situ_studio.edit import Document, Place
 from situ_studio.frame import Frame
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
+from situ_studio.parts import PartsSide
 from situ_studio.recovery import Recovery
 from situ_studio.robot import RobotSide
 from situ_studio.session import Looking, Session
@@ -66,6 +67,7 @@ class MainWindow(Frame):
         self.commands = Commands(self)
         self.robot = RobotSide(self)
         self.disk = DiskSide(self)
+        self.parts = PartsSide(self)
         self.add_commands(Actions(self.commands, self.theme, self))
         self.search.clicked.connect(self.commands.find)
         self._wire()
@@ -77,11 +79,11 @@ class MainWindow(Frame):
     def _wire(self) -> None:
         session = self.session
         session.opened.connect(self._on_opened)
+        session.listed.connect(self._on_listed)
         session.changed.connect(self._on_changed)
         session.selected.connect(self._on_undone)
         session.stack_changed.connect(self._on_stack)
         session.problems_changed.connect(self._on_problems)
-        self.tabs.chosen.connect(self.show_file)
         self.tabs.closed.connect(self.close_file)
         self.tabs.view_chosen.connect(self.show_mode)
         self.project_tree.file_asked.connect(self.open_file)
@@ -155,13 +157,16 @@ class MainWindow(Frame):
             self.tabs.add(file, stem(file), icon, token)
 
     def open_file(self, file: str) -> None:
-        """Shows a document, in a new tab if it has none."""
+        """Shows a document: where it is on the way into a part, else in its tab, new if need be."""
+        if self.parts.reach(file):
+            return
         if file not in self.tabs.files():
             self._add_tab(file)
+        self.parts.forget(file)
         self.tabs.choose(file)
 
     def show_file(self, file: str) -> None:
-        """Shows the document of a tab."""
+        """Shows a document in the chosen tab."""
         document = self.session.document(file)
         self.current_file = file if document is not None else None
         if document is not None:
@@ -188,21 +193,25 @@ class MainWindow(Frame):
         view.selection_changed.connect(self._on_selection)
         view.activated.connect(self._on_activated)
         view.status.connect(self.say)
+        view.part_asked.connect(self.parts.insert)
         self.views[file] = view
         self.documents.addWidget(view)
         return view
 
     def close_file(self, file: str) -> None:
         """Closes a tab; the document stays in the project, with its changes."""
+        self.parts.forget(file)
         self.tabs.remove(file)
-        view = self.views.pop(file, None)
+        # Another tab may be at this part now.
+        view = self.views.pop(file, None) if file != self.current_file else None
         if view is not None:
             self.documents.removeWidget(view)
             view.deleteLater()
 
     def close_tab(self) -> None:
-        if self.current_file is not None and len(self.tabs.files()) > 1:
-            self.close_file(self.current_file)
+        file = self.tabs.chosen_file
+        if file is not None and len(self.tabs.files()) > 1:
+            self.close_file(file)
 
     def show_welcome(self, with_examples: bool = True) -> None:
         """Shows the welcome page; an open project stays open."""
@@ -212,7 +221,7 @@ class MainWindow(Frame):
             self.welcome.show_examples(self._list_examples())
         self.welcome.themes.show_choice(self.theme_choice)
         if self.stack.currentIndex() == 1:
-            self._before_welcome = self.current_file
+            self._before_welcome = self.tabs.chosen_file
             self._docks_before = [d for d in self.docks.values() if not d.isHidden()]
         project = self.session.project
         self.welcome.show_back(project.name if project is not None else None)
@@ -318,6 +327,18 @@ class MainWindow(Frame):
         if view is not None and view.selected != (place,):
             self.select(place)
 
+    def _on_listed(self) -> None:
+        """The project has a file more or less: the tree shows it, and a tab without one closes."""
+        project = self.session.project
+        assert project is not None
+        self.project_tree.show_project(project, self.session.files)
+        for file in self.tabs.files():
+            if self.session.document(file) is None:
+                self.close_file(file)
+        if self.current_file is not None and self.current_document is None:
+            self.parts.leave()
+        self.project_tree.show_current(self.current_file)
+
     def _on_changed(self, file: str) -> None:
         document = self.session.document(file)
         view = self.views.get(file)
@@ -375,8 +396,13 @@ class MainWindow(Frame):
             view.current_view().setFocus()
 
     def _on_activated(self, place: Place) -> None:
-        """A double click or Enter on a card: its form gets the focus."""
-        self.fill_in(tuple(place))
+        """A double click or Enter on a card: its form gets the focus, or the part is shown."""
+        view = self.current_view
+        on_graph = view is not None and view.mode == "graph" and view.selected == (place,)
+        if on_graph and self.parts.can_enter():
+            self.parts.enter()
+        else:
+            self.fill_in(tuple(place))
 
     # -- problems -------------------------------------------------------------
 

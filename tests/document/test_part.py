@@ -307,18 +307,18 @@ REFUSED = [
         + state("3", ways("4"))
         + state("4", ways("#back", "1")),
         ["2", "3"],
-        "state 4 n4 leads back to the state before",
+        "State 4 n4 leads back to the state before",
     ),
     (
         state("1", ways("2"), ' always="false"') + state("2", ways("3")) + state("3"),
         ["1", "2"],
-        "state 1 n1 leaves out what every state has",
+        "State 1 n1 leaves out what every state has",
     ),
     (
         state("1", ways("2"))
         + state("2", "<backgroundactions><speech>{application/app}</speech></backgroundactions>"),
         ["2"],
-        "application/app is used",
+        "What application/app says is used",
     ),
 ]
 

@@ -94,6 +94,9 @@ class Answers:
     def name(self, title: str, label: str, usual: str) -> Any:
         return self._take("name")
 
+    def part(self, known: list[str]) -> Any:
+        return self._take("part")
+
     def unsaved(self, files: list[str]) -> Any:
         return self._take("unsaved")
 

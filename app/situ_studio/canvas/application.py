@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from PySide6.QtCore import QMimeData, QPointF
+from PySide6.QtCore import QMimeData, QPointF, Signal
 from PySide6.QtGui import QCursor, QGuiApplication, Qt
 from PySide6.QtWidgets import QWidget
 
@@ -40,6 +40,9 @@ MIME = "application/x-situ-states+xml"
 
 class ApplicationCanvas(Canvas):
     """Shows an application; gestures become ``edited`` (canvas.md)."""
+
+    part_asked = Signal(object, tuple)
+    """A part shall be added: its card's corner, and the exit into whose pipe it goes, or ()."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(theme, parent)
@@ -225,19 +228,21 @@ class ApplicationCanvas(Canvas):
         cards = (self._picture.cards[uid] for uid in self.selected_uids())
         return [c.no for c in cards if c.no]
 
-    def _free_spot(self) -> tuple[float, float]:
+    def free_spot(self) -> QPointF:
         """Beside the selected card, else in the middle of what is seen; never on another card."""
         taken = [(c.x, c.y, c.width, c.height) for c in self._picture.cards.values()]
         uids = self.selected_uids()
         if uids:
             area = self.card_area(uids[-1])
-            return layout.beside(taken, area.left() + 230, area.top())
+            return QPointF(*layout.beside(taken, area.left() + 230, area.top()))
         middle = self.viewer.seen().center()
-        return layout.beside(taken, gestures.snap(middle.x() - 88), gestures.snap(middle.y() - 58))
+        corner = gestures.snap(middle.x() - 88), gestures.snap(middle.y() - 58)
+        return QPointF(*layout.beside(taken, *corner))
 
     def add_state(self, kind: str = "state", at: QPointF | None = None) -> None:
         """A new state, selected. at: its corner in the scene; None: a free place near."""
-        x, y = (at.x(), at.y()) if at is not None else self._free_spot()
+        at = at if at is not None else self.free_spot()
+        x, y = at.x(), at.y()
         after, text, no = gestures.add_state(self._pinned(), x, y, kind)
         self._edit(after, text)
         if ("state", no) in self._picture.uids:
@@ -246,12 +251,14 @@ class ApplicationCanvas(Canvas):
 
     def drop_kind(self, kind: Kind, spot: QPointF) -> None:
         """A state goes where it was dropped, into a pipe if one is there; the rest into a card."""
-        if kind.name != "state":
+        if kind.name not in ("state", "part"):
             super().drop_kind(kind, spot)
             return
         x, y = gestures.snap(spot.x() - 88), gestures.snap(spot.y() - 58)
         place = self.place_at(spot)
-        if exit_of(place) is not None:
+        if kind.name == "part":
+            self.part_asked.emit(QPointF(x, y), place if exit_of(place) is not None else ())
+        elif exit_of(place) is not None:
             after, text = gestures.insert(self._pinned(), place, x, y)
             self._edit(after, text)
             self.select([("state", gestures.last_number(after))])
@@ -304,7 +311,7 @@ class ApplicationCanvas(Canvas):
             at = self.viewer.mapToScene(pointer)
             x, y = at.x(), at.y()
         else:
-            x, y = self._free_spot()
+            x, y = self.free_spot().toTuple()
         after, text, new = gestures.paste(self._pinned(), copied, x, y)
         self._edit(after, text)
         self.select([("state", no) for no in new])

@@ -70,8 +70,8 @@ from situ_studio.kinds.script import (
 KINDS: tuple[Kind, ...] = (
     APPLICATION,
     ALWAYS,
-    PART,
     STATE,
+    PART,
     EVENT,
     TIMEOUT,
     SCREEN,
@@ -86,7 +86,7 @@ KINDS: tuple[Kind, ...] = (
     MODULES,
     INFORMATION,
 )
-_BY_VALUE = {k.value: k for k in KINDS}
+_BY_VALUE = {k.value: k for k in KINDS if k is not PART}
 _BY_NAME = {k.name: k for k in KINDS}
 
 MIME = "application/x-situ-kind"

@@ -91,6 +91,7 @@ PART = Kind(
     ),
     sections=(_EVENTS, _MORE),
     summary=lambda v: v.flow or "",
+    palette="application",
 )
 STATE = Kind(
     name="state",

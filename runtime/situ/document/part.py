@@ -39,6 +39,9 @@ COLUMN, ROW = 230.0, 144.0
 class NoPart(ValueError):
     """These states can not be made a part; the text says why and how to mend it."""
 
+    def __init__(self, text: str) -> None:
+        super().__init__(text[:1].upper() + text[1:])
+
 
 def make_part(
     project: Project, file: str, numbers: Collection[str], name: str, part_file: str
@@ -120,8 +123,8 @@ def _begin(project: Project, file: str, inside: tuple[State, ...]) -> str:
     every = [*project.flows.values(), *([project.spds] if project.spds is not None else [])]
     if any(re.search(name + rb"(?![\w-])", codec.write(document)) for document in every):
         raise NoPart(
-            f"application/{source.name} is used, and these states would be called "
-            f"{begin}/… there: take that out first."
+            f"What application/{source.name} says is used, and it would call these states "
+            f"{begin}/…: take that out first."
         )
     return begin
 
