@@ -184,6 +184,8 @@ def _required(search: Search, file: str, modules: Modules) -> None:
                     do = f"did you mean {words.quoted(near)}?"
                     change = search.put(file, place, "module", near)
                     mend = search.mend(file, f"Require {words.quoted(near)} instead", change)
-                message = f"{who} requires the module {words.quoted(one.module)}, which nobody "
-                message += f"declares: {do}"
+                message = (
+                    f"{who} requires the module {words.quoted(one.module)}, "
+                    f"which nobody declares: {do}"
+                )
                 search.warn(file, "unprovided-module", message, one.aside, place, mend)

@@ -156,10 +156,10 @@ def _make_test(tag: str, aside: Aside, **found: Any) -> Test:
         return Test(tag, cast(TestName, test), value, within, hold, aside)
     instead = Test(tag, "exists", "true", within, hold, aside)
     if not found:
-        said = f"tests nothing: add one of {', '.join(TESTS)}"
+        said = f"<data> tests nothing: add one of {', '.join(TESTS)}"
     else:
-        said = f"has {len(found)} tests ({', '.join(found)}): write one <data> for each"
-    raise Misfit("one-test", f"<data> {said}", instead)
+        said = f"<data> has {len(found)} tests ({', '.join(found)}): write one <data> for each"
+    raise Misfit("one-test", said, instead)
 
 
 def _test_attributes(test: Test) -> Iterator[tuple[str, str]]:

@@ -1,0 +1,90 @@
+"""What ``situ.document`` says in English, in the user's language.
+
+The runtime knows no languages: problems, mends and differences are English sentences with values in
+them. ``resources/i18n/runtime.txt`` has their templates (packaging/runtime_texts.py gathers them),
+which are translated like all texts of the studio, in the context ``runtime``.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+from collections.abc import Callable, Iterator
+
+from msgspec import Struct
+
+from situ.resources import resource
+
+Translate = Callable[[str], str]
+"""Gives a template in the user's language; what it does not know as it is."""
+HOLE = re.compile(r"\{(\d)\}")
+GLUE = (": ", "; ", ", ", " → ", " and ")
+"""What the runtime puts between sentences and values of its own making."""
+DEEPEST = 6
+
+
+class _Template(Struct, frozen=True):
+    text: str
+    pattern: re.Pattern[str]
+    longest: str
+    """The longest piece without a value: whoever lacks it does not fit."""
+    weight: int
+
+
+class RuntimeWords:
+    """The runtime's sentences in one language.
+
+    translate: as Qt's for the context ``runtime``.
+    """
+
+    def __init__(self, templates: list[str], translate: Translate) -> None:
+        self._translate = translate
+        self._whole = {one for one in templates if not HOLE.search(one)}
+        self._templates = sorted(
+            (_compiled(one) for one in templates if HOLE.search(one)),
+            key=lambda one: -one.weight,
+        )
+        self.said = functools.lru_cache(maxsize=4096)(self._said)
+
+    def _said(self, text: str, depth: int = 0) -> str:
+        """The text in the user's language; what fits no template stays as it is."""
+        if text in self._whole:
+            return self._translate(text)
+        if depth < DEEPEST:
+            for template, values in self._fitting(text):
+                meant = self._translate(template.text)
+                if meant != template.text:
+                    return self._filled(meant, values, depth)
+            for glue in GLUE:
+                first, found, rest = text.partition(glue)
+                if found:
+                    told = [self.said(first, depth + 1), self.said(rest, depth + 1)]
+                    if told != [first, rest]:
+                        return self._translate(glue).join(told)
+        return text
+
+    def _filled(self, meant: str, values: tuple[str, ...], depth: int) -> str:
+        return HOLE.sub(lambda hole: self.said(values[int(hole[1])], depth + 1), meant)
+
+    def _fitting(self, text: str) -> Iterator[tuple[_Template, tuple[str, ...]]]:
+        for one in self._templates:
+            if one.longest in text:
+                match = one.pattern.fullmatch(text)
+                if match is not None:
+                    yield one, match.groups()
+
+
+def _compiled(text: str) -> _Template:
+    pieces = HOLE.split(text)[::2]
+    pattern = "(.+?)".join(re.escape(piece) for piece in pieces)
+    return _Template(
+        text,
+        re.compile(pattern, re.DOTALL),
+        max(pieces, key=len),
+        sum(len(piece.strip(" ,:;()")) for piece in pieces),
+    )
+
+
+def templates() -> list[str]:
+    """The templates of ``resources/i18n/runtime.txt``."""
+    return resource("i18n", "runtime.txt").read_text(encoding="utf-8").splitlines()

@@ -1,0 +1,59 @@
+"""What the runtime says in English is found again by its templates, whatever values are in it."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from tests.document.test_docs_problems import EXAMPLES, NUMBERED, Example, checked
+
+from situ_studio.runtime_words import RuntimeWords, templates
+
+ROOT = Path(__file__).resolve().parents[2]
+KNOWN = templates()
+
+
+def marked(template: str) -> str:
+    """A language that says everything backwards, so that values stand elsewhere."""
+    return "⟦" + " ".join(reversed(template.split(" "))) + "⟧"
+
+
+def test_the_templates_are_those_of_the_sources() -> None:
+    script = ROOT / "packaging" / "runtime_texts.py"
+    code = f"import runpy; print(*runpy.run_path({str(script)!r})['templates'](), sep='\\n')"
+    told = subprocess.run(
+        [sys.executable, "-c", code], check=True, capture_output=True, encoding="utf-8"
+    )
+    assert told.stdout.splitlines() == KNOWN, "run python packaging/runtime_texts.py"
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=NUMBERED)
+def test_every_problem_is_said_in_the_user_s_language(example: Example, tmp_path: Path) -> None:
+    words = RuntimeWords(KNOWN, marked)
+    _, problems = checked(tmp_path, example.failing)
+    for problem in problems:
+        for text in (problem.message, *([problem.mend.words] if problem.mend else ())):
+            said = words.said(text)
+            assert said.startswith("⟦"), text
+            assert set(re.findall(r'"[^"]+"|\d+', text)) <= set(re.findall(r'"[^"]+"|\d+', said))
+
+
+def test_what_fits_no_template_stays_as_it_is() -> None:
+    words = RuntimeWords(["{0} added"], marked)
+    assert words.said("Nurse Ann was here") == "Nurse Ann was here"
+
+
+def test_values_are_said_in_the_user_s_language_too() -> None:
+    words = RuntimeWords(
+        ["state {0} added", "the timeout of {0}"],
+        {"state {0} added": "{0} を追加", "the timeout of {0}": "{0} の時間切れ"}.__getitem__,
+    )
+    assert words.said("state the timeout of 5 added") == "5 の時間切れ を追加"
+
+
+def test_a_language_without_a_template_leaves_its_english() -> None:
+    words = RuntimeWords(["state {0} added"], lambda text: text)
+    assert words.said("state 5 added") == "state 5 added"
