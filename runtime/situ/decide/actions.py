@@ -353,7 +353,7 @@ class Actions:
             if running.keep or running.action == "movie":
                 running.run = 0
             else:
-                self._cancel(running, cause)
+                self.cancel(running, cause)
         self.state.runs.clear()
         self.state.voice.clear()
 
@@ -363,7 +363,7 @@ class Actions:
         for running in list(self.state.running.values()):
             if running.resource is None and running.action != "movie":
                 continue
-            seq = self._cancel(running, cause)
+            seq = self.cancel(running, cause)
             self._mark(running, ENDED if running.optional else INTERRUPTED)
             if running.optional:
                 self._ended(running.run, running.place, seq)
@@ -390,7 +390,7 @@ class Actions:
         """An optional resource was lost: its actions are not begun again."""
         for running in list(self.state.running.values()):
             if running.resource == resource and running.optional:
-                seq = self._cancel(running, cause)
+                seq = self.cancel(running, cause)
                 if running.action in ("speech", "sound"):
                     self._next_voice(seq)
                 self._ended(running.run, running.place, seq)
@@ -410,11 +410,12 @@ class Actions:
             ]
             for running in list(self.state.running.values()):
                 if running.action == "speech" and running.run == number:
-                    self._cancel(running, cause)
+                    self.cancel(running, cause)
             for place in again:
                 self._start(number, place, cause)
 
-    def _cancel(self, running: Running, cause: int | None) -> int:
+    def cancel(self, running: Running, cause: int | None) -> int:
+        """Cuts an action off; the seq of its event."""
         del self.state.running[running.id]
         seq = self._trace_cancelled(running.action, running.name, cause)
         if running.resource is not None:
@@ -434,7 +435,7 @@ class Actions:
         """The screen that they belong to is gone."""
         for running in list(self.state.running.values()):
             if running.action == "movie":
-                self._cancel(running, cause)
+                self.cancel(running, cause)
 
     def begin_movies(
         self, movies: list[tuple[int, Movie, str]], state: str, cause: int | None

@@ -6,6 +6,7 @@ A condition is judged when one of its tags was written or the end of one of its
 
 from __future__ import annotations
 
+from collections import defaultdict, deque
 from collections.abc import Callable
 
 from msgspec import Struct
@@ -36,10 +37,11 @@ class ConditionsState(Struct):
 class Leaf:
     """One test of one condition, compiled."""
 
-    __slots__ = ("flag", "hold", "name", "number", "test", "text", "within")
+    __slots__ = ("flag", "hold", "name", "number", "source", "test", "text", "within")
 
     def __init__(self, number: int, source: Test) -> None:
         self.number = number
+        self.source = source
         self.name = source.tag
         self.test, _ = compile_test(source.test, source.value)
         self.text = source.value
@@ -82,6 +84,50 @@ class Conditions:
         for leaf in self._leaves:
             if leaf.hold is not None:
                 self._follow(leaf, None)
+
+    def carry(self, old: Conditions, cause: int) -> dict[int, int]:
+        """Goes on in place of ``old``: a test that stood there keeps its clocks, however its
+        condition was moved; one that is new counts from now, and from ``cause``. Gives the new
+        numbers of the tests that are there still, by their old ones: for their timers.
+        """
+        there: defaultdict[tuple[Test, bool], deque[int]] = defaultdict(deque)
+        followed: dict[tuple[str, str, str], Held | None] = {}
+        for leaf in old._leaves:
+            there[leaf.source, leaf.number in old._watchers].append(leaf.number)
+            if leaf.hold is not None:
+                followed[_what(leaf)] = old.state.held.get(leaf.number)
+        moved: dict[int, int] = {}
+        for leaf in self._leaves:
+            watched = leaf.number in self._watchers
+            same = there[leaf.source, watched]
+            if leaf.hold is not None:
+                self._hold_on(leaf, followed, cause, watched and not same)
+            if same:
+                was = same.popleft()
+                moved[was] = leaf.number
+                if was in old.state.armed:
+                    self.state.armed[leaf.number] = old.state.armed[was]
+            elif watched and leaf.within is not None:
+                entry = self._board.last_set(leaf.name)
+                if entry is not None and entry.time + leaf.within > self._step.now:
+                    self._arm(leaf, entry.time)
+        return moved
+
+    def _hold_on(
+        self, leaf: Leaf, followed: dict[tuple[str, str, str], Held | None], cause: int, rings: bool
+    ) -> None:
+        """A test with ``for`` goes on as it was ``followed``, under another ``for`` too."""
+        assert leaf.hold is not None
+        if _what(leaf) in followed:
+            held = followed[_what(leaf)]
+        elif leaf.test(self._board.look(leaf.name), self._board.look):
+            held = Held(self._step.now, cause)
+        else:
+            held = None
+        if held is not None:
+            self.state.held[leaf.number] = held
+            if rings and held.since + leaf.hold > self._step.now:
+                self._step.at(held.since + leaf.hold, TEST, f"test:{leaf.number}", 1)
 
     def due(self, number: int, token: int) -> None:
         """The end of a ``within`` or ``for`` of a test: its watchers judge anew."""
@@ -202,3 +248,8 @@ class Conditions:
         if leaf.within is not None and leaf.number not in self.state.armed:
             self.state.armed[leaf.number] = written + leaf.within
             self._step.at(written + leaf.within, TEST, f"test:{leaf.number}", 0)
+
+
+def _what(leaf: Leaf) -> tuple[str, str, str]:
+    """What a ``for`` follows, however long."""
+    return leaf.name, leaf.source.test, leaf.text

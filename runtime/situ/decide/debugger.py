@@ -16,6 +16,7 @@ from situ.decide import inputs, trace
 from situ.decide.ahead import Passage, advance, next_passage, timeout_passage
 from situ.decide.conditions import Compiled, Conditions
 from situ.decide.machine import Machine
+from situ.decide.priorities import RUNTIME
 from situ.decide.world import BREAKPOINTS, PAUSED, World
 from situ.document import codec
 from situ.document.check import check
@@ -84,6 +85,26 @@ class Debugger:
                 self._guard(one.id, condition)
         self._settle()
 
+    def fit(self, cause: int) -> None:
+        """Another version: what does not fit it any longer is taken away. Its state has been
+        carried over.
+        """
+        state, running = self.state, {machine.name for machine in self._machines}
+        before = list(state.breakpoints)
+        fitting = [one for one in before if self._misfit(one) is None]
+        state.stopped = {
+            name: one
+            for name, one in state.stopped.items()
+            if name in running and any(one == kept.id for kept in fitting)
+        }
+        state.passing = [name for name in state.passing if name in running]
+        state.breakpoints = fitting
+        self.restore(state)
+        if len(fitting) < len(before):
+            self._tell(RUNTIME, cause)
+        if self._world.board.get(PAUSED) is not None:
+            self._publish()
+
     def accept(self, given: inputs.Debugging) -> str | None:
         """Does what an operator asks for; why not, where it can not be done."""
         no: str | None
@@ -132,19 +153,10 @@ class Debugger:
         if (given.state is not None) + on_transition + (given.situation is not None) != 1:
             return ONE_KIND
         application = given.application
-        if given.situation is None or application is not None:
-            machine = self._one(application)
-            if isinstance(machine, str):
-                return machine
-            application = machine.name
-            for path in (given.state, given.source, given.to):
-                if path is not None and path not in machine.program.innermost:
-                    return _no_state(machine, path)
-        if given.situation is not None:
-            spds = self._world.project.spds
-            known = [one.name for one in spds.situations] if spds is not None else []
-            if given.situation not in known:
-                return f"there is no situation {given.situation}; {_there_is(known)}"
+        if (no := self._misfit(given)) is not None:
+            return no
+        if given.situation is None:
+            application = application or self._machines[0].name
         condition = None if given.when is None else _condition(given.when)
         if isinstance(condition, str):
             return condition
@@ -161,6 +173,22 @@ class Debugger:
         self._tell(given.writer)
         return None
 
+    def _misfit(self, one: inputs.Break | Breakpoint) -> str | None:
+        """Why there is nothing at which it could pause; None where there is."""
+        if one.situation is None or one.application is not None:
+            machine = self._one(one.application)
+            if isinstance(machine, str):
+                return machine
+            for path in (one.state, one.source, one.to):
+                if path is not None and path not in machine.program.innermost:
+                    return _no_state(machine, path)
+        if one.situation is not None:
+            spds = self._world.project.spds
+            known = [each.name for each in spds.situations] if spds is not None else []
+            if one.situation not in known:
+                return f"there is no situation {one.situation}; {_there_is(known)}"
+        return None
+
     def _unbreak(self, given: inputs.Unbreak) -> str | None:
         state = self.state
         kept = [one for one in state.breakpoints if given.id is not None and one.id != given.id]
@@ -172,13 +200,13 @@ class Debugger:
             self._tell(given.writer)
         return None
 
-    def _tell(self, writer: str) -> None:
+    def _tell(self, writer: str, cause: int | None = None) -> None:
         """The breakpoints stand on the blackboard, and in the trace with who changed them."""
         world = self._world
         value: list[dict[str, Any]] = msgspec.to_builtins(self.state.breakpoints)
         world.keep(BREAKPOINTS, value, writer, world.step.seq + 1)
         version = world.board.state[BREAKPOINTS].version
-        world.step.trace(trace.Data, None, BREAKPOINTS, value, writer, version)
+        world.step.trace(trace.Data, cause, BREAKPOINTS, value, writer, version)
 
     def _guard(self, number: int, condition: Condition) -> None:
         # Conditions of its own: those of the robot are told apart by their numbers.

@@ -13,7 +13,7 @@ from situ.decide.program import Program, StateProgram
 from situ.decide.screens import ScreenProgram, Shown
 from situ.decide.texts import translator
 from situ.decide.world import World
-from situ.document.rbd import Component
+from situ.document.rbd import Component, Screen
 
 Key = tuple[str | None, int]
 """The state whose own screen it is, and the number of the screens of ``always`` above it."""
@@ -66,12 +66,33 @@ class Display:
             self.state.base = None if here.screen.source.is_empty else here.no
             self._actions.state.played.clear()
         if here.screen is not None or self.wanted(here) != self.state.shown:
-            self._show(here, cause)
+            self.show(here, cause)
 
     def resume(self, here: StateProgram, cause: int | None) -> None:
         """What the state has to show is shown again."""
         if self.wanted(here) is not None:
-            self._show(here, cause)
+            self.show(here, cause)
+
+    def sources(self) -> tuple[Screen, ...]:
+        """The screens that make up what is shown now."""
+        return tuple(one.source for one in self._layers())
+
+    def carry(self, shown: tuple[Screen, ...], begun: bool, here: StateProgram, cause: int) -> bool:
+        """Another version: ``shown`` is what its ``sources`` were. Whether the state, if it has
+        begun, has something else to show. What it shows is looked at once more in any case, for
+        its texts may be others.
+        """
+        state = self.state
+        base = self._program.states.get(state.base or "")
+        if base is None or base.screen is None or base.screen.source.is_empty:
+            state.base = None
+        if begun and here.screen is not None:
+            state.base = None if here.screen.source.is_empty else here.no
+        wanted, was_shown = self.wanted(here), state.shown is not None
+        if not was_shown:
+            return wanted is not None
+        state.shown, state.stale, state.cause = wanted, True, cause
+        return self.sources() != shown
 
     def lose(self) -> None:
         """The screen is another's."""
@@ -121,7 +142,8 @@ class Display:
         background = next((one.background for one in layers if one.background is not None), None)
         return shown, None if background is None else background.text(board.look)
 
-    def _show(self, here: StateProgram, cause: int | None) -> None:
+    def show(self, here: StateProgram, cause: int | None) -> None:
+        """Shows what the application has to show in a state."""
         state, world = self.state, self._world
         self._actions.end_movies(cause)
         state.shown = self.wanted(here)

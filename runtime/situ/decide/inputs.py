@@ -165,6 +165,22 @@ class Goto(Input, frozen=True):
     application: str | None = None
 
 
+class Deploy(Input, frozen=True):
+    """Another version of the project, to run from the next moment on at which no action runs.
+
+    files: its texts by their paths (``situ.document.folder.sources``, and ``robot.local.toml``
+    where there is one). force_after: seconds after which it does not wait any longer, at once
+    where they are none; None: it waits as long as it takes. returning: it goes back to what ran
+    before, at once.
+    """
+
+    version: int
+    files: dict[str, str]
+    writer: str
+    force_after: float | None = None
+    returning: bool = False
+
+
 Debugging = Break | Unbreak | Pause | Resume | Step | Goto
 
 AnyInput = (
@@ -180,5 +196,6 @@ AnyInput = (
     | Lost
     | Connected
     | Finish
+    | Deploy
     | Debugging
 )

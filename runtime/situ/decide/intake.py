@@ -11,6 +11,7 @@ from typing import Any
 from msgspec import UNSET
 
 from situ.decide import inputs, trace
+from situ.decide.deploying import Deploying
 from situ.decide.effects import Refuse
 from situ.decide.hearing import event_for, phrases
 from situ.decide.machine import Machine
@@ -31,8 +32,11 @@ NOT_UNDERSTOOD = "notunderstood"
 class Intake:
     """Where the inputs of one robot come in, each by its row of ``ACCEPT``."""
 
-    def __init__(self, world: World, presence: Presence, settling: Settling) -> None:
+    def __init__(
+        self, world: World, presence: Presence, settling: Settling, deploying: Deploying
+    ) -> None:
         self._world = world
+        self._deploying = deploying
         self._presence = presence
         self._settling = settling
         self._machines = settling.machines
@@ -176,6 +180,11 @@ class Intake:
         if no is not None:
             self._refuse(no, given.writer)
 
+    def _deploy(self, given: inputs.Deploy) -> None:
+        no = self._deploying.accept(given)
+        if no is not None:
+            self._refuse(no, given.writer)
+
     def _refuse(self, message: str, where: str) -> None:
         self._world.step.error(None, message, where)
         self._world.step.effects.append(Refuse(message))
@@ -252,6 +261,7 @@ ACCEPT: dict[type[inputs.Input], Callable[[Intake, Any], None]] = {
     inputs.Lost: Intake._lost,
     inputs.Connected: Intake._connect,
     inputs.Finish: Intake._finish,
+    inputs.Deploy: Intake._deploy,
     inputs.Break: Intake._debug,
     inputs.Unbreak: Intake._debug,
     inputs.Pause: Intake._debug,

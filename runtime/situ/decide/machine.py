@@ -17,7 +17,7 @@ from situ.decide.board import Entry
 from situ.decide.display import Display, DisplayState
 from situ.decide.effects import Changed
 from situ.decide.priorities import RUNTIME
-from situ.decide.program import Candidate, Program, StateProgram
+from situ.decide.program import Candidate, Program
 from situ.decide.timeouts import Timeouts, TimeoutState
 from situ.decide.way import Way, find, published
 from situ.decide.world import World
@@ -234,10 +234,20 @@ class Machine:
 
     # -- states --------------------------------------------------------------
 
-    def start(self) -> None:
-        """Time 0: enters the start state."""
-        self._enter(self.program.start, 0, None)
+    def start(self, cause: int | None = None) -> None:
+        """At time 0, or where a new version lets it: enters the start state."""
+        self._enter(self.program.start, 0, cause)
         self._settle_idle()
+
+    def leave(self, level: int, cause: int | None) -> None:
+        """Leaves the state of ``level`` with all inside it."""
+        self.timeouts.leave()
+        # What runs belongs to the innermost state, which is left in any case.
+        self.actions.leave(self._step.trace(trace.Exit, cause, self.name, self.state.no))
+        levels = self.here.levels
+        if len(levels) > 1:
+            for outer in reversed(levels[level:-1]):
+                self._step.trace(trace.Exit, cause, self.name, outer.path)
 
     def _move(
         self,
@@ -251,12 +261,7 @@ class Machine:
     ) -> None:
         """Leaves the state of ``level`` with all inside it for another of the same file."""
         step, levels = self._step, self.here.levels
-        self.timeouts.leave()
-        # What runs belongs to the innermost state, which is left in any case.
-        self.actions.leave(step.trace(trace.Exit, cause, self.name, self.state.no))
-        if len(levels) > 1:
-            for outer in reversed(levels[level:-1]):
-                step.trace(trace.Exit, cause, self.name, outer.path)
+        self.leave(level, cause)
         source, target = self.leads(to, level)
         if to == BACK:
             self.state.stacks[level].pop()
@@ -328,10 +333,7 @@ class Machine:
             cause = self._step.trace(trace.Enter, cause, self.name, one.path)
         seq = cause
         self._watch_all(seq)
-        uses = set(here.uses)
-        if self.display.wanted(here) is not None:
-            uses.add("screen")
-        asked = self._world.priorities.ask(self.name, tuple(uses), tuple(here.may_use - uses), seq)
+        asked = self.ask(seq)
         if asked is not None:
             self._asked(self.name, asked)
         missing = self.missing()
@@ -341,6 +343,14 @@ class Machine:
         if not state.suspended:
             self._begin(seq)
 
+    def ask(self, cause: int | None) -> int | None:
+        """Asks for what the state uses; the seq of the event where that is something else."""
+        uses = set(self.here.uses)
+        if self.display.wanted(self.here) is not None:
+            uses.add("screen")
+        able = tuple(self.here.may_use - uses)
+        return self._world.priorities.ask(self.name, tuple(uses), able, cause)
+
     def _begin(self, cause: int | None) -> None:
         """Screen, actions and timeout of the state begin."""
         state, here = self.state, self.here
@@ -349,12 +359,13 @@ class Machine:
         self.display.begin(here, cause)
         # What an event began and what was held up while the state was entered suspended.
         self.actions.resume(cause)
-        self.actions.begin(self._entry(here), state.no, cause, entry=True)
+        self.actions.begin(self.entry(), state.no, cause, entry=True)
         if here.timeout is not None:
             self.timeouts.begin(here.timeout, cause)
 
-    def _entry(self, here: StateProgram) -> list[int]:
+    def entry(self) -> list[int]:
         """The actions of the state, and what tells of the parts that it ends, innermost first."""
+        here = self.here
         if len(here.levels) == 1:
             return here.actions
         entered = reversed(here.ended[self.state.entered :])
@@ -418,6 +429,32 @@ class Machine:
             self.actions.resume(seq)
             self.timeouts.go_on(seq)
         self._settle_idle()
+
+    # -- another version ------------------------------------------------------
+
+    def go_on(self, shows: bool, asked: int | None, cause: int) -> None:
+        """In the same state of another version. shows: whether it has another screen; asked: the
+        seq of what it asked for now.
+        """
+        state, here = self.state, self.here
+        missing = self.missing()
+        if missing and not state.suspended:
+            self._suspend(missing, cause if asked is None else asked)
+        self._publish(cause)
+        if not state.begun:
+            return
+        if shows and not state.suspended:
+            self.display.show(here, cause)
+        self.timeouts.become(here.timeout, cause, stands=state.suspended)
+        if not state.suspended:
+            if not self.paused:
+                self.actions.release(cause)
+            self.timeouts.run_unless(here.idle)
+        self._settle_idle()
+
+    def warn(self, cause: int | None, message: str) -> None:
+        """Warns of it in its own name."""
+        self._step.warn(cause, message, self.name)
 
     # -- the timeout ---------------------------------------------------------
 

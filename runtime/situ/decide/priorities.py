@@ -110,7 +110,9 @@ class Priorities:
             self._drop(module, resource, seq, remap=False)
         return seq
 
-    def abandon(self, module: str, resources: tuple[str, ...]) -> int | None:
+    def abandon(
+        self, module: str, resources: tuple[str, ...], cause: int | None = None
+    ) -> int | None:
         """Gives back some (or, with none named, all) of what it asks for; its commands for
         them end, also those for what it did not ask for.
         """
@@ -120,9 +122,9 @@ class Priorities:
             gone = set(resources) or {*old.resources, *old.optional}
             kept = tuple(r for r in old.resources if r not in gone)
             able = tuple(r for r in old.optional if r not in gone)
-            seq = self.ask(module, kept, able, None)
+            seq = self.ask(module, kept, able, cause)
         for resource in resources or tuple(self.state.commands.get(module, ())):
-            self._drop(module, resource, seq, remap=False)
+            self._drop(module, resource, seq if seq is not None else cause, remap=False)
         return seq
 
     def lost(self, module: str) -> int:

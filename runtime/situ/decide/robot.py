@@ -15,23 +15,26 @@ all that follows.
 from __future__ import annotations
 
 import heapq
+from collections.abc import Mapping
 
 import msgspec
 from msgspec import Struct
 
-from situ.decide import inputs
+from situ.decide import inputs, trace
 from situ.decide.board import Board, Entry
 from situ.decide.conditions import ConditionsState
 from situ.decide.debugger import DebuggerState
+from situ.decide.deploying import Deploying, DeployingState, Deployment, Version
 from situ.decide.effects import AnyEffect, Begin, Map
 from situ.decide.expected import Expectation, expected
-from situ.decide.intake import ACCEPT, Intake
-from situ.decide.machine import Machine, MachineState
-from situ.decide.presence import Presence, PresenceState
+from situ.decide.intake import ACCEPT
+from situ.decide.machine import MachineState
+from situ.decide.parts import Parts
+from situ.decide.presence import PresenceState
 from situ.decide.priorities import PrioritiesState
-from situ.decide.settling import Settling
+from situ.decide.replacing import take_over
 from situ.decide.situations import SituationsState
-from situ.decide.step import SECOND, TEST, StepState, Timer
+from situ.decide.step import SECOND, TEST, StepState
 from situ.decide.trace import TraceEvent
 from situ.decide.world import World, WorldState
 from situ.document.project import Project
@@ -53,6 +56,7 @@ class RobotState(Struct):
     count: int
     at_rest: bool
     debugger: DebuggerState
+    deploying: DeployingState
 
 
 class Robot:
@@ -60,20 +64,44 @@ class Robot:
 
     The project must have no errors (``situ.document.check``); with errors the
     behaviour is undefined, but nothing outside of this object is ever touched.
+    version: its number; files: its texts, as in ``inputs.Deploy``. Both are told when another
+    version is deployed, and are what is returned to.
     """
 
-    def __init__(self, project: Project) -> None:
-        self.project = project
-        self._presence = Presence(project)
+    def __init__(
+        self, project: Project, version: int = 0, files: Mapping[str, str] | None = None
+    ) -> None:
         self._world = World(project)
         self._step = self._world.step
-        self._settling = Settling(self._world, self._presence)
-        self._machines = [
-            Machine(self._world, application, number, self._settling.asked)
-            for number, application in enumerate(project.applications.values())
-        ]
-        self._settling.run(self._machines)
-        self._intake = Intake(self._world, self._presence, self._settling)
+        running = Version(version, dict(files or {}))
+        self._deploying = Deploying(self._step, project, running, self._replace)
+        self._run()
+
+    def _run(self) -> None:
+        """Makes all that is made of the project of this world."""
+        self._parts = Parts(self._world, self._deploying)
+        self._machines = self._parts.machines
+        self._settling = self._parts.settling
+
+    @property
+    def project(self) -> Project:
+        """What it runs now."""
+        return self._world.project
+
+    @property
+    def version(self) -> int:
+        """The number of what it runs now."""
+        return self._deploying.state.running.number
+
+    def deployment(self) -> Deployment:
+        """Which version runs, which waits to run and for what."""
+        return self._deploying.deployment()
+
+    def prepare(self, version: int, project: Project) -> None:
+        """``project`` is what the files of a version are that is to be deployed or returned to,
+        so that they need not be read once more.
+        """
+        self._deploying.prepare(version, project)
 
     @property
     def board(self) -> Board:
@@ -87,7 +115,7 @@ class Robot:
 
     def modules(self) -> dict[str, bool]:
         """Every module known here, whether it is present."""
-        return self._presence.modules()
+        return self._parts.presence.modules()
 
     def expected(self) -> dict[str, Expectation]:
         """What each application expects now, by its name."""
@@ -113,14 +141,16 @@ class Robot:
             self._do_due(now)
         else:
             settling.moment, settling.count = now, 0
-            ACCEPT[type(given)](self._intake, given)
-        settling.settle()
+            ACCEPT[type(given)](self._parts.intake, given)
+        self._settling.settle()
+        if self._deploying.active and self._deploying.look():
+            self._settling.settle()
         return step.events, step.effects
 
     def due(self) -> int | None:
         """When the next thing falls due, in µs; None where nothing will."""
         timers = self._world.step.timers
-        while timers and not self._is_live(timers[0]):
+        while timers and not self._parts.is_live(timers[0]):
             heapq.heappop(timers)
         return timers[0].due if timers else None
 
@@ -130,46 +160,29 @@ class Robot:
         if due is None or due > now:
             return
         first = heapq.heappop(timers)
-        self._ring(first)
+        self._parts.ring(first)
         # All ends of ``within`` and ``for`` at one moment are one thing: at that moment
         # none of them holds any longer, so no condition may be judged between two.
         while (
             first.rank == TEST and timers and (timers[0].due, timers[0].rank) == (first.due, TEST)
         ):
-            self._ring(heapq.heappop(timers))
+            self._parts.ring(heapq.heappop(timers))
 
-    def _ring(self, timer: Timer) -> None:
-        """Lets a timer that ``_is_live`` do what it was set for."""
-        kind, _, name = timer.owner.partition(":")
-        if kind == "test":
-            self._world.conditions.due(int(name), timer.token)
-        elif kind == "situation":
-            assert self._settling.situations is not None
-            self._settling.situations.due(int(name))
-        elif kind == "command":
-            self._world.priorities.due(name)
-        elif kind == "action":
-            machine = self._machines[int(name)]
-            cause = machine.actions.state.running[timer.token].seq
-            machine.finish(timer.token, True, None, None, None, cause)
-        else:
-            machine = self._machines[int(name)]
-            debugger = self._settling.debugger
-            if not (debugger.active and debugger.stops_timeout(machine)):
-                machine.due()
-
-    def _is_live(self, timer: Timer) -> bool:
-        kind, _, name = timer.owner.partition(":")
-        if kind == "test":
-            return True
-        if kind == "situation":
-            assert self._settling.situations is not None
-            return self._settling.situations.is_live(int(name), timer.token)
-        if kind == "command":
-            return self._world.priorities.is_live(name, timer.token)
-        if kind == "action":
-            return timer.token in self._machines[int(name)].actions.state.running
-        return self._machines[int(name)].timeouts.is_live(timer.token)
+    def _replace(
+        self,
+        project: Project,
+        version: int,
+        files: tuple[str, ...],
+        writer: str,
+        cause: int | None,
+    ) -> None:
+        """Another version takes over (``deploying.Replace``)."""
+        seq = self._step.trace(trace.Deployed, cause, version, files, writer)
+        old = self._parts
+        live = [timer for timer in self._step.timers if old.is_live(timer)]
+        self._world.deploy(project)
+        self._run()
+        take_over(self._world, old, self._parts, live, seq)
 
     # -- the state as a value ------------------------------------------------
 
@@ -191,7 +204,9 @@ class Robot:
         return [*found, *(begin for m in self._machines for begin in m.actions.outstanding())]
 
     def snapshot(self) -> bytes:
-        """All that this robot knows, to be restored into a ``Robot`` of the same project."""
+        """All that this robot knows, to be restored into a ``Robot`` of the same project, whichever
+        version of it runs.
+        """
         world, settling = self._world, self._settling
         world.state.random = world.random.getstate()
         # JSON, as the values are: it holds integers of any size.
@@ -200,18 +215,25 @@ class Robot:
                 world.step.state, world.board.state, world.conditions.state,
                 world.priorities.state, world.state, [m.state for m in self._machines],
                 settling.situations.state if settling.situations is not None else None,
-                self._presence.state, world.auto_finish, settling.moment, settling.count,
+                self._parts.presence.state, world.auto_finish, settling.moment, settling.count,
                 settling.at_rest, settling.debugger.state,
+                self._deploying.state,
             )
         )  # fmt: skip
 
     def restore(self, snapshot: bytes) -> None:
         """Goes on from where ``snapshot`` was taken; every later step is the same as there.
 
-        Raises msgspec.DecodeError where the bytes are no snapshot.
+        Raises msgspec.DecodeError where the bytes are no snapshot, ValueError where the files of
+        the version that ran then can not be run.
         """
         state = msgspec.json.decode(snapshot, type=RobotState)
-        world, settling = self._world, self._settling
+        world, running = self._world, state.deploying.running
+        if running.number != self.version:
+            world.deploy(self._deploying.project(running))
+            self._run()
+        settling = self._settling
+        self._deploying.state = state.deploying
         world.step.state, world.board.state = state.step, state.board
         world.conditions.state, world.priorities.state = state.conditions, state.priorities
         world.state, world.auto_finish = state.world, state.auto_finish
@@ -221,7 +243,7 @@ class Robot:
             machine.restore(kept)
         if settling.situations is not None and state.situations is not None:
             settling.situations.restore(state.situations)
-        self._presence.state = state.presence
+        self._parts.presence.state = state.presence
         settling.moment, settling.count = state.moment, state.count
         settling.at_rest = state.at_rest
         settling.debugger.restore(state.debugger)

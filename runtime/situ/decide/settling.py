@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 from situ.decide.debugger import Debugger
 from situ.decide.hearing import phrases
@@ -51,6 +52,11 @@ class Settling:
         self.debugger.run(machines)
         self._shown = [one for one in machines if one.program.has_screens]
         self._heard = [one for one in machines if one.program.has_phrases]
+
+    def carry(self, old: Settling) -> None:
+        """Goes on in place of ``old``: a new version may do as much anew as an input may."""
+        self.moment, self.at_rest = old.moment, old.at_rest
+        self.debugger.state = old.debugger.state
 
     def settle(self) -> None:
         """Goes round until nothing is left; live screens at the end."""
@@ -140,14 +146,27 @@ class Settling:
             seq = situations.observe()
             if seq is None:
                 return
-            current = situations.current
-            value = {
-                "name": current.name if current is not None else None,
-                "priorities": dict(situations.granted()),
-            }
-            self._world.keep("situation", value, RUNTIME, seq)
+            self._world.keep("situation", self._situation(), RUNTIME, seq)
             self.reassign(seq)
             self._may_go_on()
+
+    def judge_anew(self, cause: int) -> None:
+        """Another version: which situation is current now; authority is not yet granted by it."""
+        value = None
+        if self.situations is not None:
+            self.situations.judge_anew(cause)
+            value = self._situation()
+        if value != self._world.board.look("situation"):
+            self._world.keep("situation", value, RUNTIME, cause)
+
+    def _situation(self) -> dict[str, Any]:
+        """What stands at ``situation``."""
+        assert self.situations is not None
+        current = self.situations.current
+        return {
+            "name": current.name if current is not None else None,
+            "priorities": dict(self.situations.granted()),
+        }
 
     def reassign(self, cause: int | None) -> None:
         """Grants authority anew and tells the applications."""
@@ -160,9 +179,13 @@ class Settling:
 
     def asked(self, module: str, seq: int) -> None:
         """A module, an application too, asks for authority: who it needs should be there."""
+        self.warn_of_absent(module, seq)
+        self.reassign(seq)
+
+    def warn_of_absent(self, module: str, seq: int) -> None:
+        """Who it needs and who is not there."""
         for absent in self._presence.lacks(module):
             self._world.step.warn(seq, f"{module} needs {absent}, which is absent", module)
-        self.reassign(seq)
 
     # -- phrases -------------------------------------------------------------
 

@@ -10,7 +10,7 @@ from situ.decide import trace
 from situ.decide.board import Board, Listener, prefixes
 from situ.decide.conditions import Compiled, Conditions, Watcher
 from situ.decide.flips import Flips
-from situ.decide.step import HOLD, Step, duration
+from situ.decide.step import HOLD, Step, Timer, duration
 from situ.document.condition import Condition, Group, Test
 from situ.document.spds import Situation, Spds
 
@@ -69,6 +69,10 @@ class Situations:
         self._flips: dict[str, Flips] = {}
         self._names: list[list[str]] = []
         self.state = SituationsState()
+        # Of a new version while its situations are judged for the first time: its cause, and the
+        # name of the situation that was current and is gone.
+        self._because: int | None = None
+        self._gone: str | None = None
         for number, source in enumerate(self._sources):
             stale, until = self._watchers(number)
             tests = plain(source.condition)
@@ -117,8 +121,72 @@ class Situations:
     def restore(self, state: SituationsState) -> None:
         """Goes on from a state of the same script; the board has been restored before."""
         self.state = state
+        self._look()
+
+    def _look(self) -> None:
+        """What the names have now is what their tests changed from next."""
         for name, flips in self._flips.items():
             flips.value = self._board.look(name)
+
+    def carry(self, old: Situations, timers: list[Timer], cause: int) -> dict[int, int]:
+        """Goes on in place of ``old``, whose live timers are given: a situation of the same name
+        stays current, ended or kept as it was, its dwell or limit counted on under the new length.
+        All that is new or changed is to be judged. Gives new numbers by old ones.
+        """
+        before = {source.name: number for number, source in enumerate(old._sources)}
+        moved: dict[int, int] = {}
+        for number, source in enumerate(self._sources):
+            was = before.get(source.name)
+            if was is None:
+                continue
+            moved[was] = number
+            former, seen = old._sources[was], old.state.observations[was]
+            self.state.observations[number] = seen
+            if (former.condition, former.until) == (source.condition, source.until):
+                self.state.stale.pop(number)
+            if former.condition != source.condition:
+                seen.condition, seen.spent = source.condition is None, False
+            if source.until is None:
+                seen.until = False
+            elif former.until != source.until:
+                self.state.untils[number] = cause
+            self._count_on(number, was, former, timers)
+        self.state.stale |= {moved[n]: told for n, told in old.state.stale.items() if n in moved}
+        self.state.untils |= {moved[n]: told for n, told in old.state.untils.items() if n in moved}
+        at = old.state.current
+        if at is not None:
+            self.state.current = moved.get(at)
+            self._gone = None if at in moved else old._sources[at].name
+        for number, seen in enumerate(self.state.observations):
+            seen.listed = self._holds(number)
+            if seen.listed:
+                self.state.candidates.append(number)
+        self._look()
+        return moved
+
+    def _count_on(self, number: int, was: int, former: Situation, timers: list[Timer]) -> None:
+        """A situation that is kept by ``dwell``, ``until`` or ``limit`` is so by the new ones."""
+        source, seen = self._sources[number], self.state.observations[number]
+        if not seen.kept or _keeps(former) == _keeps(source):
+            return
+        old_length, length = _length(former), _length(source)
+        owner, now = f"situation:{was}", self._step.now
+        due = next((t.due for t in timers if (t.owner, t.token) == (owner, seen.token)), None)
+        seen.token += 1
+        if length is not None:
+            began = now if due is None or old_length is None else due - duration(old_length)
+            end = max(now, began + duration(length))
+            self._step.at(end, HOLD, f"situation:{number}", seen.token)
+        elif source.until is None:
+            seen.kept = False
+            self.state.stale.setdefault(number, None)
+
+    def judge_anew(self, because: int) -> int | None:
+        """``observe`` where the script itself is another; ``because`` is the cause of all of it."""
+        self._because = because
+        chosen = self.observe()
+        self._because, self._gone = None, None
+        return chosen
 
     @property
     def current(self) -> Situation | None:
@@ -136,7 +204,7 @@ class Situations:
         Gives the seq of the ``situation`` event, None where the current one stays.
         """
         state = self.state
-        if state.stale or state.current is None:
+        if state.stale or state.current is None or self._because is not None:
             stale = sorted(state.stale.items())
             state.stale.clear()
             for number, cause in stale:
@@ -174,6 +242,8 @@ class Situations:
                 seen.condition = holds
                 if self._names[number]:
                     cause = self._last_told(self._names[number])
+                if self._because is not None:
+                    cause = self._because
                 seen.begin_cause = self._step.trace(trace.Condition, cause, source.name, holds)
                 if not holds:
                     seen.spent = False
@@ -228,19 +298,19 @@ class Situations:
             return None
         before, now = state.current, first
         state.current = first
-        cause = self._cause(before, now)
-        seq = self._step.trace(trace.Situation, cause, self._name(before), self._name(now))
+        cause = self._because if self._because is not None else self._cause(before, now)
+        left = self._name(before) if before is not None else self._gone
+        seq = self._step.trace(trace.Situation, cause, left, self._name(now))
         if now is not None:
             self._begin(now, seq)
         return seq
 
     def _begin(self, number: int, seq: int) -> None:
         source, seen = self._sources[number], self.state.observations[number]
-        keeps = source.dwell is not None or source.until is not None or source.limit is not None
-        if not keeps or seen.kept or seen.dwelt:
+        if _keeps(source) == _NOTHING or seen.kept or seen.dwelt:
             return
         seen.kept, seen.dwelt, seen.current_seq = True, True, seq
-        length = source.dwell if source.dwell is not None else source.limit
+        length = _length(source)
         if length is not None:
             seen.token += 1
             due = self._step.now + duration(length)
@@ -257,6 +327,19 @@ class Situations:
 
     def _name(self, number: int | None) -> str | None:
         return None if number is None else self._sources[number].name
+
+
+_NOTHING = (None, None, False)
+
+
+def _keeps(source: Situation) -> tuple[float | None, float | None, bool]:
+    """What keeps it whatever its condition: dwell, limit, and whether there is an until."""
+    return source.dwell, source.limit, source.until is not None
+
+
+def _length(source: Situation) -> float | None:
+    """How long it is kept at the least (dwell) or at the most (limit), in seconds."""
+    return source.dwell if source.dwell is not None else source.limit
 
 
 def plain(condition: Condition | None) -> list[Test]:

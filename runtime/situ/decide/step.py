@@ -14,7 +14,7 @@ SECOND = 1_000_000
 """Microseconds; time is whole microseconds everywhere in ``decide``."""
 
 # What falls due at one moment is done in this order (formats.md, *Time and steps*).
-TEST, HOLD, VALIDITY, FINISH, TIMEOUT = range(5)
+TEST, HOLD, VALIDITY, FINISH, TIMEOUT, DEPLOY = range(6)
 
 
 def microseconds(seconds: float) -> int:

@@ -48,6 +48,31 @@ class Timeouts:
         self.state.clock = Clock(length, length, self._step.now, cause)
         self._run()
 
+    def become(self, length: int | None, cause: int, stands: bool) -> None:
+        """Another version's: what counts goes on under the new ``length`` (µs), what is new
+        counts from now. stands: whether it stands still.
+        """
+        clock = self.state.clock
+        if length is None:
+            self.leave()
+        elif clock is None:
+            self.begin(length, cause)
+            if stands:
+                self.stop()
+        elif length != clock.length:
+            longer, clock.length = length - clock.length, length
+            if clock.due is None:
+                clock.remaining = max(0, clock.remaining + longer)
+            else:
+                clock.remaining = max(0, clock.due + longer - self._now())
+                self._run()
+
+    def run_unless(self, idle: bool) -> None:
+        """What stood still, because the state spoke, goes on where it no longer does so."""
+        clock = self.state.clock
+        if clock is not None and clock.due is None and not idle:
+            self._run()
+
     def go_on(self, cause: int | None) -> None:
         """Counts what remained; ``cause`` now stands behind it."""
         clock = self.state.clock

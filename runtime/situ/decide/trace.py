@@ -195,6 +195,14 @@ class Resumed(TraceEvent, frozen=True):
     writer: str
 
 
+class Deployed(TraceEvent, frozen=True):
+    """Another version runs from here on. files: the names of those that changed, sorted."""
+
+    version: int
+    files: tuple[str, ...]
+    writer: str
+
+
 class Warned(TraceEvent, frozen=True, tag="warning"):
     message: str
     where: str

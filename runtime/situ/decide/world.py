@@ -64,6 +64,14 @@ class World:
         self.random = random.Random(0)
         self.auto_finish: int | None = None
 
+    def deploy(self, project: Project) -> None:
+        """Goes on with another project: blackboard, time and authority stay, conditions and
+        listeners are to be made anew.
+        """
+        self.project = project
+        self.board.listeners.clear()
+        self.conditions = Conditions(self.board, self.step)
+
     def keep(self, tag: str, value: Any, writer: str, cause: int | None) -> None:
         """Writes what the runtime itself keeps; it stands in no trace."""
         now = self.step.now
