@@ -138,6 +138,7 @@ class DocumentView(QStackedWidget):
         if self._telling:
             return
         self.selected = tuple(tuple(p) for p in chosen)
+        self._fresh &= {self._mode}
         self.selection_changed.emit(self.selected)
 
     def _on_clicked(self) -> None:
