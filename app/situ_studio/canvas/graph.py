@@ -8,7 +8,9 @@ gesture left behind. NodeGraphQt's undo is not used.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from itertools import compress
+from operator import is_, is_not
+from typing import Any, TypeVar
 
 from PySide6.QtCore import QLineF, QPointF
 from PySide6.QtGui import QUndoStack
@@ -19,6 +21,7 @@ from situ_studio.canvas.style import Look
 from situ_studio.canvas.viewer import Viewer
 
 LinkId = tuple[str, ...]
+K = TypeVar("K")
 
 
 class Graph(NodeGraph):
@@ -30,6 +33,7 @@ class Graph(NodeGraph):
         self.nodes: dict[str, Node] = {}
         self.cards: dict[str, Any] = {}
         self.links: dict[LinkId, Any] = {}
+        self._at: dict[str, dict[LinkId, None]] = {}
         self.connections: list[tuple[list[Any], list[Any]]] = []
         self.slices: list[list[Any]] = []
         self._lines: tuple[Any, list[QLineF], list[QLineF]] | None = None
@@ -71,13 +75,11 @@ class Graph(NodeGraph):
         """Makes model and view equal to the picture. Returns the uids that were changed."""
         viewer = self._viewer
         touched = viewer.touched
-        gone = [uid for uid in self.cards if uid not in cards]
-        fresh = dict.fromkeys(u for u, card in cards.items() if self.cards.get(u) is not card)
-        stale = {
-            id
-            for id, link in self.links.items()
-            if links.get(id) != link or link.source in gone or link.target in gone
-        }
+        gone, fresh = differing(self.cards, cards)
+        cut, drawn = differing(self.links, links)
+        stale = {*cut, *(id for id in drawn if id in self.links and self.links[id] != links[id])}
+        for uid in gone:
+            stale.update(self.links_at(uid))
         # A port that goes takes its pipes with it; they come back with the links that are left.
         for uid in fresh:
             node = self.nodes.get(uid)
@@ -87,25 +89,24 @@ class Graph(NodeGraph):
                 entries = {p.name() for p in node._inputs} - set(card.inputs)
                 if lost or entries:
                     stale |= {
-                        id
-                        for id, link in self.links.items()
+                        link.id
+                        for link in map(self.links.__getitem__, self.links_at(uid))
                         if (link.source == uid and link.exit in lost)
                         or (link.target == uid and link.entry in entries)
                     }
         for id in stale:
-            self._disconnect(self.links.pop(id))
+            self._disconnect(self._forget(id))
         for uid in gone:
             self._remove(uid)
         for uid in fresh:
             self._put(cards[uid])
-        for uid in touched - fresh.keys():
+        for uid in touched.difference(fresh):
             if uid in self.nodes:
                 self._replace(uid, cards[uid])
-        for id, link in links.items():
-            if id not in self.links:
-                self._connect(link)
-                self.links[id] = link
-        if touched or stale:
+        for id in {**dict.fromkeys(drawn), **dict.fromkeys(i for i in stale if i in links)}:
+            self._connect(links[id], id in self.links)
+        self.links = dict(links)
+        if touched:
             self._mend(touched)
         self.cards = dict(cards)
         self._lines = None
@@ -148,12 +149,25 @@ class Graph(NodeGraph):
         leaving, entry = source.port(OUT, link.exit), target.port(IN, link.entry)
         return (leaving, entry) if leaving is not None and entry is not None else None
 
-    def _connect(self, link: Any) -> None:
+    def _connect(self, link: Any, there: bool) -> None:
+        """there: whether its pipe was kept."""
+        for uid in (link.source, link.target):
+            self._at.setdefault(uid, {})[link.id] = None
         ends = self._ends(link)
         if ends is None:
             return
-        PortConnectedCmd(*ends, emit_signal=False).redo()
-        self.pipe_between(*ends).link = link
+        if not there:
+            PortConnectedCmd(*ends, emit_signal=False).redo()
+        pipe = self.pipe_between(*ends)
+        if pipe is not None:
+            pipe.link = link
+
+    def _forget(self, id: LinkId) -> Any:
+        """The link, which is no more."""
+        link = self.links.pop(id)
+        for uid in (link.source, link.target):
+            self._at.get(uid, {}).pop(id, None)
+        return link
 
     def _disconnect(self, link: Any) -> None:
         ends = self._ends(link)
@@ -178,9 +192,7 @@ class Graph(NodeGraph):
         """The pipes of touched nodes as the model has them; gestures delete and make some."""
         near = set(touched)
         wanted: set[tuple[int, int]] = set()
-        for link in self.links.values():
-            if link.source not in near and link.target not in near:
-                continue
+        for link in (self.links[id] for uid in near for id in self.links_at(uid)):
             ends = self._ends(link)
             if ends is None:
                 continue
@@ -210,6 +222,10 @@ class Graph(NodeGraph):
                 pipe.delete()
 
     # -- asking ---------------------------------------------------------------------------
+
+    def links_at(self, uid: str) -> list[LinkId]:
+        """What leaves or enters a card."""
+        return list(self._at.get(uid, ()))
 
     def moved(self, touched: Iterable[str]) -> dict[str, tuple[float, float]]:
         """Touched cards that are not where the picture has them."""
@@ -243,3 +259,11 @@ class Graph(NodeGraph):
                 taken.append(line)
         self._lines = live, plain, taken
         return plain, taken
+
+
+def differing(before: Mapping[K, Any], now: Mapping[K, Any]) -> tuple[list[K], list[K]]:
+    """The keys that are gone, and those whose value is not the very object that it was."""
+    if len(before) == len(now) and all(map(is_, before, now)):
+        return [], list(compress(now, map(is_not, before.values(), now.values())))
+    gone = [key for key in before if key not in now]
+    return gone, [key for key, value in now.items() if before.get(key) is not value]

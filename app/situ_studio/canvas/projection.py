@@ -8,7 +8,7 @@ Lengths are scene units (px at 100 %), measures are those of mockups/tokens.md.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -270,11 +270,27 @@ def _marks(problems: Iterable[Problem]) -> dict[Place, Literal["warning", "error
     return marks
 
 
+class _Made(NamedTuple):
+    """A card with what it was made from. laid: its place where the value has none."""
+
+    value: State | rbd.Always
+    targets: frozenset[str]
+    laid: tuple[float, float] | None
+    card: Card
+    links: dict[tuple[str, ...], Link]
+
+
 class Projector:
-    """Makes pictures of successive documents; cards that did not change are the same value."""
+    """Makes pictures of successive documents; cards that did not change are the same value.
+
+    What it costs is next to nothing for a value that is the very same as before.
+    """
 
     def __init__(self) -> None:
-        self._made: dict[str, tuple[State | rbd.Always, tuple[object, ...], Card]] = {}
+        self._made: dict[str, _Made] = {}
+        self._known: frozenset[str] = frozenset()
+        self._start: str | None = None
+        self._chips: tuple[str, ...] = ()
 
     def picture(
         self,
@@ -283,82 +299,112 @@ class Projector:
         places: Mapping[str, tuple[float, float]] | None = None,
     ) -> Picture:
         """places: uid to position, for cards whose state has none."""
-        known = {s.no for s in application.states}
+        known = frozenset(s.no for s in application.states)
         places = places or {}
         marks = _marks(problems)
         chips = _chips(application)
         start = application.start_no
-        cards: dict[str, Card] = {}
-        by_place: dict[Place, str] = {}
-        made: dict[str, tuple[State | rbd.Always, tuple[object, ...], Card]] = {}
-        for uid, value in identified(application):
-            position = value.aside.position or places.get(uid, (0.0, 0.0))
-            lost = tuple(
-                n for n in targets(value) if n not in known and n not in (rbd.BACK, rbd.AGAIN)
+        # Numbers that are there now and were not, or the other way round.
+        other = frozenset([*(known ^ self._known)])
+        begins = {start, self._start} if start != self._start else frozenset[str | None]()
+        hung = chips != self._chips
+
+        def same(uid: str, kept: _Made) -> bool:
+            card = kept.card
+            return (
+                other.isdisjoint(kept.targets)
+                and not (hung and card.no)
+                and card.no not in begins
+                and marks.get(card.place, "") == card.mark
+                and (kept.laid is None or places.get(uid) == kept.laid)
             )
+
+        made: dict[str, _Made] = {}
+        links: dict[tuple[str, ...], Link] = {}
+        for uid, value in identified(application):
             kept = self._made.get(uid)
-            key: tuple[object, ...]
-            if isinstance(value, State):
-                place: Place = ("state", value.no)
-                own = chips if value.always else ()
-                key = (position, lost, marks.get(place), value.no == start, own)
-            else:
-                place = (ALWAYS,)
-                key = (position, lost, marks.get(place))
-            if kept is not None and kept[0] is value and kept[1] == key:
-                card = kept[2]
-            elif isinstance(value, State):
-                line, icon = _line(value)
-                icons = dict.fromkeys(_icon(a) for a in value.actions)
-                kind: Kind = "state"
-                if value.no == start:
-                    kind = "start"
-                elif value.flow is not None:
-                    kind = "part"
-                elif ends(value):
-                    kind = "end"
-                card = Card(
-                    uid=uid,
-                    place=place,
-                    kind=kind,
-                    no=value.no,
-                    name=value.name or f"state {value.no}",
-                    x=position[0],
-                    y=position[1],
-                    line=line,
-                    line_icon=icon,
-                    icons=tuple(icons),
-                    screen=value.screen,
-                    exits=_exits(value.events, value.timeout, known),
-                    chips=own,
-                    mark=marks.get(place, ""),
-                )
-            else:
-                card = Card(
-                    uid=uid,
-                    place=place,
-                    kind="always",
-                    no="",
-                    name="In every state",
-                    x=position[0],
-                    y=position[1],
-                    line="is part of every state",
-                    line_icon="always",
-                    screen=value.screen,
-                    exits=_exits(value.events, value.timeout, known),
-                    mark=marks.get(place, ""),
-                )
-            made[uid] = (value, key, card)
-            cards[uid] = card
-            by_place.setdefault(place, uid)
-        self._made = made
-        return Picture(cards=cards, links=_links(cards, by_place), uids=by_place)
+            if kept is None or kept.value is not value or not same(uid, kept):
+                laid = None
+                position = value.aside.position
+                if position is None:
+                    position = laid = places.get(uid, (0.0, 0.0))
+                own = chips if isinstance(value, State) and value.always else ()
+                card = _card(uid, value, position, known, start, own, marks)
+                if kept is not None and kept.card == card:
+                    card, leaving = kept.card, kept.links
+                else:
+                    leaving = _links(card)
+                kept = _Made(value, frozenset(targets(value)), laid, card, leaving)
+            made[uid] = kept
+            links.update(kept.links)
+        self._made, self._known, self._start, self._chips = made, known, start, chips
+        cards = {uid: one.card for uid, one in made.items()}
+        by_place: dict[Place, str] = {}
+        for uid, card in cards.items():
+            by_place.setdefault(card.place, uid)
+        return Picture(cards=cards, links=links, uids=by_place)
+
+
+def _card(
+    uid: str,
+    value: State | rbd.Always,
+    position: tuple[float, float],
+    known: frozenset[str],
+    start: str | None,
+    chips: tuple[str, ...],
+    marks: Mapping[Place, Literal["warning", "error"]],
+) -> Card:
+    x, y = position
+    exits = _exits(value.events, value.timeout, known)
+    if not isinstance(value, State):
+        return Card(
+            uid=uid,
+            place=(ALWAYS,),
+            kind="always",
+            no="",
+            name="In every state",
+            x=x,
+            y=y,
+            line="is part of every state",
+            line_icon="always",
+            screen=value.screen,
+            exits=exits,
+            mark=marks.get((ALWAYS,), ""),
+        )
+    kind: Kind = "state"
+    if value.no == start:
+        kind = "start"
+    elif value.flow is not None:
+        kind = "part"
+    elif ends(value):
+        kind = "end"
+    line, icon = _line(value)
+    return Card(
+        uid=uid,
+        place=("state", value.no),
+        kind=kind,
+        no=value.no,
+        name=value.name or f"state {value.no}",
+        x=x,
+        y=y,
+        line=line,
+        line_icon=icon,
+        icons=tuple(dict.fromkeys(_icon(a) for a in value.actions)),
+        screen=value.screen,
+        exits=exits,
+        chips=chips,
+        mark=marks.get(("state", value.no), ""),
+    )
 
 
 def identified(application: Application) -> Iterable[tuple[str, State | rbd.Always]]:
     """Every card's uid with its value: ``always`` first, then the states; doubled numbers apart."""
     if application.always is not None:
         yield f"{ALWAYS} ", application.always
+    numbers = [state.no for state in application.states]
+    if len(set(numbers)) == len(numbers):
+        yield from zip(numbers, application.states, strict=True)
+        return
     seen: dict[str, int] = {}
     for state in application.states:
         count = seen[state.no] = seen.get(state.no, 0) + 1
@@ -373,18 +419,17 @@ def targets(value: State | rbd.Always) -> list[str]:
     return found
 
 
-def _links(cards: Mapping[str, Card], by_place: Mapping[Place, str]) -> dict[tuple[str, ...], Link]:
-    links: dict[tuple[str, ...], Link] = {}
-    for card in cards.values():
-        for leaving in card.exits:
-            if leaving.next is None or leaving.short:
-                continue
-            link = Link(
-                source=card.uid,
-                exit=leaving.id,
-                target=by_place["state", leaving.next],
-                label=leaving.label,
-                guard=f"if {leaving.guard}" if leaving.guard else "",
-            )
-            links[link.id] = link
-    return links
+def _links(card: Card) -> dict[tuple[str, ...], Link]:
+    """The card's pipes. The first card with a number has it as its uid."""
+    made = (
+        Link(
+            source=card.uid,
+            exit=leaving.id,
+            target=leaving.next,
+            label=leaving.label,
+            guard=f"if {leaving.guard}" if leaving.guard else "",
+        )
+        for leaving in card.exits
+        if leaving.next is not None and not leaving.short
+    )
+    return {link.id: link for link in made}

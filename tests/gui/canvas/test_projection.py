@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from situ.document import words
+from situ.document.aside import NOTHING
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Question
 from situ.document.problem import Problem
-from situ.document.rbd import Application, Event, Say, Service, State
+from situ.document.rbd import Always, Application, Event, Say, Service, State
 from situ_studio import kinds
-from situ_studio.canvas.projection import NEW, Projector, exit_of, place_of
+from situ_studio.canvas.projection import ALWAYS, NEW, Projector, exit_of, place_of
 
 
 def test_a_card_shows_its_state(small: Application) -> None:
@@ -103,3 +108,52 @@ def test_an_action_has_the_icon_on_its_card_that_it_has_in_the_palette() -> None
     every = tuple(kind.make("") for kind in kinds.ACTIONS)
     made = Projector().picture(Application("a", states=(State("1", actions=every),)))
     assert made.cards["1"].icons == tuple(kind.icon for kind in kinds.ACTIONS)
+
+
+NUMBERS = st.sampled_from(["1", "2", "3"])
+STATES = st.builds(
+    State,
+    no=NUMBERS,
+    name=st.sampled_from([None, "a"]),
+    always=st.booleans(),
+    events=st.lists(
+        st.builds(Event, name=st.just("e"), next=st.none() | NUMBERS | st.just("9")), max_size=2
+    ).map(tuple),
+    aside=st.sampled_from([NOTHING, NOTHING.at(8, 16)]),
+)
+HOME = Always(events=(Event(name="home", next="1"), Event(name="up", next="2")))
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    states=st.lists(STATES, min_size=3, max_size=5),
+    moments=st.lists(
+        st.tuples(
+            st.lists(st.integers(0, 4), max_size=4),
+            st.sampled_from([None, HOME, replace(HOME, events=HOME.events[:1])]),
+            st.sampled_from([None, "1", "3"]),
+            st.sampled_from([(), ("1",), ("2", "always")]),
+            st.dictionaries(NUMBERS, st.just((4.0, 4.0)) | st.just((0.0, 8.0))),
+        ),
+        min_size=2,
+        max_size=5,
+    ),
+)
+def test_a_picture_is_the_same_whatever_was_shown_before(
+    states: list[State], moments: list[tuple[Any, ...]]
+) -> None:
+    projector = Projector()
+    for chosen, always, start, faulty, places in moments:
+        document = Application(
+            name="any",
+            start=start,
+            always=always,
+            states=tuple(states[i % len(states)] for i in chosen),
+        )
+        problems = [
+            Problem(file="f", code="c", message="m", place=(no,) if no == ALWAYS else ("state", no))
+            for no in faulty
+        ]
+        assert projector.picture(document, problems, places) == Projector().picture(
+            document, problems, places
+        )
