@@ -1,8 +1,6 @@
 """Gathers what ``situ.document`` says to people, as templates, for the translators of the editor.
 
-    python packaging/runtime_texts.py        writes resources/i18n/runtime.txt anew, one a line
-
-A template is a text of the sources; where an f-string has a value, it has ``{0}``, ``{1}`` …
+packaging/texts.py uses it. A template is a text of the sources; where an f-string has a value, it has ``{0}``, ``{1}`` …
 Texts without two words in a row are taken for names, and left out.
 """
 
@@ -15,13 +13,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "runtime" / "situ" / "document"
-WRITTEN = ROOT / "resources" / "i18n" / "runtime.txt"
 QUIET = {"schema.py", "locate.py", "writer.py"}
 """Files whose texts no person reads in the editor."""
 SAID = re.compile(r"[a-z]{2,}'?,? +(?:[\w<\"“({[]|$)|\}[^\w{}]* [a-z]{2,}|^: [a-z]|[a-z]{2,}: \{")
 
 
-XML = re.compile(r"^<\w+ \w+=|^<\w+/>$|<param |^\^|\n")
+XML = re.compile(r"^<\w+ \w+=|^<\w+/>$|<param |^<choice>|\\[sd]|^\^|\n")
 """Pieces of schemas, and regular expressions."""
 
 
@@ -71,7 +68,3 @@ def _template(node: ast.JoinedStr) -> str:
             made += f"{{{number}}}"
             number += 1
     return made
-
-
-if __name__ == "__main__":
-    WRITTEN.write_text("".join(f"{one}\n" for one in templates()), encoding="utf-8")

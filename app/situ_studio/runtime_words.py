@@ -18,6 +18,8 @@ from situ.resources import resource
 Translate = Callable[[str], str]
 """Gives a template in the user's language; what it does not know as it is."""
 HOLE = re.compile(r"\{(\d)\}")
+QUOTED = re.compile(r'“[^“”]*”|"[^"]*"')
+"""What a person wrote: never translated, though it may read like one of the runtime's texts."""
 GLUE = (": ", "; ", ", ", " → ", " and ")
 """What the runtime puts between sentences and values of its own making."""
 DEEPEST = 6
@@ -50,6 +52,8 @@ class RuntimeWords:
         """The text in the user's language; what fits no template stays as it is."""
         if text in self._whole:
             return self._translate(text)
+        if QUOTED.fullmatch(text):
+            return text
         if depth < DEEPEST:
             for template, values in self._fitting(text):
                 meant = self._translate(template.text)

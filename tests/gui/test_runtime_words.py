@@ -27,7 +27,7 @@ def test_the_templates_are_those_of_the_sources() -> None:
     told = subprocess.run(
         [sys.executable, "-c", code], check=True, capture_output=True, encoding="utf-8"
     )
-    assert told.stdout.splitlines() == KNOWN, "run python packaging/runtime_texts.py"
+    assert told.stdout.splitlines() == KNOWN, "run python packaging/texts.py"
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=NUMBERED)
@@ -57,3 +57,8 @@ def test_values_are_said_in_the_user_s_language_too() -> None:
 def test_a_language_without_a_template_leaves_its_english() -> None:
     words = RuntimeWords(["state {0} added"], lambda text: text)
     assert words.said("state 5 added") == "state 5 added"
+
+
+def test_what_a_person_wrote_is_never_translated() -> None:
+    words = RuntimeWords(["{0} to {1}", "call {0}"], marked)
+    assert words.said("call “Helper to Ann”") == "⟦“Helper to Ann” call⟧"
