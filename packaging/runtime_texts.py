@@ -1,7 +1,7 @@
 """Gathers what ``situ.document`` says to people, as templates, for the translators of the editor.
 
-packaging/texts.py uses it. A template is a text of the sources; where an f-string has a value, it has ``{0}``, ``{1}`` …
-Texts without two words in a row are taken for names, and left out.
+packaging/texts.py uses it. A template is a text of the sources; where an f-string has a value, it
+has ``{0}``, ``{1}`` … Texts without two words in a row are taken for names, and left out.
 """
 
 from __future__ import annotations
