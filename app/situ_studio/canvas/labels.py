@@ -5,37 +5,53 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from situ_studio.canvas.space import FAR, Box, Boxes, Line, Lines, PipeId, Point, segments
-from situ_studio.canvas.ways import Pipe, Ways
+from situ_studio.canvas.space import FAR, Box, Boxes, Line, Lines, Pipe, PipeId, Point, segments
+from situ_studio.canvas.ways import Ways
 
 SHORT = 84.0
 """The width that a label may be shortened to."""
 
 
 class Labels:
-    """The labels of one drawing. stubs: what joins a pipe at a dot, which a label leaves free."""
+    """The labels of one drawing, and what joins pipes at a dot, which labels leave free."""
 
     def __init__(self, ways: Ways) -> None:
         self._ways = ways
-        self._taken = Boxes()
+        self._taken: Boxes[PipeId] = Boxes()
         self._boxes: dict[PipeId, Box] = {}
-        self._stubs = Lines()
-        self._stub_lines: dict[PipeId, list[Line]] = {}
+        self._level, self._upright = Lines(), Lines()
+        self._stubs: dict[PipeId, list[tuple[Lines, Line]]] = {}
 
     def put_stub(self, pipe: Pipe, points: Sequence[Point]) -> None:
         for horizontal, at, low, high in segments(points):
-            if not horizontal:
-                line = Line(at, low, high, pipe.target, pipe.id)
-                self._stubs.add(line)
-                self._stub_lines.setdefault(pipe.id, []).append(line)
+            lines = self._level if horizontal else self._upright
+            line = Line(at, low, high, pipe.target, pipe.id)
+            lines.add(line)
+            self._stubs.setdefault(pipe.id, []).append((lines, line))
 
     def forget(self, pipe: PipeId) -> None:
         """The pipe's label and stub are free again."""
+        self.take_up(pipe)
+        for lines, line in self._stubs.pop(pipe, ()):
+            lines.remove(line)
+
+    def take_up(self, pipe: PipeId) -> None:
+        """The label's place is free again."""
         box = self._boxes.pop(pipe, None)
         if box is not None:
-            self._taken.remove(str(pipe), box)
-        for line in self._stub_lines.pop(pipe, ()):
-            self._stubs.remove(line)
+            self._taken.remove(pipe, box)
+
+    def under(self, points: Sequence[Point]) -> set[PipeId]:
+        """The pipes over whose labels this way runs."""
+        found: set[PipeId] = set()
+        for horizontal, at, low, high in segments(points):
+            area = (low, at - 1, high, at + 1) if horizontal else (at - 1, low, at + 1, high)
+            found.update(pipe for pipe, _ in self._taken.near(*area))
+        return found
+
+    def on(self, box: Box) -> set[PipeId]:
+        """The pipes whose labels lie on a card that is there now."""
+        return {pipe for pipe, _ in self._taken.near(*box)}
 
     def place(self, pipe: Pipe, points: Sequence[Point]) -> tuple[Point, float] | None:
         """A label's centre and width: whole on a horizontal, else shortened there, else whole
@@ -51,7 +67,7 @@ class Labels:
         x, y = spot
         box = Box(x - half, y - tall, x + half, y + tall)
         self._boxes[pipe.id] = box
-        self._taken.add(str(pipe.id), box)
+        self._taken.add(pipe.id, box)
         return spot, width
 
     def _along(self, pipe: Pipe, points: Sequence[Point], width: float) -> Point | None:
@@ -93,13 +109,14 @@ class Labels:
     def _covered(self, pipe: Pipe, x: float, y: float, width: float) -> float:
         half, tall = width / 2 + 4, pipe.height / 2
         area = (x - half, y - tall, x + half, y + tall)
-        if self._ways.space.near(*area) or self._taken.near(*area):
+        ways = self._ways
+        if ways.space.near(*area) or ways.chips.near(*area) or self._taken.near(*area):
             return FAR
         cost = 0.0
-        area = (y - tall, y + tall, x - half, x + half)
-        for lines in (self._ways.upright, self._stubs):
+        for lines in (ways.upright, self._upright):
             for line in lines.between(x - half, x + half, y - tall, y + tall):
                 cost += 100.0 if line.pipe != pipe.id else 0.0
-        for line in self._ways.level.between(*area):
-            cost += 100.0 if line.pipe != pipe.id else 0.0
+        for lines in (ways.level, self._level):
+            for line in lines.between(y - tall, y + tall, x - half, x + half):
+                cost += 100.0 if line.pipe != pipe.id else 0.0
         return cost

@@ -17,9 +17,8 @@ from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.pipes import GUARD_HEIGHT, LABEL_HEIGHT
 from situ_studio.canvas.projection import TIMEOUT, Card, Link, Picture
 from situ_studio.canvas.routes import Router
-from situ_studio.canvas.space import Box, PipeId
+from situ_studio.canvas.space import Box, Pipe, PipeId
 from situ_studio.canvas.style import Label
-from situ_studio.canvas.ways import Pipe
 
 SLICE = 0.008
 """Seconds of routing at a time, where there are very many pipes."""
@@ -37,6 +36,7 @@ class Piping(QObject):
         self._picture = Picture({}, {}, {})
         self._widths: dict[str, float] = {}
         self._said: dict[PipeId, tuple[str, bool, str]] = {}
+        self._at: dict[str, set[PipeId]] = {}
         self._routing: Iterator[None] = iter(())
         self._slices = QTimer(self)
         self._slices.setInterval(0)
@@ -66,17 +66,17 @@ class Piping(QObject):
         cards, links = set(moved), picture.links
         boxes: dict[str, Box | None] = dict.fromkeys(cards)
         boxes.update(self._boxes({u: c for u in cards if (c := picture.cards.get(u))}))
-        groups = {
-            (x.source, x.target) for x in links.values() if x.source in cards or x.target in cards
-        }
-        near = [x for x in links.values() if (x.source, x.target) in groups]
+        near = {id: links[id] for uid in cards for id in self._graph.links_at(uid)}
         pipes: dict[PipeId, Pipe | None] = dict.fromkeys(
-            id for id in self._said if id[0] in cards or id[2] in cards
+            id for uid in cards for id in self._at.get(uid, ())
         )
         for id in pipes:
             if id not in links:
-                self._said.pop(id)
-        pipes.update(self._pipes(near))
+                self._unsay(id)
+        in_order = sorted(
+            near.values(), key=lambda x: picture.cards[x.source].outputs.index(x.exit)
+        )
+        pipes.update(self._pipes(in_order))
         pipes.update(self._stubs(c for u in cards if (c := picture.cards.get(u))))
         self._show(self._router.change(boxes, pipes))
 
@@ -128,7 +128,7 @@ class Piping(QObject):
             for link in group:
                 ax, ay = leaving.port(link.exit)
                 bx, by = entering.port(link.entry)
-                self._said[link.id] = text, pill, entering.no
+                self._say(link.id, text, pill, entering.no)
                 pipes[link.id] = Pipe(
                     id=link.id,
                     source=source,
@@ -155,7 +155,7 @@ class Piping(QObject):
                 start = (view.x() + x, view.y() + y)
                 # No card is called so: each stands for itself.
                 id = (card.uid, leaving.id, f" {leaving.id}")
-                self._said[id] = "", False, ""
+                self._say(id)
                 pipes[id] = Pipe(
                     id=id,
                     source=card.uid,
@@ -166,6 +166,16 @@ class Piping(QObject):
                     folded=True,
                 )
         return pipes
+
+    def _say(self, id: PipeId, text: str = "", pill: bool = False, chip: str = "") -> None:
+        self._said[id] = text, pill, chip
+        for uid in (id[0], id[2]):
+            self._at.setdefault(uid, set()).add(id)
+
+    def _unsay(self, id: PipeId) -> None:
+        del self._said[id]
+        for uid in (id[0], id[2]):
+            self._at[uid].discard(id)
 
     def _show(self, ids: Iterable[PipeId]) -> None:
         for id in ids:

@@ -13,12 +13,12 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from situ_studio.canvas.labels import Labels
-from situ_studio.canvas.space import Box, PipeId, Point, length
-from situ_studio.canvas.ways import IN, OUT, Pipe, Ways
+from situ_studio.canvas.space import Box, Pipe, PipeId, Point, length
+from situ_studio.canvas.ways import Ways
 
 __all__ = ["Box", "Pipe", "Point", "Route", "Router"]
 
-BURDEN = 1000.0
+BURDEN = 965.0
 """A pipe that is more in the way than this is folded."""
 MANY = 300
 """From so many pipes on, crossings are not counted and no pipe is routed twice."""
@@ -75,7 +75,7 @@ class Router:
         self._groups = {}
         for pipe in self._pipes.values():
             self._groups.setdefault((pipe.source, pipe.target), []).append(pipe)
-        trunks = sorted((_trunk(g) for g in self._groups.values()), key=_effort)
+        trunks = sorted((self._trunk(g) for g in self._groups.values()), key=_effort)
         for pipe in trunks:
             if self._folds_at_once(pipe):
                 self._fold(pipe)
@@ -112,9 +112,10 @@ class Router:
         """
         touched = set(pipes)
         for name, box in boxes.items():
-            self._ways.put_box(name, box)
+            self._ways.space.put(name, box)
             if box is not None:
-                touched |= {p for p in self._ways.through(box) if name not in self._ends(p)}
+                near = self._ways.through(box) | self._labels.on(box)
+                touched |= {p for p in near if name not in self._ends(p)}
         keys: set[tuple[str, str]] = set()
         for id in touched:
             for known in (self._pipes.get(id), pipes.get(id)):
@@ -137,7 +138,7 @@ class Router:
         trunks = []
         for key in keys:
             if self._groups.get(key):
-                trunks.append(_trunk(self._groups[key]))
+                trunks.append(self._trunk(self._groups[key]))
             else:
                 self._groups.pop(key, None)
         trunks.sort(key=_effort)
@@ -151,9 +152,18 @@ class Router:
                 self._put(pipe, self._ways.find(pipe))
         for pipe in trunks:
             self._finish_ways(pipe)
-        for pipe in trunks:
+        covered: set[PipeId] = set()
+        for key in keys:
+            for pipe in self._groups.get(key, ()):
+                covered |= self._labels.under(self.routes[pipe.id].points)
+        for id in covered:
+            # A label of another pipe makes way.
+            before.setdefault(id, self.routes[id])
+            self._labels.take_up(id)
+            self.routes[id] = replace(self.routes[id], label=None, room=0.0)
+        for pipe in [*trunks, *(self._pipes[id] for id in sorted(covered))]:
             self._finish_label(pipe)
-        now = {p.id for key in keys for p in self._groups.get(key, ())}
+        now = {p.id for key in keys for p in self._groups.get(key, ())} | covered
         return {id for id in now if before.get(id) != self.routes[id]}
 
     def _ends(self, id: PipeId) -> tuple[str, ...]:
@@ -173,6 +183,15 @@ class Router:
             self._ways.drop_chip(pipe)
         self._labels.forget(pipe.id)
 
+    def _trunk(self, group: Sequence[Pipe]) -> Pipe:
+        """The pipe of a group (one source, one target) that the others join: the first event."""
+        trunk = min(group, key=lambda p: (p.timeout, p.start[1]))
+        self._ways.joining.pop(trunk.id, None)
+        if len(group) > 1:
+            exits = [p.start[1] for p in group]
+            self._ways.joining[trunk.id] = min(exits), max(exits)
+        return trunk
+
     # -- ways and folding --------------------------------------------------------------
 
     def _put(self, pipe: Pipe, points: tuple[Point, ...]) -> None:
@@ -186,7 +205,7 @@ class Router:
             better = False
             for pipe in trunks:
                 old = self._paths.get(pipe.id)
-                if old is None or len(old) < 3 or pipe.source == pipe.target:
+                if old is None or len(old) < 3:
                     continue
                 before = ways.cost(pipe, old)
                 if before - length(old) - 14.0 * (len(old) - 2) < 2.0:
@@ -236,7 +255,7 @@ class Router:
     def _burden(self, pipe: Pipe) -> float:
         """How much a pipe is in the way of the drawing."""
         points = self._paths[pipe.id]
-        upwards = 350.0 if pipe.end[1] < pipe.start[1] - 60 else 0.0
+        upwards = 380.0 if pipe.end[1] < pipe.start[1] - 60 else 0.0
         crossings = self._ways.crossings(pipe, points) if self._ways.careful else 0
         return 120.0 * crossings + 0.5 * length(points) + upwards
 
@@ -261,7 +280,7 @@ class Router:
             return Route(folded=True, trunk=trunk.id)
         (x, y), points = pipe.start, route.points
         if len(points) == 2:
-            lane, height = min(x + OUT, points[1][0] - IN), points[0][1]
+            lane, height = self._ways.beside(pipe, points[0][1], points[1][0]), points[0][1]
         else:
             lane, height = points[1][0], points[1][1]
             low, high = sorted((height, points[2][1]))
@@ -285,7 +304,7 @@ class Router:
                 continue
             for line in self._ways.level.between(y, y, x - 0.1, x + 0.1):
                 if (
-                    line.target == pipe.target
+                    line.target == pipe.goal
                     and line.pipe != pipe.id
                     and line.low + 1 < x < line.high - 1
                 ):
@@ -299,11 +318,6 @@ class Router:
         found = self._labels.place(pipe, route.points)
         if found is not None:
             self.routes[pipe.id] = replace(route, label=found[0], room=found[1])
-
-
-def _trunk(group: Sequence[Pipe]) -> Pipe:
-    """The pipe of a group (one source, one target) that the others join: the first event."""
-    return min(group, key=lambda p: (p.timeout, p.start[1]))
 
 
 def _effort(pipe: Pipe) -> tuple[float, ...]:

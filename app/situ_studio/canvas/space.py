@@ -1,16 +1,22 @@
-"""The ground on which pipes are routed: rectangles and drawn lines, found by cell. Pure; no Qt."""
+"""What is routed, and the ground for it: rectangles and drawn lines, found by cell. Pure; no Qt."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from bisect import bisect_left, insort
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
+
+from msgspec import Struct
 
 Point = tuple[float, float]
 PipeId = tuple[str, ...]
+Name = TypeVar("Name")
 
 CELL = 192.0
 FAR = 1e6
+PAD = 7.0
+"""How near a pipe may come to a card that it does not belong to."""
 
 
 class Box(NamedTuple):
@@ -32,11 +38,36 @@ class Line(NamedTuple):
     pipe: PipeId
 
 
-class Boxes:
+class Pipe(Struct, frozen=True):
+    """What to route. start: the exit; end: the input. Ids sort in document order.
+
+    width: of the label, 0 for none; height: of the label. chip: the width of the
+    chip that it ends in when folded. fold: whether it may be folded; folded: always.
+    """
+
+    id: PipeId
+    source: str
+    target: str
+    start: Point
+    end: Point
+    width: float = 0.0
+    height: float = 18.0
+    chip: float = 18.0
+    fold: bool = True
+    timeout: bool = False
+    folded: bool = False
+
+    @property
+    def goal(self) -> str:
+        """Whose way it may share: pipes to one card do, its loops enter elsewhere."""
+        return self.target if self.source != self.target else f"{self.target} loop"
+
+
+class Boxes(Generic[Name]):
     """Rectangles with a name, found by place."""
 
-    def __init__(self, boxes: Iterable[tuple[str, Box]] = ()) -> None:
-        self._cells: dict[tuple[int, int], list[tuple[str, Box]]] = {}
+    def __init__(self, boxes: Iterable[tuple[Name, Box]] = ()) -> None:
+        self._cells: dict[tuple[int, int], list[tuple[Name, Box]]] = {}
         for name, box in boxes:
             self.add(name, box)
 
@@ -45,21 +76,21 @@ class Boxes:
             for down in range(int(box.top // CELL), int(box.bottom // CELL) + 1):
                 yield across, down
 
-    def add(self, name: str, box: Box) -> None:
+    def add(self, name: Name, box: Box) -> None:
         entry = (name, box)
         for cell in self._of(box):
             self._cells.setdefault(cell, []).append(entry)
 
-    def remove(self, name: str, box: Box) -> None:
+    def remove(self, name: Name, box: Box) -> None:
         entry = (name, box)
         for cell in self._of(box):
             entries = self._cells.get(cell)
             if entries is not None and entry in entries:
                 entries.remove(entry)
 
-    def near(self, left: float, top: float, right: float, bottom: float) -> list[tuple[str, Box]]:
+    def near(self, left: float, top: float, right: float, bottom: float) -> list[tuple[Name, Box]]:
         """Every rectangle that overlaps this area, each once."""
-        found: dict[int, tuple[str, Box]] = {}
+        found: dict[int, tuple[Name, Box]] = {}
         cells = self._cells
         for across in range(int(left // CELL), int(right // CELL) + 1):
             for down in range(int(top // CELL), int(bottom // CELL) + 1):
@@ -75,16 +106,47 @@ class Boxes:
         return list(found.values())
 
 
+class Cards(Boxes[str]):
+    """The cards of a drawing, which pipes keep clear of. boxes: by name."""
+
+    def __init__(self, boxes: Mapping[str, Box]) -> None:
+        super().__init__(boxes.items())
+        self.boxes = dict(boxes)
+
+    def put(self, name: str, box: Box | None) -> None:
+        """A card is elsewhere now, or (None) gone."""
+        old = self.boxes.pop(name, None)
+        if old is not None:
+            self.remove(name, old)
+        if box is not None:
+            self.boxes[name] = box
+            self.add(name, box)
+
+    def clear_level(self, y: float, left: float, right: float, own: tuple[str, ...]) -> bool:
+        """Whether a horizontal is free of cards; those of ``own`` may be touched at their edge."""
+        for uid, box in self.near(left, y - PAD, right, y + PAD):
+            if uid in own and (box.right <= left + 0.5 or right - 0.5 <= box.left):
+                continue
+            if uid not in own or (left < box.right - 0.5 and box.left + 0.5 < right):
+                return False
+        return True
+
+    def clear_upright(self, x: float, top: float, bottom: float) -> bool:
+        """Whether a vertical is free of cards."""
+        return not self.near(x - PAD, top, x + PAD, bottom)
+
+
 class Lines:
     """Drawn segments of one direction, found by lane."""
 
     def __init__(self) -> None:
+        # Each cell's lines are sorted, which is by lane first.
         self._cells: dict[tuple[int, int], list[Line]] = {}
 
     def add(self, line: Line) -> None:
         lane = int(line.at // CELL)
         for along in range(int(line.low // CELL), int(line.high // CELL) + 1):
-            self._cells.setdefault((lane, along), []).append(line)
+            insort(self._cells.setdefault((lane, along), []), line)
 
     def remove(self, line: Line) -> None:
         lane = int(line.at // CELL)
@@ -97,10 +159,17 @@ class Lines:
         """Segments whose lane lies in at_low..at_high and that overlap low..high, each once."""
         found = {}
         cells = self._cells
-        for lane in range(int(at_low // CELL), int(at_high // CELL) + 1):
-            for along in range(int(low // CELL), int(high // CELL) + 1):
-                for line in cells.get((lane, along), ()):
-                    if at_low <= line[0] <= at_high and line[1] < high and low < line[2]:
+        lanes = range(int(at_low // CELL), int(at_high // CELL) + 1)
+        for along in range(int(low // CELL), int(high // CELL) + 1):
+            for lane in lanes:
+                cell = cells.get((lane, along))
+                if not cell:
+                    continue
+                for index in range(bisect_left(cell, (at_low,)), len(cell)):
+                    line = cell[index]
+                    if line[0] > at_high:
+                        break
+                    if line[1] < high and low < line[2]:
                         found[id(line)] = line
         return list(found.values())
 

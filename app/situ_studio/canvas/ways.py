@@ -3,23 +3,25 @@
 A way leaves an exit to the right and enters a card from the left. Tried are,
 cheapest first: a straight line, one vertical between the two (three segments),
 and one corridor above, below or between rows (five segments); a search on the
-lines around the cards finds the rest. Segments already drawn make their lane
-dearer, but what leads to the same card may share it.
+lines around the cards (``detours.py``) finds the rest. Segments already drawn make
+their lane dearer, but what leads to the same card may share it.
 """
 
 from __future__ import annotations
 
-import heapq
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 
-from msgspec import Struct
-
+from situ_studio.canvas.detours import detour
 from situ_studio.canvas.space import (
     FAR,
+    PAD,
     Box,
     Boxes,
+    Cards,
     Line,
     Lines,
+    Pipe,
     PipeId,
     Point,
     holes,
@@ -28,40 +30,22 @@ from situ_studio.canvas.space import (
     simple,
 )
 
-PAD = 7.0
-"""How near a pipe may come to a card that it does not belong to."""
 OUT = 14.0
 """From an exit to its first vertical lane."""
 IN = 12.0
 """From the last vertical lane to the card: the arrow and what is left of the corner."""
 LANE = 8.0
+NARROW = 5.0
+"""Between lanes where a gap has no room for six of ``LANE``."""
 CORRIDOR = 12.0
+JOG = 12.0
+"""A shorter step between two lanes looks like a mistake."""
 LOOP = 18.0
 """How far below its card a self-loop runs."""
 STUB = 15.0
 """The line and arrow of a folded pipe, before its chip."""
 REACH = 700.0
 """How far above and below a pipe's ends corridors are looked for."""
-
-
-class Pipe(Struct, frozen=True):
-    """What to route. start: the exit; end: the input. Ids sort in document order.
-
-    width: of the label, 0 for none; height: of the label. chip: the width of the
-    chip that it ends in when folded. fold: whether it may be folded; folded: always.
-    """
-
-    id: PipeId
-    source: str
-    target: str
-    start: Point
-    end: Point
-    width: float = 0.0
-    height: float = 18.0
-    chip: float = 18.0
-    fold: bool = True
-    timeout: bool = False
-    folded: bool = False
 
 
 class Ways:
@@ -71,49 +55,37 @@ class Ways:
     """
 
     def __init__(self, boxes: Mapping[str, Box], careful: bool = True) -> None:
-        self.boxes = dict(boxes)
         self.careful = careful
-        self.space = Boxes(self.boxes.items())
+        self.space = Cards(boxes)
         self.level, self.upright = Lines(), Lines()
-        self.chips: dict[str, list[Box]] = {}
+        self.chips: Boxes[PipeId] = Boxes()
+        self.joining: dict[PipeId, tuple[float, float]] = {}
+        """How far up and down the exits lie whose pipes join this one beside its card."""
 
     # -- what stands and runs there ------------------------------------------------
-
-    def put_box(self, name: str, box: Box | None) -> None:
-        """A card is elsewhere now, or (None) gone."""
-        old = self.boxes.pop(name, None)
-        if old is not None:
-            self.space.remove(name, old)
-        if box is not None:
-            self.boxes[name] = box
-            self.space.add(name, box)
 
     def draw(self, pipe: Pipe, points: Sequence[Point]) -> None:
         for horizontal, at, low, high in segments(points):
             lines = self.level if horizontal else self.upright
-            lines.add(Line(at, low, high, pipe.target, pipe.id))
+            lines.add(Line(at, low, high, pipe.goal, pipe.id))
 
     def rub_out(self, pipe: Pipe, points: Sequence[Point]) -> None:
         for horizontal, at, low, high in segments(points):
             lines = self.level if horizontal else self.upright
-            lines.remove(Line(at, low, high, pipe.target, pipe.id))
+            lines.remove(Line(at, low, high, pipe.goal, pipe.id))
 
     def put_chip(self, pipe: Pipe) -> None:
         """A folded pipe takes the room of its chip."""
-        x, y = pipe.start
-        chip = Box(x, y - 9, x + STUB + pipe.chip, y + 9)
-        self.chips.setdefault(pipe.source, []).append(chip)
+        self.chips.add(pipe.id, _chip(pipe))
 
     def drop_chip(self, pipe: Pipe) -> None:
-        x, y = pipe.start
-        kept = [c for c in self.chips.get(pipe.source, ()) if (c.left, c.top) != (x, y - 9)]
-        self.chips[pipe.source] = kept
+        self.chips.remove(pipe.id, _chip(pipe))
 
     def free(self, points: Sequence[Point], own: str) -> bool:
         """Whether a way that begins at ``own`` keeps clear of all cards."""
         for horizontal, at, low, high in segments(points):
             if horizontal:
-                if not self.clear_level(at, low, high, (own,)):
+                if not self.space.clear_level(at, low, high, (own,)):
                     return False
             elif any(name != own for name, _ in self.space.near(at - PAD, low, at + PAD, high)):
                 return False
@@ -139,28 +111,48 @@ class Ways:
             return self._loop(pipe)
         (x1, y1), (x2, y2) = pipe.start, pipe.end
         ends = (pipe.source, pipe.target)
-        if abs(y1 - y2) < 0.5 and x2 - x1 >= IN and self.clear_level(y1, x1, x2, ends):
+        if abs(y1 - y2) < 0.5 and x2 - x1 >= IN and self.space.clear_level(y1, x1, x2, ends):
             return (x1, y1), (x2, y2)
-        best: tuple[float, tuple[Point, ...]] | None = None
-        for points in self._short(pipe):
+        best = self._best(pipe, self._short(pipe))
+        best = self._best(pipe, self._long(pipe, best[0] if best is not None else FAR), best)
+        return best[1] if best is not None else detour(self.space, pipe, x1 + OUT, x2 - IN)
+
+    def _best(
+        self,
+        pipe: Pipe,
+        ways: Iterable[tuple[Point, ...]],
+        best: tuple[float, tuple[Point, ...]] | None = None,
+    ) -> tuple[float, tuple[Point, ...]] | None:
+        """The cheapest with its cost, ``best`` where none is cheaper."""
+        for points in ways:
+            points = simple(points)
             cost = self.cost(pipe, points)
-            if best is None or cost < best[0]:
+            if (best is None or cost < best[0]) and not _cramped(pipe, points):
                 best = cost, points
-        bound = best[0] if best is not None else FAR
-        for points in self._long(pipe, bound):
-            cost = self.cost(pipe, points)
-            if best is None or cost < best[0]:
-                best = cost, points
-        if best is None:
-            return self._search(pipe)
-        return best[1]
+        return best
 
     def _loop(self, pipe: Pipe) -> tuple[Point, ...]:
-        (x1, y1) = pipe.start
-        box = self.boxes[pipe.source]
-        below, x = box.bottom + LOOP, x1 + OUT
+        """Down beside its card and into the lower edge; further off where others are."""
+        (x, y), box = pipe.start, self.space.boxes[pipe.source]
         middle = box.left + 112
-        return (x1, y1), (x, y1), (x, below), (middle, below), (middle, box.bottom)
+        usual = self._round(x, y, OUT, LOOP, box, middle)
+        best = (self.cost(pipe, usual), usual) if self.free(usual, pipe.source) else None
+        if best is not None and best[0] - length(usual) < 14.0 * len(usual):
+            return usual
+        ways = (
+            self._round(x, y, OUT + across * LANE, LOOP + down * CORRIDOR, box, middle)
+            for across in range(6)
+            for down in range(3)
+        )
+        best = self._best(pipe, (w for w in ways if self.free(w, pipe.source)), best)
+        return best[1] if best is not None else usual
+
+    @staticmethod
+    def _round(
+        x: float, y: float, out: float, down: float, box: Box, middle: float
+    ) -> tuple[Point, ...]:
+        below = box.bottom + down
+        return (x, y), (x + out, y), (x + out, below), (middle, below), (middle, box.bottom)
 
     def _short(self, pipe: Pipe) -> Iterable[tuple[Point, ...]]:
         """One vertical between source and target."""
@@ -168,9 +160,10 @@ class Ways:
         if x2 - x1 < OUT + IN:
             return
         for low, high in self._gaps(x1 + OUT, x2 - IN, y1, y2):
-            lanes = {low + k * LANE for k in range(6)} | {high - k * LANE for k in range(3)}
+            step = _step(high - low)
+            lanes = {low + k * step for k in range(6)} | {high - k * step for k in range(3)}
             for x in sorted(v for v in lanes if low <= v <= high):
-                if self.clear_level(y1, x1, x, (pipe.source,)) and self.clear_level(
+                if self.space.clear_level(y1, x1, x, (pipe.source,)) and self.space.clear_level(
                     y2, x, x2, (pipe.target,)
                 ):
                     yield (x1, y1), (x, y1), (x, y2), (x2, y2)
@@ -195,6 +188,7 @@ class Ways:
             for y in _rungs(gap_low, gap_high, y1, y2):
                 travel = abs(y - y1) + abs(y - y2)
                 lanes.append((travel + self._crowd(y, left, right, pipe), y))
+        lanes += self._shared(pipe, free, left, right)
         lanes.sort()
         tried = 0
         for estimate, y in lanes:
@@ -204,10 +198,27 @@ class Ways:
             if one is None:
                 continue
             two = self._lane(pipe, x2, y2, y, -1, pipe.target)
-            if two is None or not self.clear_level(y, min(one, two), max(one, two), ()):
+            if two is None or not self.space.clear_level(y, min(one, two), max(one, two), ()):
                 continue
             tried += 1
             yield (x1, y1), (one, y1), (one, y), (two, y), (two, y2), (x2, y2)
+
+    def _shared(
+        self, pipe: Pipe, free: Sequence[tuple[float, float]], left: float, right: float
+    ) -> list[tuple[float, float]]:
+        """The corridors in which others run to the same card already."""
+        y1, y2 = pipe.start[1], pipe.end[1]
+        low, high = (free[0][0], free[-1][1]) if free else (0.0, 0.0)
+        found = {
+            line.at
+            for line in self.level.between(low, high, left, right)
+            if line.target == pipe.goal and line.pipe != pipe.id
+        }
+        return [
+            (abs(y - y1) + abs(y - y2) + self._crowd(y, left, right, pipe), y)
+            for y in found
+            if any(a <= y <= b for a, b in free)
+        ]
 
     def _crowd(self, y: float, left: float, right: float, pipe: Pipe) -> float:
         """What a horizontal lane costs for those that are drawn there already."""
@@ -217,7 +228,7 @@ class Ways:
         ):
             if other == pipe.id:
                 continue
-            if target == pipe.target:
+            if target == pipe.goal:
                 if at == y:
                     cost -= min(60.0, min(high, right) - max(low, left)) * 0.5
                 continue
@@ -236,67 +247,71 @@ class Ways:
             near = gap_low if side > 0 else gap_high
             if best is not None and abs(near - begin) > best[0]:
                 continue
+            step = _step(gap_high - gap_low)
             for k in range(6):
-                lane = near + side * k * LANE
+                lane = near + side * k * step
                 if not gap_low <= lane <= gap_high:
                     break
-                if not self.clear_level(y, min(x, lane), max(x, lane), (own,)):
+                if not self.space.clear_level(y, min(x, lane), max(x, lane), (own,)):
                     break
-                cost = abs(lane - begin) + self._press(lane, top, bottom, pipe, side)
-                if side > 0:
-                    cost += self._chip_cost(pipe, lane, top, bottom)
+                cost = abs(lane - begin) + self._press(lane, top, bottom, pipe)
+                cost += self._chip_cost(pipe, lane, top, bottom, side > 0)
                 if best is None or cost < best[0]:
                     best = cost, lane
         return best[1] if best is not None else None
 
-    def _press(self, x: float, top: float, bottom: float, pipe: Pipe, side: int) -> float:
+    def beside(self, pipe: Pipe, height: float, end: float) -> float:
+        """The lane from an exit to a straight way at ``height``; beyond the chips between."""
+        x, y = pipe.start
+        lane, last = x + OUT, end - IN
+        top, bottom = min(y, height), max(y, height)
+        chips = [box.right for _, box in self.chips.near(lane - 3, top, lane + 3, bottom)]
+        return min(max(lane, *(right + 6 for right in chips)) if chips else lane, last)
+
+    def _press(self, x: float, top: float, bottom: float, pipe: Pipe) -> float:
         """What a vertical lane costs for those that are drawn there already."""
         cost = 0.0
         for at, _, _, target, other in self.upright.between(x - 7.9, x + 7.9, top - 4, bottom + 4):
-            if other == pipe.id or (target == pipe.target and at == x):
+            if other == pipe.id or (target == pipe.goal and at == x):
                 continue
-            cost += 90.0 if abs(at - x) < 5 else 20.0
+            cost += 140.0 if abs(at - x) < 4 else 20.0
         if self.careful:
             for at, low, high, target, other in self.level.between(top, bottom, x - 0.5, x + 0.5):
                 if (
                     other != pipe.id
-                    and target != pipe.target
+                    and target != pipe.goal
                     and low < x < high
                     and top < at < bottom
                 ):
                     cost += 10.0
         return cost
 
-    def _chip_cost(self, pipe: Pipe, lane: float, top: float, bottom: float) -> float:
-        """Crossing the chip of a folded pipe, or the room of one, is ugly."""
-        cost = 0.0
-        for chip in self.chips.get(pipe.source, ()):
-            if chip.left - 3 < lane < chip.right + 3 and chip.top < bottom and top < chip.bottom:
-                cost += 64.0
-        return cost
-
-    def clear_level(self, y: float, left: float, right: float, own: tuple[str, ...]) -> bool:
-        """Whether a horizontal is free of cards; those of ``own`` may be touched at their edge."""
-        for uid, box in self.space.near(left, y - PAD, right, y + PAD):
-            if uid in own and (box.right <= left + 0.5 or right - 0.5 <= box.left):
-                continue
-            if uid not in own or (left < box.right - 0.5 and box.left + 0.5 < right):
-                return False
-        return True
+    def _chip_cost(
+        self, pipe: Pipe, lane: float, top: float, bottom: float, first: bool = False
+    ) -> float:
+        """Crossing chips of folded pipes is ugly. first: the lane beside the exit, which other
+        exits' pipes join."""
+        if first and pipe.id in self.joining:
+            up, down = self.joining[pipe.id]
+            top, bottom = min(top, up), max(bottom, down)
+        return 125.0 * len(self.chips.near(lane - 3, top, lane + 3, bottom))
 
     def cost(self, pipe: Pipe, points: Sequence[Point]) -> float:
         """What a way costs: its length, its bends, and being in the way of others."""
-        points = simple(points)
         cost = length(points) + 14.0 * (len(points) - 2)
+        for (ax, ay), (bx, by) in pairwise(points[1:-1]):
+            if abs(ax - bx) + abs(ay - by) < JOG:
+                cost += 24.0
+        beside = points[1][0]
         for horizontal, at, low, high in segments(points):
             if horizontal:
                 for y, a, b, target, other in self.level.between(at - 11.9, at + 11.9, low, high):
-                    if other == pipe.id or target == pipe.target:
-                        if y == at and target == pipe.target and other != pipe.id:
-                            cost -= 0.3 * (min(b, high) - max(a, low))
-                        continue
                     overlap = min(b, high) - max(a, low)
-                    if overlap > 1:
+                    if other == pipe.id:
+                        continue
+                    if target == pipe.goal and y == at:
+                        cost -= 0.3 * overlap
+                    elif overlap > 1:
                         cost += 160.0 if abs(y - at) < 5 else 30.0
                 if self.careful:
                     for x, a, b, target, other in self.upright.between(
@@ -304,91 +319,16 @@ class Ways:
                     ):
                         if (
                             other != pipe.id
-                            and target != pipe.target
+                            and target != pipe.goal
                             and a < at < b
                             and low < x < high
                         ):
                             cost += 16.0
+                cost += 125.0 * len(self.chips.near(low, at - 1, high, at + 1))
             else:
-                cost += self._press(at, low, high, pipe, 0)
-                for chip in self.chips.get(pipe.source, ()):
-                    if (
-                        chip.left - 3 < at < chip.right + 3
-                        and chip.top < high
-                        and low < chip.bottom
-                    ):
-                        cost += 64.0
+                cost += self._press(at, low, high, pipe)
+                cost += self._chip_cost(pipe, at, low, high, at == beside)
         return cost
-
-    def _search(self, pipe: Pipe) -> tuple[Point, ...]:
-        """The shortest way on the lines around the cards; straight through where there is none."""
-        (x1, y1), (x2, y2) = pipe.start, pipe.end
-        xa, xb = x1 + OUT, x2 - IN
-        for margin in (400.0, 1600.0, FAR):
-            left, right = min(x1, x2) - margin, max(x1, x2) + margin
-            top, bottom = min(y1, y2) - margin, max(y1, y2) + margin
-            if margin == FAR:
-                near = list(self.boxes.items())
-            else:
-                near = self.space.near(left, top, right, bottom)
-            found = self._walk(pipe, near, xa, xb)
-            if found is not None:
-                return found
-        return simple([(x1, y1), (xa, y1), (xa, y2), (x2, y2)])
-
-    def _walk(
-        self, pipe: Pipe, near: Sequence[tuple[str, Box]], xa: float, xb: float
-    ) -> tuple[Point, ...] | None:
-        (x1, y1), (x2, y2) = pipe.start, pipe.end
-        edge = PAD + 1
-        xs = sorted({xa, xb, *(b.left - edge for _, b in near), *(b.right + edge for _, b in near)})
-        ys = sorted({y1, y2, *(b.top - edge for _, b in near), *(b.bottom + edge for _, b in near)})
-        where_x = {x: i for i, x in enumerate(xs)}
-        where_y = {y: i for i, y in enumerate(ys)}
-        begin = (where_x[xa], where_y[y1])
-        goal = (where_x[xb], where_y[y2])
-        if not self.clear_level(y1, x1, xa, (pipe.source,)):
-            return None
-        if not self.clear_level(y2, xb, x2, (pipe.target,)):
-            return None
-        # State: (column, row, 0 level or 1 upright); a bend costs as much as 40 px.
-        best: dict[tuple[int, int, int], float] = {(*begin, 0): 0.0}
-        came: dict[tuple[int, int, int], tuple[int, int, int]] = {}
-        queue: list[tuple[float, float, tuple[int, int, int]]] = [(0.0, 0.0, (*begin, 0))]
-        while queue:
-            _, cost, here = heapq.heappop(queue)
-            if cost > best.get(here, FAR * 100):
-                continue
-            column, row, direction = here
-            if (column, row) == goal:
-                way = [here]
-                while way[-1] in came:
-                    way.append(came[way[-1]])
-                points = [(xs[c], ys[r]) for c, r, _ in reversed(way)]
-                return simple([(x1, y1), *points, (x2, y2)])
-            for dc, dr in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-                c, r = column + dc, row + dr
-                if not (0 <= c < len(xs) and 0 <= r < len(ys)):
-                    continue
-                if dc:
-                    if not self.clear_level(
-                        ys[row], min(xs[column], xs[c]), max(xs[column], xs[c]), ()
-                    ):
-                        continue
-                    step, turned = abs(xs[c] - xs[column]), direction != 0
-                else:
-                    a, b = min(ys[row], ys[r]), max(ys[row], ys[r])
-                    if self.space.near(xs[column] - PAD, a, xs[column] + PAD, b):
-                        continue
-                    step, turned = abs(ys[r] - ys[row]), direction != 1
-                following = (c, r, 0 if dc else 1)
-                price = cost + step + (40.0 if turned else 0.0)
-                if price < best.get(following, FAR * 100):
-                    best[following] = price
-                    came[following] = here
-                    rest = abs(xs[c] - xb) + abs(ys[r] - y2)
-                    heapq.heappush(queue, (price + rest, price, following))
-        return None
 
     def crossings(self, pipe: Pipe, points: Sequence[Point]) -> int:
         """How many other pipes, to other cards, it crosses."""
@@ -398,7 +338,7 @@ class Ways:
             for x, a, b, target, other in lines.between(low, high, at - 0.5, at + 0.5):
                 if (
                     other != pipe.id
-                    and target != pipe.target
+                    and target != pipe.goal
                     and a + 1 < at < b - 1
                     and low + 1 < x < high - 1
                 ):
@@ -420,3 +360,18 @@ def _rungs(low: float, high: float, y1: float, y2: float) -> list[float]:
         if low <= y <= high:
             rungs.add(y)
     return sorted(rungs)
+
+
+def _step(room: float) -> float:
+    """Between the lanes of a gap."""
+    return LANE if room >= 5 * LANE else NARROW
+
+
+def _chip(pipe: Pipe) -> Box:
+    x, y = pipe.start
+    return Box(x + 2, y - 8, x + STUB + pipe.chip, y + 8)
+
+
+def _cramped(pipe: Pipe, points: Sequence[Point]) -> bool:
+    """Whether a way leaves no room for its arrow: its last two verticals passed each other."""
+    return pipe.source != pipe.target and points[-1][0] - points[-2][0] < IN

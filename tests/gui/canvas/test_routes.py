@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from situ_studio.canvas.routes import Pipe, Route, Router
-from situ_studio.canvas.space import Box, PipeId, segments
+from situ_studio.canvas.routes import Route, Router
+from situ_studio.canvas.space import Box, Pipe, PipeId, segments
+from situ_studio.canvas.ways import STUB
 
 WIDTH, HEIGHT = 176.0, 116.0
 
@@ -28,6 +29,7 @@ def pipe(boxes: Mapping[str, Box], source: str, target: str, exit: int = 0, **mo
         start=(a.right, a.top + 63 + 18 * exit),
         end=(b.left, b.top + 63),
         width=60,
+        height=22 if exit == 2 else 18,
         **more,  # type: ignore[arg-type]
     )
 
@@ -46,11 +48,14 @@ def lawful(boxes: Mapping[str, Box], pipes: list[Pipe], routes: Mapping[PipeId, 
             end = points[-1]
             loop = one.source == one.target
             assert end == one.end if not loop else end[1] == boxes[one.source].bottom
+            assert loop or end[0] - points[-2][0] >= 12, "no room for the arrow"
         else:
             on = routes[route.trunk].points
             assert any(_on(points[-1], a, b) for a, b in pairwise(on))
         for (ax, ay), (bx, by) in pairwise(points):
             assert ax == bx or ay == by
+        for (ax, ay), (bx, by), (cx, cy) in zip(points, points[1:], points[2:], strict=False):
+            assert (bx - ax) * (cx - bx) + (by - ay) * (cy - by) >= 0, "runs back over itself"
         assert points[1][0] >= points[0][0]
         for horizontal, at, low, high in segments(points):
             for box in boxes.values():
@@ -59,16 +64,26 @@ def lawful(boxes: Mapping[str, Box], pipes: list[Pipe], routes: Mapping[PipeId, 
                 else:
                     inside = box.left < at < box.right and low < box.bottom and box.top < high
                 assert not inside, (one.id, points, box)
-        if route.label is not None:
-            x, y = route.label
-            half = route.room / 2
-            for box in boxes.values():
-                assert not (
-                    x - half < box.right
-                    and box.left < x + half
-                    and y - 9 < box.bottom
-                    and box.top < y + 9
-                )
+    named = {p.id: _area(p, routes[p.id]) for p in pipes if routes[p.id].label is not None}
+    for id, area in named.items():
+        assert not any(_meet(area, box) for box in boxes.values()), "a label lies on a card"
+        assert not any(_meet(area, other) for i, other in named.items() if i != id)
+        assert any(_on(routes[id].label or (0, 0), a, b) for a, b in pairwise(routes[id].points))
+        for other in pipes:
+            for horizontal, at, low, high in segments(routes[other.id].points):
+                line = Box(low, at, high, at) if horizontal else Box(at, low, at, high)
+                assert other.id == id or not _meet(area, line), "a pipe runs over a label"
+
+
+def _area(pipe: Pipe, route: Route) -> Box:
+    """Where a pipe's label is painted."""
+    assert route.label is not None
+    (x, y), half, tall = route.label, route.room / 2, pipe.height / 2
+    return Box(x - half, y - tall, x + half, y + tall)
+
+
+def _meet(a: Box, b: Box) -> bool:
+    return a.left < b.right and b.left < a.right and a.top < b.bottom and b.top < a.bottom
 
 
 def _on(point: tuple[float, float], a: tuple[float, float], b: tuple[float, float]) -> bool:
@@ -172,6 +187,88 @@ def test_a_loop_enters_the_lower_edge() -> None:
     points = Router().route(boxes, [loop])[loop.id].points
     assert points[-1] == (112.0, 168.0)
     assert points[-2][1] > 168
+
+
+def test_a_loop_shares_no_lane_with_what_comes_from_elsewhere() -> None:
+    boxes = {**row(2), "2": card(0, 280)}
+    loop = pipe(boxes, "0", "0", 1)
+    below = pipe(boxes, "2", "0")
+    routes = Router().route(boxes, [loop, below])
+    for horizontal, at, low, high in segments(routes[loop.id].points):
+        for level, other, begin, end in segments(routes[below.id].points):
+            shared = level == horizontal and abs(other - at) < 4
+            assert not (shared and begin < high and low < end)
+
+
+def chip(one: Pipe) -> Box:
+    """Where the arrow and the chip of a folded pipe are painted."""
+    (x, y) = one.start
+    return Box(x + 4, y - 8, x + STUB + one.chip, y + 8)
+
+
+def test_ways_lead_round_the_chips_of_folded_pipes() -> None:
+    boxes = {str(i): card(230.0 * (i % 3), 52 + 228 * (i // 3)) for i in range(6)}
+    # Into a card past its neighbour's chip, out between chips, and round the own card.
+    folded = [pipe(boxes, "3", "0", 0, timeout=True), pipe(boxes, "1", "0", 1, timeout=True)]
+    ways = [pipe(boxes, "0", "4", 0), pipe(boxes, "1", "5", 0), pipe(boxes, "1", "1", 2)]
+    joins = [pipe(boxes, "5", "2", 0), pipe(boxes, "5", "2", 2)]
+    joins += [pipe(boxes, "4", "5", 0), pipe(boxes, "4", "5", 2)]
+    between = [pipe(boxes, "5", "0", 1, folded=True), pipe(boxes, "4", "0", 1, folded=True)]
+    every = [*folded, *ways, *joins, *between]
+    routes = Router().route(boxes, every)
+    chips = [chip(p) for p in every if routes[p.id].folded]
+    assert len(chips) == 4
+    for one in [*ways, *joins]:
+        for horizontal, at, low, high in segments(routes[one.id].points):
+            line = Box(low, at, high, at) if horizontal else Box(at, low, at, high)
+            assert not any(_meet(line, c) for c in chips), (one.id, routes[one.id].points)
+
+
+def test_what_comes_late_to_a_card_shares_the_corridor_of_the_others() -> None:
+    boxes = {**row(4), "3": card(690, 52, HEIGHT + 18), "below": card(230, 272)}
+    loop, deep, up = pipe(boxes, "1", "1", 1), pipe(boxes, "3", "1", 2), pipe(boxes, "below", "1")
+    routes = Router().route(boxes, [loop, deep, up])
+    levels = [
+        {at for horizontal, at, _, _ in segments(routes[p.id].points[1:-1]) if horizontal}
+        for p in (deep, up)
+    ]
+    assert levels[0] == levels[1]
+
+
+def test_cards_that_stand_close_leave_room_for_the_arrow() -> None:
+    boxes = {"0": card(WIDTH + 24, 0), "1": card(0, HEIGHT + 52)}
+    pipes = [pipe(boxes, "1", "0")]
+    lawful(boxes, pipes, Router().route(boxes, pipes))
+
+
+def test_a_label_makes_way_for_a_card_that_is_put_beside_its_pipe() -> None:
+    boxes = row(5)
+    back = pipe(boxes, "4", "0")
+    router = Router()
+    label = router.route(boxes, [back])[back.id].label
+    assert label is not None
+    near = card(label[0] - 88, label[1] - 8 - HEIGHT)
+    assert router.change({"near": near}, {}) == {back.id}
+    lawful({**boxes, "near": near}, [back], router.routes)
+
+
+def test_twelve_exits_to_twelve_cards_are_lawful() -> None:
+    boxes = {"0": card(0, 52, 62 + 12 * 18)}
+    boxes |= {str(1 + i): card(230.0 * (1 + i % 4), 52 + 228 * (i // 4)) for i in range(12)}
+    pipes = [pipe(boxes, "0", str(1 + i), i) for i in range(12)]
+    pipes += [pipe(boxes, str(1 + i), "0") for i in range(12)]
+    routes = Router().route(boxes, pipes)
+    lawful(boxes, pipes, routes)
+    assert sum(routes[p.id].label is not None for p in pipes) >= 8
+
+
+def test_narrow_gaps_hold_more_lanes() -> None:
+    boxes = {"0": card(0, 52), "1": card(WIDTH + 44, 52)}
+    boxes |= {str(2 + i): card(230.0 * i, 400) for i in range(4)}
+    pipes = [pipe(boxes, "0", str(2 + i), i) for i in range(4)]
+    routes = Router().route(boxes, pipes)
+    lanes = [routes[p.id].points[1][0] for p in pipes]
+    assert len(set(lanes)) == 4
 
 
 def test_parallel_ways_keep_apart() -> None:
