@@ -6,15 +6,20 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from PySide6.QtCore import QMimeData, QPointF, Signal
+from PySide6.QtCore import QMimeData, QPointF, QRectF, Signal
 from PySide6.QtGui import QCursor, QGuiApplication, Qt
 from PySide6.QtWidgets import QWidget
 
 from situ.document.problem import Problem
 from situ.document.rbd import Application
+from situ_studio import places
 from situ_studio.canvas import gestures, layout, spoken
 from situ_studio.canvas.base import Canvas
 from situ_studio.canvas.cards import CardItem
+from situ_studio.canvas.figure_items import FrameItem, NoteItem
+from situ_studio.canvas.figures import Figure
+from situ_studio.canvas.figuring import Figuring
+from situ_studio.canvas.graph import differing
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.menu import FollowMenu
 from situ_studio.canvas.nodes import NodeFace, Spot
@@ -51,6 +56,8 @@ class ApplicationCanvas(Canvas):
         self._picture = Picture({}, {}, {})
         self._piping = Piping(self.graph, self)
         self._laid: dict[str, tuple[float, float]] = {}
+        self._placed: dict[str, Any] = {}
+        self._figuring = Figuring(self, self._edit)
         self._drop: tuple[str, str, QPointF] | None = None
         self.menu: FollowMenu | None = None
         self.viewer.dropped.connect(self._on_dropped)
@@ -64,18 +71,33 @@ class ApplicationCanvas(Canvas):
 
     def render_document(self) -> None:
         # Cards without a place in the file keep the one that they get while they are shown.
-        self._laid.update(layout.missing(self.document, self._laid))
+        self._lay_out_new()
         self._picture = self._projector.picture(self.document, self._problems, self._laid)
-        self._show(self._picture.cards, self._picture.links)
+        drawn = self._figuring.show(self.document)
+        self._show({**self._picture.cards, **drawn}, self._picture.links)
+
+    def _lay_out_new(self) -> None:
+        values = dict(identified(self.document))
+        _, other = differing(self._placed, values)
+        if any(values[u].aside.position is None and u not in self._laid for u in other):
+            self._laid.update(layout.missing(self.document, self._laid))
+        self._placed = values
 
     def _item_kind(self, card: Any) -> type[NodeFace]:
+        if isinstance(card, Figure):
+            return FrameItem if card.kind == "frame" else NoteItem
         return CardItem
 
     def _route(self, moved: Iterable[str] | None = None) -> None:
         if moved is None:
             self._piping.route(self._picture, self.few)
         else:
-            self._piping.reroute(self._picture, moved)
+            drawn = self._figuring.shown
+            self._piping.reroute(self._picture, [uid for uid in moved if uid not in drawn])
+
+    def _follow_cards(self) -> None:
+        self._figuring.carry()
+        super()._follow_cards()
 
     def set_live(self, live: LiveView | None) -> None:
         """Highlights of the running robot; None for none. They live in the view only."""
@@ -107,8 +129,10 @@ class ApplicationCanvas(Canvas):
     def settle(self) -> None:
         moved = self.graph.moved(self.viewer.touched)
         connections, slices = self.graph.take_intents()
-        after, text = self.document, ""
-        if connections:
+        after, text = self._figuring.resized(self.document)
+        if text:
+            pass
+        elif connections:
             after, text = self._connected(connections)
         elif slices:
             after, text = self._sliced(slices)
@@ -151,26 +175,28 @@ class ApplicationCanvas(Canvas):
         return document, texts[0] if texts else ""
 
     def _moved(self, moved: dict[str, tuple[float, float]]) -> tuple[Application, str]:
-        to = {
-            self._picture.cards[uid].place: (gestures.snap(x), gestures.snap(y))
-            for uid, (x, y) in moved.items()
-        }
-        changed = {p: at for p, at in to.items() if self._shown_at(p) != at}
+        return self._put({u: (gestures.snap(x), gestures.snap(y)) for u, (x, y) in moved.items()})
+
+    def _put(self, to: dict[str, tuple[float, float]]) -> tuple[Application, str]:
+        """Things at other places, with what lies in the frames among them."""
+        every = {uid: (self._face(uid), at) for uid, at in self._figuring.with_held(to).items()}
+        changed = {face.place: at for face, at in every.values() if (face.x, face.y) != at}
         if not changed:
             return self.document, ""
         after, text = gestures.move(self.document, changed)
+        if len(to) == 1:
+            text = f"Move {gestures.called(self.document, self._face(next(iter(to))).place)}"
         return gestures.move(after, {**self._unplaced(), **changed})[0], text
 
-    def _shown_at(self, place: Place) -> tuple[float, float]:
-        card = self._picture.cards[self._picture.uids[place]]
-        return card.x, card.y
+    def _face(self, uid: str) -> Card | Figure:
+        return self._figuring.shown.get(uid) or self._picture.cards[uid]
 
     def _unplaced(self) -> dict[Place, tuple[float, float]]:
         """Where cards without a place in the file are shown: they stay when one is moved."""
         return {
             self._picture.cards[uid].place: self._laid[uid]
             for uid, value in identified(self.document)
-            if value.aside.position is None and uid in self._laid
+            if uid in self._laid and value.aside.position is None
         }
 
     def _pinned(self) -> Application:
@@ -225,12 +251,14 @@ class ApplicationCanvas(Canvas):
             self.edited.emit(after, text)
 
     def _numbers(self) -> list[str]:
-        cards = (self._picture.cards[uid] for uid in self.selected_uids())
+        cards = (self._face(uid) for uid in self.selected_uids())
         return [c.no for c in cards if c.no]
 
     def free_spot(self) -> QPointF:
         """Beside the selected card, else in the middle of what is seen; never on another card."""
-        taken = [(c.x, c.y, c.width, c.height) for c in self._picture.cards.values()]
+        notes = (one for one in self._figuring.shown.values() if one.kind == "note")
+        things = (*self._picture.cards.values(), *notes)
+        taken = [(c.x, c.y, c.width, c.height) for c in things]
         uids = self.selected_uids()
         if uids:
             area = self.card_area(uids[-1])
@@ -251,6 +279,9 @@ class ApplicationCanvas(Canvas):
 
     def drop_kind(self, kind: Kind, spot: QPointF) -> None:
         """A state goes where it was dropped, into a pipe if one is there; the rest into a card."""
+        if kind.name in places.DRAWN:
+            self.add_drawn(kind.name, spot)
+            return
         if kind.name not in ("state", "part"):
             super().drop_kind(kind, spot)
             return
@@ -264,6 +295,13 @@ class ApplicationCanvas(Canvas):
             self.select([("state", gestures.last_number(after))])
         else:
             self.add_state(at=QPointF(x, y))
+
+    def add_drawn(self, kind: str, at: QPointF | None = None) -> None:
+        """A note or a frame, whose text is written then. at: where; None: a free place near, and
+        for a frame round what is selected."""
+        place = self._figuring.add(kind, at, tuple(self.selected_uids()))
+        self.select([place])
+        self.rename()
 
     def delete_selection(self) -> None:
         self._edit(*gestures.delete(self.document, self.selection()))
@@ -320,7 +358,7 @@ class ApplicationCanvas(Canvas):
         """edge: left, center, right, top, middle, bottom; or across, down: spaced evenly."""
         areas = {}
         for uid in self.selected_uids():
-            card = self._picture.cards[uid]
+            card = self._face(uid)
             areas[card.place] = gestures.Area(card.x, card.y, card.width, card.height)
         self._edit(*gestures.align(self._pinned(), areas, edge))
 
@@ -347,34 +385,48 @@ class ApplicationCanvas(Canvas):
     def nudge(self, across: int, down: int) -> None:
         to = {}
         for uid in self.selected_uids():
-            card = self._picture.cards[uid]
-            to[card.place] = (card.x + across * gestures.GRID, card.y + down * gestures.GRID)
-        if to:
-            after, text = gestures.move(self.document, to)
-            self._edit(gestures.move(after, {**self._unplaced(), **to})[0], text)
+            face = self._face(uid)
+            to[uid] = (face.x + across * gestures.GRID, face.y + down * gestures.GRID)
+        self._edit(*self._put(to))
 
     def _rename_card(self, uid: str, name: str) -> None:
-        card = self._picture.cards[uid]
-        if card.no:
-            self._edit(*gestures.rename(self.document, card.no, name))
+        face = self._face(uid)
+        if isinstance(face, Figure):
+            self._figuring.write(uid, name)
+        elif face.no:
+            self._edit(*gestures.rename(self.document, face.no, name))
+
+    def name_area(self, uid: str) -> QRectF:
+        if uid in self._figuring.shown:
+            area = self.card_area(uid)
+            return QRectF(area.left() + 6, area.top() + 3, min(area.width() - 12, 240), 24)
+        return super().name_area(uid)
 
     def edit_name(self, uid: str) -> None:
-        if self._picture.cards[uid].no:
+        face = self._face(uid)
+        if isinstance(face, Figure) and face.kind == "note":
+            self.viewer.reveal(self.card_area(uid))
+            self._begin_editor(self._figuring.editor(uid))
+        elif isinstance(face, Figure) or face.no:
             super().edit_name(uid)
 
     def spoken(self, uid: str) -> spoken.Spoken:
+        if uid in self._figuring.shown:
+            return super().spoken(uid)
         return spoken.card(self.document, self._picture.cards[uid])
 
     # -- places --------------------------------------------------------------------------------
 
     def _place(self, uid: str, exit: str | None = None) -> Place:
-        return place_of(uid, exit, self._picture.cards[uid])
+        face = self._face(uid)
+        return face.place if isinstance(face, Figure) else place_of(uid, exit, face)
 
     def _find(self, place: Place) -> tuple[str | None, str | None]:
         root = place[:1] if place[:1] == (ALWAYS,) else place[:2]
         uid = self._picture.uids.get(root)
         if uid is None:
-            return None, None
+            drawn = " ".join(place)
+            return (drawn, None) if drawn in self._figuring.shown else (None, None)
         exit = exit_of(place)
         if exit is not None and self._picture.cards[uid].exit(exit) is None:
             exit = None
@@ -404,8 +456,8 @@ class ApplicationCanvas(Canvas):
         super()._on_clicked(item, spot)
 
     def _on_double_click(self, card: NodeFace, spot: QPointF) -> None:
-        face: Card = card.face
-        if spot.y() < 28 and face.no and self.look.level == "full":
+        face: Card | Figure = card.face
+        if isinstance(face, Figure) or (spot.y() < 28 and face.no and self.look.level == "full"):
             self.edit_name(card.uid)
         else:
             self.activated.emit(face.place)

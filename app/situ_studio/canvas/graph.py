@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from itertools import compress
-from operator import is_, is_not
+from operator import is_not
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QLineF, QPointF
@@ -263,7 +263,7 @@ class Graph(NodeGraph):
 
 def differing(before: Mapping[K, Any], now: Mapping[K, Any]) -> tuple[list[K], list[K]]:
     """The keys that are gone, and those whose value is not the very object that it was."""
-    if len(before) == len(now) and all(map(is_, before, now)):
+    if list(before) == list(now):
         return [], list(compress(now, map(is_not, before.values(), now.values())))
     gone = [key for key in before if key not in now]
     return gone, [key for key, value in now.items() if before.get(key) is not value]

@@ -8,6 +8,8 @@ Lengths are scene units (px at 100 %), measures are those of mockups/tokens.md.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import compress
+from operator import is_not
 from typing import Literal, NamedTuple
 
 from msgspec import Struct
@@ -261,7 +263,7 @@ def _chips(application: Application) -> tuple[str, ...]:
     return tuple(made)
 
 
-def _marks(problems: Iterable[Problem]) -> dict[Place, Literal["warning", "error"]]:
+def _marks(problems: Iterable[Problem]) -> Marks:
     marks: dict[Place, Literal["warning", "error"]] = {}
     for problem in problems:
         root = problem.place[:1] if problem.place[:1] == (ALWAYS,) else problem.place[:2]
@@ -270,10 +272,12 @@ def _marks(problems: Iterable[Problem]) -> dict[Place, Literal["warning", "error
     return marks
 
 
+Marks = Mapping[Place, Literal["warning", "error"]]
+
+
 class _Made(NamedTuple):
     """A card with what it was made from. laid: its place where the value has none."""
 
-    value: State | rbd.Always
     targets: frozenset[str]
     laid: tuple[float, float] | None
     card: Card
@@ -288,9 +292,9 @@ class Projector:
 
     def __init__(self) -> None:
         self._made: dict[str, _Made] = {}
-        self._known: frozenset[str] = frozenset()
-        self._start: str | None = None
-        self._chips: tuple[str, ...] = ()
+        self._values: dict[str, State | rbd.Always] = {}
+        self._picture = Picture({}, {}, {})
+        self._around: tuple[object, ...] = ()
 
     def picture(
         self,
@@ -299,50 +303,97 @@ class Projector:
         places: Mapping[str, tuple[float, float]] | None = None,
     ) -> Picture:
         """places: uid to position, for cards whose state has none."""
+        values = dict(identified(application))
         known = frozenset(s.no for s in application.states)
-        places = places or {}
-        marks = _marks(problems)
-        chips = _chips(application)
-        start = application.start_no
+        around = (
+            application.start_no,
+            _chips(application),
+            _marks(problems),
+            dict(places or {}),
+            known,
+        )
+        if around == self._around and list(values) == list(self._values):
+            stale = [*compress(values, map(is_not, values.values(), self._values.values()))]
+        else:
+            stale = self._stale(values, *around)
+        made = {**self._made, **{u: self._make(u, values[u], *around) for u in stale}}
+        self._picture = self._drawn(values, made, stale)
+        self._made = {uid: made[uid] for uid in values} if len(made) > len(values) else made
+        self._values, self._around = values, around
+        return self._picture
+
+    def _stale(
+        self,
+        values: Mapping[str, State | rbd.Always],
+        start: str | None,
+        chips: tuple[str, ...],
+        marks: Marks,
+        places: Mapping[str, tuple[float, float]],
+        known: frozenset[str],
+    ) -> list[str]:
+        """The uids whose card may be another one now."""
+        if not self._around:
+            return list(values)
+        before, hung, _, _, there = self._around
+        assert isinstance(there, frozenset)
         # Numbers that are there now and were not, or the other way round.
-        other = frozenset([*(known ^ self._known)])
-        begins = {start, self._start} if start != self._start else frozenset[str | None]()
-        hung = chips != self._chips
+        other = frozenset([*(known ^ there)])
+        begins = {start, before} if start != before else set()
 
         def same(uid: str, kept: _Made) -> bool:
             card = kept.card
             return (
                 other.isdisjoint(kept.targets)
-                and not (hung and card.no)
+                and not (hung != chips and card.no)
                 and card.no not in begins
                 and marks.get(card.place, "") == card.mark
                 and (kept.laid is None or places.get(uid) == kept.laid)
             )
 
-        made: dict[str, _Made] = {}
-        links: dict[tuple[str, ...], Link] = {}
-        for uid, value in identified(application):
-            kept = self._made.get(uid)
-            if kept is None or kept.value is not value or not same(uid, kept):
-                laid = None
-                position = value.aside.position
-                if position is None:
-                    position = laid = places.get(uid, (0.0, 0.0))
-                own = chips if isinstance(value, State) and value.always else ()
-                card = _card(uid, value, position, known, start, own, marks)
-                if kept is not None and kept.card == card:
-                    card, leaving = kept.card, kept.links
-                else:
-                    leaving = _links(card)
-                kept = _Made(value, frozenset(targets(value)), laid, card, leaving)
-            made[uid] = kept
-            links.update(kept.links)
-        self._made, self._known, self._start, self._chips = made, known, start, chips
-        cards = {uid: one.card for uid, one in made.items()}
-        by_place: dict[Place, str] = {}
-        for uid, card in cards.items():
-            by_place.setdefault(card.place, uid)
-        return Picture(cards=cards, links=links, uids=by_place)
+        return [
+            uid
+            for uid, value in values.items()
+            if self._values.get(uid) is not value or not same(uid, self._made[uid])
+        ]
+
+    def _make(
+        self,
+        uid: str,
+        value: State | rbd.Always,
+        start: str | None,
+        chips: tuple[str, ...],
+        marks: Marks,
+        places: Mapping[str, tuple[float, float]],
+        known: frozenset[str],
+    ) -> _Made:
+        laid = None
+        position = value.aside.position
+        if position is None:
+            position = laid = places.get(uid, (0.0, 0.0))
+        card = _card(uid, value, position, known, start, chips, marks)
+        kept = self._made.get(uid)
+        if kept is not None and kept.card == card:
+            return _Made(frozenset(targets(value)), laid, kept.card, kept.links)
+        return _Made(frozenset(targets(value)), laid, card, _links(card))
+
+    def _drawn(
+        self, values: Mapping[str, object], made: Mapping[str, _Made], stale: Sequence[str]
+    ) -> Picture:
+        if list(values) == list(self._values) and all(
+            list(made[uid].links) == list(self._made[uid].links) for uid in stale
+        ):
+            cards, links = dict(self._picture.cards), dict(self._picture.links)
+            for uid in stale:
+                cards[uid] = made[uid].card
+                links.update(made[uid].links)
+            return Picture(cards=cards, links=links, uids=self._picture.uids)
+        cards, links, uids = {}, {}, dict[Place, str]()
+        for uid in values:
+            one = made[uid]
+            cards[uid] = one.card
+            links.update(one.links)
+            uids.setdefault(one.card.place, uid)
+        return Picture(cards=cards, links=links, uids=uids)
 
 
 def _card(
@@ -352,7 +403,7 @@ def _card(
     known: frozenset[str],
     start: str | None,
     chips: tuple[str, ...],
-    marks: Mapping[Place, Literal["warning", "error"]],
+    marks: Marks,
 ) -> Card:
     x, y = position
     exits = _exits(value.events, value.timeout, known)
@@ -392,7 +443,7 @@ def _card(
         icons=tuple(dict.fromkeys(_icon(a) for a in value.actions)),
         screen=value.screen,
         exits=exits,
-        chips=chips,
+        chips=chips if value.always else (),
         mark=marks.get(("state", value.no), ""),
     )
 
