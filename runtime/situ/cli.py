@@ -38,6 +38,7 @@ GROUPS = (
     "cli_run",
     "cli_board",
     "cli_debug",
+    "cli_deploy",
     "cli_keys",
 )
 """The modules of the command line, in the order in which ``situ --help`` lists them."""

@@ -87,6 +87,11 @@ def add(commands: Any) -> None:
         help="start anew even if the robot was killed; durable tags stay",
     )
     parser.add_argument(
+        "--as-given",
+        action="store_true",
+        help="run PROJECT as it lies there, whatever has been deployed since",
+    )
+    parser.add_argument(
         "--patience",
         type=above_zero,
         default=PATIENCE,

@@ -40,6 +40,8 @@ LOOKING = (
     "watch",
     "unwatch",
     "trace",
+    "progress",
+    "history",
     "documents",
     "expected",
     "modules",
@@ -59,6 +61,7 @@ CHANGING = {
     "answer": "module",
     "disclose": "module",
     "perform": "service",
+    **dict.fromkeys(("stage", "piece", "deploy", "rollback"), "operator"),
     **dict.fromkeys(("break", "unbreak", "pause", "resume", "step", "goto"), "operator"),
 }
 KINDS: dict[str, type[Request]] = {

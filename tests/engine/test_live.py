@@ -60,6 +60,9 @@ class Hasty:
     def open_door(self, addresses: Addresses, keys: KeysOf | None) -> None:
         pass
 
+    def turn_to(self, project: Project) -> None:
+        pass
+
     def perform(self, effect: AnyEffect) -> None:
         self.performed.append(effect)
         ids = effect.actions if isinstance(effect, Map) else ()

@@ -261,6 +261,9 @@ class Carrying:
     def open_door(self, addresses: object, keys: object) -> None:
         pass
 
+    def turn_to(self, project: Project) -> None:
+        pass
+
     def perform(self, effect: AnyEffect) -> None:
         self.performed.append(effect)
 

@@ -16,6 +16,7 @@ from situ.blackboard.protocol import LEASE, Addresses
 from situ.blackboard.services import SERVICES
 from situ.decide import inputs
 from situ.decide.effects import Begin, Cancel, Map
+from situ.document.project import Project
 from situ.engine.services import ServicesApart
 
 HELLO = {"text": "hello", "lang": "en"}
@@ -36,6 +37,9 @@ class Recorder:
 
     def open_door(self, addresses: Addresses, keys: Any) -> None:
         self.door = addresses
+
+    def turn_to(self, project: Project) -> None:
+        pass
 
     def perform(self, effect: Any) -> None:
         self.told.append(effect)

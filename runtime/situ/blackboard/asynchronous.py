@@ -8,6 +8,7 @@ import logging
 from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Iterable, Mapping
 from typing import Any, Generic, TypeVar
 
+from situ.blackboard import sending
 from situ.blackboard.authority import Asked
 from situ.blackboard.blocking import PATIENCE, told
 from situ.blackboard.calls import Call
@@ -17,6 +18,7 @@ from situ.blackboard.protocol import (
     Addresses,
     AnyReply,
     DebugVerb,
+    Deployment,
     Entry,
     Files,
     Message,
@@ -25,6 +27,7 @@ from situ.blackboard.protocol import (
     Offer,
     Outstanding,
     Request,
+    Turns,
 )
 from situ.blackboard.services import Carried
 from situ.blackboard.serving import ServiceRequest
@@ -184,6 +187,29 @@ class AsyncBoard:
 
     async def documents(self) -> Files:
         return await self._answer(self._dialog.documents())
+
+    async def deploy(
+        self,
+        files: Mapping[str, bytes],
+        main: str | None = None,
+        *,
+        force_after: float | None = None,
+    ) -> Deployment:
+        staged = await self._answer(sending.stage(self._dialog, files, main))
+        for piece in sending.pieces(files, staged.wanted):
+            await self._answer(sending.send(self._dialog, piece))
+        return await self._answer(sending.deploy(self._dialog, force_after))
+
+    async def rollback(
+        self, version: int | None = None, *, force_after: float | None = None
+    ) -> Deployment:
+        return await self._answer(sending.rollback(self._dialog, version, force_after))
+
+    async def progress(self) -> Deployment:
+        return await self._answer(sending.progress(self._dialog))
+
+    async def history(self) -> Turns:
+        return await self._answer(sending.history(self._dialog))
 
     async def expected(self) -> dict[str, Expectation]:
         return await self._answer(self._dialog.expected())

@@ -5,8 +5,10 @@ from __future__ import annotations
 import contextlib
 import logging
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
 from typing import Any, Generic, TypeVar
 
+from situ.blackboard import sending
 from situ.blackboard.authority import Asked
 from situ.blackboard.calls import Call
 from situ.blackboard.dialog import Dialog
@@ -15,12 +17,14 @@ from situ.blackboard.feeds import Change, Feed
 from situ.blackboard.protocol import (
     Addresses,
     DebugVerb,
+    Deployment,
     Entry,
     Files,
     Message,
     ModuleStates,
     Need,
     Offer,
+    Turns,
 )
 from situ.blackboard.serving import ServiceRequest
 from situ.decide.expected import Expectation
@@ -171,6 +175,39 @@ class Board:
     def documents(self) -> Files:
         """The project's files as the robot runs them."""
         return self._ask(lambda dialog: dialog.documents())
+
+    def deploy(
+        self,
+        files: Mapping[str, bytes],
+        main: str | None = None,
+        *,
+        force_after: float | None = None,
+    ) -> Deployment:
+        """Sends a project, as ``situ.document.export.deployable`` makes it, to be run: checked by
+        the robot, then from the next safe point on (``progress`` tells when), or at the latest
+        after ``force_after`` seconds. Operators only; Refused says why it can not come.
+
+        main: the file that the project is read from. None: the files go into the version that
+        runs, and all its others stay.
+        """
+        staged = self._ask(lambda dialog: sending.stage(dialog, files, main))
+        for piece in sending.pieces(files, staged.wanted):
+            self._ask(partial(sending.send, piece=piece))
+        return self._ask(lambda dialog: sending.deploy(dialog, force_after))
+
+    def rollback(
+        self, version: int | None = None, *, force_after: float | None = None
+    ) -> Deployment:
+        """Goes back to a version, None: the one that ran before; as ``deploy``."""
+        return self._ask(lambda dialog: sending.rollback(dialog, version, force_after))
+
+    def progress(self) -> Deployment:
+        """How far the version is that was asked for last, and which one runs."""
+        return self._ask(sending.progress)
+
+    def history(self) -> Turns:
+        """What happened to the robot's versions, and which can be gone back to."""
+        return self._ask(sending.history)
 
     def expected(self) -> dict[str, Expectation]:
         """What each application expects now, by its name."""

@@ -59,6 +59,16 @@ class Durability(Protocol):
 
 
 class Held(Struct):
+class Deployer(Protocol):
+    """The part of ``situ.engine.deploy.Deployer`` that the core needs."""
+
+    def answer(self, request: protocol.Deploying, who: str, /) -> protocol.Reply:
+        """Raises Refused."""
+
+    def swapped(self, events: list[trace.TraceEvent], /) -> None:
+        """Another version runs; events: of the step."""
+
+
     """A reply that leaves when what it acknowledges is kept; ``no`` if that fails."""
 
     peer: Hashable
@@ -98,8 +108,8 @@ class Core:
     tracing: how many follow the trace. performing: how many carry out each service elsewhere;
     effects: how many effects each service was given, by whomever it is carried out. asking: what
     modules are asked; patience: seconds that they have to answer. heard: as ``Heard``, None:
-    nobody is told; taken: as ``Taken``. remembers: whether what happens is put into
-    ``Outgoing.past``.
+    nobody is told; taken: as ``Taken``. deployer: None where nothing can be deployed. remembers:
+    whether what happens is put into ``Outgoing.past``.
     """
 
     def __init__(
@@ -130,6 +140,7 @@ class Core:
         self.heard = heard
         self.taken: Taken | None = None
         self.remembers = False
+        self.deployer: Deployer | None = None
         self._robot = robot
         self._durability = durability
         self._durable = durability.durable if durability is not None else None
@@ -280,6 +291,8 @@ def _change(effect: Changed) -> bytes:
         tag=effect.tag,
         value=effect.value,
         version=effect.version,
+        if self.deployer is not None and any(type(event) is trace.Deployed for event in events):
+            self.deployer.swapped(events)
         writer=effect.writer,
         time=effect.time,
     )

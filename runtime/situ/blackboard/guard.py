@@ -19,19 +19,22 @@ _CHANGING = (
     protocol.Touch,
     protocol.Finish,
     *get_args(protocol.Debugging),
+    protocol.Stage,
+    protocol.Deploy,
+    protocol.Rollback,
 )
 
 
 class Guard:
-    """For sessions of a core with keys. Nothing passes that the rights do not allow."""
+    """For sessions of a core with keys. Nothing passes that the ``rights`` do not allow."""
 
     def __init__(self, rights: Rights, audit: Audit) -> None:
-        self._rights = rights
+        self.rights = rights
         self._audit = audit
 
     def greet(self, who: Identity | None, hello: protocol.Hello) -> protocol.Hello:
         """The hello, said in the name of the key. Raises ``No``."""
-        why = self._rights.greeting(_known(who), hello)
+        why = self.rights.greeting(_known(who), hello)
         if why is not None:
             raise No("denied", why)
         return replace(hello, user=_known(who).name) if hello.role == "operator" else hello
@@ -41,7 +44,7 @@ class Guard:
     ) -> Identity:
         """Who may ask this. Raises ``No``."""
         identity = _known(who)
-        why = self._rights.request(identity, role, request)
+        why = self.rights.request(identity, role, request)
         if why is not None:
             raise No("denied", why)
         return identity
@@ -80,6 +83,10 @@ def _what(request: protocol.Request) -> str:
         return ",".join(one for one in at if one is not None)
     if isinstance(request, protocol.Goto):
         return request.state
+    if isinstance(request, protocol.Rollback):
+        return "" if request.version is None else str(request.version)
+    if isinstance(request, protocol.Stage):
+        return f"{len(request.files)} files"
     if isinstance(request, (protocol.Pause, protocol.Resume, protocol.Step)):
         return request.application or ""
     if isinstance(request, protocol.Use):

@@ -256,6 +256,54 @@ class Goto(Request, frozen=True, kw_only=True):
     application: str | None = None
 
 
+class Sent(Struct, frozen=True):
+    """A file that is deployed: its bytes, and the SHA-256 of its content."""
+
+    size: int
+    sha256: str
+
+
+class Stage(Request, frozen=True, kw_only=True):
+    """Announces the files of a version, by their paths in the project; what was being sent before
+    is forgotten. main: the file that the project is read from; None: as in the version that runs,
+    of which all that is not announced stays."""
+
+    files: dict[str, Sent]
+    main: str | None = None
+
+
+class Piece(Request, frozen=True, kw_only=True):
+    """The next bytes of an announced file; in JSON base64."""
+
+    path: str
+    offset: int
+    data: bytes
+
+
+class Deploy(Request, frozen=True, kw_only=True):
+    """What was announced has come: it is checked, and runs from the next safe point on.
+
+    force_after: seconds after which it does not wait for one any longer; None: however long.
+    """
+
+    force_after: float | None = None
+
+
+class Rollback(Request, frozen=True, kw_only=True):
+    """version None: the one that ran before; 0: the project that ``situ run`` was given."""
+
+    version: int | None = None
+    force_after: float | None = None
+
+
+class Progress(Request, frozen=True, kw_only=True):
+    """How far the last version that was asked for is."""
+
+
+class History(Request, frozen=True, kw_only=True):
+    """Which versions there were, and are."""
+
+
 class Documents(Request, frozen=True, kw_only=True):
     """The files of the project as the robot runs it."""
 
@@ -293,6 +341,8 @@ DEBUGGING: dict[DebugVerb, type[Debugging]] = {
     "goto": Goto,
 }
 
+Deploying = Stage | Piece | Deploy | Rollback | Progress | History
+
 AnyRequest = (
     Hello
     | Heartbeat
@@ -313,6 +363,7 @@ AnyRequest = (
     | Answer
     | Trace
     | Debugging
+    | Deploying
     | Documents
     | Expected
     | Modules
@@ -475,6 +526,66 @@ class Questions(Reply, frozen=True, kw_only=True):
 
 class Files(Reply, frozen=True, kw_only=True):
     """To documents: path relative to the project, to the text of the file."""
+class Staged(Reply, frozen=True, kw_only=True):
+    """To stage: the files whose pieces are to be sent; the robot has the others."""
+
+    wanted: tuple[str, ...]
+
+
+class Waits(Struct, frozen=True):
+    """An action that runs; kind and name as in the trace."""
+
+    application: str
+    state: str
+    action: str
+    name: str | None
+
+
+Stands = Literal["checking", "waiting", "running", "refused", "returned"]
+
+
+class Deployment(Reply, frozen=True, kw_only=True):
+    """To deploy, rollback and progress. version: the one that runs.
+
+    asked: the last one that was asked for, None: none since the core was started; stands: how it
+    is with that one: ``waiting`` for what ``waits`` names, ``refused`` or ``returned`` from for
+    ``problems``. forced: seconds until it does not wait any longer; None: no such time.
+    minute: seconds that the version which runs has left to show that it does not fail; None:
+    it counts. restart: what of it counts only when the robot is started again.
+    """
+
+    version: int
+    asked: int | None = None
+    stands: Stands = "running"
+    waits: tuple[Waits, ...] = ()
+    forced: float | None = None
+    minute: float | None = None
+    problems: tuple[str, ...] = ()
+    restart: tuple[str, ...] = ()
+
+
+class Turn(Struct, frozen=True):
+    """Something that happened to the versions of a robot: ``deployed``, ``rolled back`` or
+    ``returned`` to this version, by whom and why; ``refused``; ``given``: its own folder was
+    changed, and that runs. time: UNIX seconds. changed: in plain words."""
+
+    time: float
+    version: int
+    who: str
+    did: Literal["deployed", "rolled back", "returned", "refused", "given"]
+    why: str = ""
+    changed: tuple[str, ...] = ()
+
+
+class Turns(Reply, frozen=True, kw_only=True):
+    """To history: what happened, the oldest first; the version that runs; the versions that can
+    be gone back to."""
+
+    turns: tuple[Turn, ...]
+    version: int
+    kept: tuple[int, ...]
+
+
 
     project: str
     files: dict[str, str]
@@ -527,6 +638,9 @@ AnyReply = (
     | Questions
     | Files
     | Expectations
+    | Staged
+    | Deployment
+    | Turns
     | ModuleStates
 )
 
@@ -557,6 +671,12 @@ REPLIES: dict[type[Request], type[Reply]] = {
     Goto: Done,
     Documents: Files,
     Expected: Expectations,
+    Stage: Staged,
+    Piece: Done,
+    Deploy: Deployment,
+    Rollback: Deployment,
+    Progress: Deployment,
+    History: Turns,
     Modules: ModuleStates,
     Disclose: Done,
     Bye: Done,

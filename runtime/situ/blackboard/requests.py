@@ -18,6 +18,7 @@ from situ.decide import inputs
 from situ.decide.board import Board
 from situ.document import names
 from situ.document.names import LONGEST
+from situ.errors import Refused
 
 PAGE = 500
 """Trace events in one reply."""
@@ -337,6 +338,20 @@ def _modules(core: Core, session: Session, request: protocol.Modules) -> protoco
     return protocol.ModuleStates(id=request.id, modules=states, wanted=wanted)
 
 
+def _deploying(core: Core, session: Session, request: protocol.Deploying) -> protocol.Reply:
+    looks = isinstance(request, (protocol.Progress, protocol.History))
+    if session.role != "operator" and not looks:
+        raise No("role", "only an operator deploys: connect as one")
+    if core.deployer is None:
+        raise No(
+            "refused", "nothing is deployed to a robot that plays a scenario: it keeps nothing"
+        )
+    try:
+        return core.deployer.answer(request, session.writer)
+    except Refused as error:
+        raise No("refused", str(error)) from None
+
+
 def _disclose(core: Core, session: Session, request: protocol.Disclose) -> protocol.Reply:
     if session.module is None:
         raise No("role", "only a module discloses")
@@ -440,3 +455,4 @@ _ANSWERS: dict[type[protocol.Request], Callable[[Core, Session, Any], protocol.R
     protocol.Disclose: _disclose,
     protocol.Bye: _lost,
 }
+    **dict.fromkeys(get_args(protocol.Deploying), _deploying),

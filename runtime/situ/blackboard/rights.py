@@ -22,6 +22,8 @@ _LOOKING = frozenset[type[Request]](
         protocol.Watch,
         protocol.Unwatch,
         protocol.Trace,
+        protocol.Progress,
+        protocol.History,
         protocol.Documents,
         protocol.Expected,
         protocol.Modules,
@@ -50,6 +52,7 @@ ALLOWED: dict[protocol.Role, frozenset[type[Request]]] = {
         protocol.Attend,
         protocol.Finish,
         *get_args(protocol.Debugging),
+        *get_args(protocol.Deploying),
     },
     "service": _LOOKING
     | {

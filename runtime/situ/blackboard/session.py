@@ -31,6 +31,7 @@ from situ.blackboard.history import (
 from situ.blackboard.identity import Identity
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses
 from situ.blackboard.requests import No, Session, answer
+from situ.blackboard.rights import Rights
 from situ.blackboard.services import SERVICES, carried_by, may_repeat
 from situ.blackboard.wire import Malformed
 from situ.decide import inputs
@@ -38,6 +39,7 @@ from situ.decide.effects import Begin
 from situ.decide.step import SECOND
 from situ.document import names
 from situ.document.names import LONGEST
+from situ.document.project import Project
 
 _LEASE = int(LEASE * SECOND)
 _LATE = int(HEARTBEAT * SECOND)
@@ -127,6 +129,13 @@ class Sessions:
         """An input from the runtime's own parts; why it was refused, or None."""
         self._move(now)
         return self._core.step(given)
+
+    def turn_to(self, project: Project, files: Mapping[str, str]) -> None:
+        """The robot runs this from here on; who is connected stays. files: as in ``Core``."""
+        self._core.project, self._core.files = project, files
+        self._applications = {a.name for a in project.applications.values()}
+        if self._guard is not None:
+            self._guard.rights = Rights(project)
 
     def advance(self, now: int) -> None:
         """Does what has fallen due: the robot's own, and the ends of leases.

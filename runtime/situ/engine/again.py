@@ -12,7 +12,7 @@ from situ.engine.readiness import say_ready
 
 HANDED_ON = (
     *("endpoint", "notify", "http", "keys", "insecure", "services", "adapter", "state", "sync"),
-    *("fresh", "trace", "record", "seed", "speech", "patience", "log_level"),
+    *("fresh", "as_given", "trace", "record", "seed", "speech", "patience", "log_level"),
 )
 """The options of ``situ run`` that mean something to the processes that are started."""
 
@@ -29,6 +29,7 @@ def keep_running(options: Mapping[str, Any]) -> int:
         known = {name: msgspec.json.decode(line) for name, line in told.items()}
         given = dict(options, services=part if apart else ",".join(services))
         given["fresh"] = fresh or (options["fresh"] and part not in begun)
+        given["as_given"] = options["as_given"] and part not in begun
         begun.add(part)
         if core := known.get(parts[0]):
             given["endpoint"] = core["requests"]

@@ -32,8 +32,10 @@ from situ.decide.priorities import RUNTIME
 from situ.decide.robot import Robot
 from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent
+from situ.document.folder import LOCAL_FILE
 from situ.document.project import Project
 from situ.engine.clock import time_of_day
+from situ.engine.deploy import Deployer
 from situ.engine.record import Recorder, Run
 from situ.engine.recovery import Kept, Recovery
 
@@ -73,6 +75,7 @@ class Deciding:
         insecure: bool = False,
         patience: float = PATIENCE,
         recorders: Sequence[Recorder] = (),
+        deployer: Deployer | None = None,
     ) -> None:
         self._project = project
         self._bind = endpoint, notify
@@ -91,6 +94,8 @@ class Deciding:
         self._insecure = insecure
         self._patience = patience
         self._recorders = recorders
+        self._deployer = deployer
+        self._turned: Callable[[Project], None] = _nobody
         self._carry: Callable[[Carried], None] = _nobody
         self._started = 0.0
         # When the time of day is to be looked at.
@@ -111,15 +116,23 @@ class Deciding:
             raise
         return Addresses(self._server.requests, self._server.notifications)
 
-    def start(self, addresses: Addresses, carry: Callable[[Carried], None] | None = None) -> None:
-        """Goes on where the process before was killed, or takes the first step."""
+    def start(
+        self,
+        addresses: Addresses,
+        carry: Callable[[Carried], None] | None = None,
+        turned: Callable[[Project], None] | None = None,
+    ) -> None:
+        """Goes on where the process before was killed, or takes the first step. turned: is told
+        the project when another version of it runs."""
         project = self._project
         if not self._scripted:
             # The first situation may depend on the time of day.
             project = replace(project, tags={**time_of_day(self._wall()), **project.tags})
         if carry is not None:
             self._carry = carry
-        self._robot = Robot(project)
+        if turned is not None:
+            self._turned = turned
+        self._robot = self._make_robot(project)
         if not self._goes_on(project, addresses):
             self._begins(project, addresses)
         self._flush()
@@ -136,6 +149,8 @@ class Deciding:
             recorder.close()
         if self._recovery is not None and forget:
             self._recovery.forget()
+        if self._deployer is not None:
+            self._deployer.end()
 
     def close(self) -> None:
         """Closes the sockets; also after ``bind`` alone. Durable tags are kept by then, and what
@@ -155,6 +170,7 @@ class Deciding:
             self._durable.restored if self._durable is not None else None,
         )
         self._take_snapshot()
+        self._deploys()
 
     def _goes_on(self, project: Project, addresses: Addresses) -> bool:
         """Goes on where the process before was killed; False where there is no such run."""
@@ -166,6 +182,10 @@ class Deciding:
             self._started = kept.began
             self._make_core(project, addresses, kept.seq)
             self._core.backlog.restore(self._recovery.trace(kept))
+            if self._deployer is not None:
+                for _, given in past:
+                    if isinstance(given, inputs.Deploy):
+                        self._deployer.prepare(self._robot, given.version)
             self._robot.restore(kept.robot)
             # What is done again may not have been recorded yet when the process died.
             self._record(project, kept)
@@ -179,14 +199,52 @@ class Deciding:
             self._begin_again()
             # Time went on while nobody was there.
             self._sessions.advance(self._now())
+            self._deploys()
         except Exception as error:
             # Whatever it is, it would be there again after the next start.
             self._recovery.set_aside(error)
-            self._robot = Robot(project)
+            self._robot = self._make_robot(project)
             return False
         if behind:
             self._keep(behind, [])
         return True
+
+    def _make_robot(self, project: Project) -> Robot:
+        if self._deployer is None:
+            return Robot(project)
+        return Robot(project, self._deployer.begun, self._deployer.texts(project))
+
+    def _deploys(self) -> None:
+        """From here on other versions may come."""
+        if self._deployer is not None:
+            self._core.deployer = self._deployer
+            self._deployer.begin(
+                self._robot,
+                lambda given: self._sessions.submit(given, self._now()),
+                self._beside,
+                self._now,
+                self._turn_to,
+            )
+
+    def _beside(self, call: Callable[[], None]) -> None:
+        """From any thread: called in ours, where it still runs, with what follows."""
+
+        def then() -> None:
+            if not self._stopping:
+                call()
+                self._flush()
+
+        self._soon(then)
+
+    def _turn_to(self, project: Project, texts: dict[str, str]) -> None:
+        """Another version runs: all that looks into its files looks into these."""
+        files = {path: text for path, text in texts.items() if path != LOCAL_FILE}
+        self._sessions.turn_to(project, files)
+        if self._recovery is not None:
+            self._recovery.turn_to(project)
+        for recorder in self._recorders:
+            recorder.turn_to(project, texts)
+        self._turned(project)
 
     def _make_core(self, project: Project, addresses: Addresses, seq: int) -> None:
         self._core = Core(
@@ -232,6 +290,8 @@ class Deciding:
             if then is not None:
                 due = then if due is None else min(due, then)
         return due
+        if self._deployer is not None and (then := self._deployer.tend(self._clock())) is not None:
+            due = then if due is None else min(due, then)
 
     def _work(self) -> float | None:
         if self._minute is not None and self._clock() >= self._minute:
@@ -308,7 +368,11 @@ class Deciding:
         self._server.send(out.replies, out.notices)
         for effect in out.effects:
             self._carry(effect)
-        if recovery is not None and recovery.wanted:
+        deployer = self._deployer
+        if deployer is not None and deployer.unsettled:
+            self._take_snapshot()
+            deployer.settle()
+        elif recovery is not None and recovery.wanted:
             self._take_snapshot()
 
     # -- what outlives the process -------------------------------------------
@@ -368,5 +432,5 @@ class Deciding:
         self._minute = self._clock() + left + 0.01
 
 
-def _nobody(effect: Carried) -> None:
+def _nobody(_: Carried | Project) -> None:
     """All of it is carried out elsewhere."""

@@ -19,6 +19,7 @@ from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.document.project import Project
 from situ.engine.deciding import Deciding
+from situ.engine.deploy import Deployer
 from situ.engine.performing import Performing, Submit
 from situ.engine.record import Recorder
 from situ.engine.recovery import Recovery
@@ -64,7 +65,7 @@ class Live:
     after the process was killed; where it has found such a run, this one goes on from there
     (docs/architecture.md, *How the core comes back*). Both only where nothing is scripted.
 
-    recorders: record every step; ``stop`` ends them.
+    recorders: record every step; ``stop`` ends them. deployer: takes other versions of the project.
     """
 
     def __init__(
@@ -88,6 +89,7 @@ class Live:
         broker: Callable[[Submit], Broker] | None = None,
         patience: float = PATIENCE,
         recorders: Sequence[Recorder] = (),
+        deployer: Deployer | None = None,
     ) -> None:
         self._loop: asyncio.AbstractEventLoop
         self._deciding = Deciding(
@@ -109,6 +111,7 @@ class Live:
             insecure=insecure,
             patience=patience,
             recorders=recorders,
+            deployer=deployer,
         )
         self._make = performer
         self._durable = durable
@@ -136,7 +139,7 @@ class Live:
         except BaseException:
             deciding.close()
             raise
-        deciding.start(addresses, self._carry)
+        deciding.start(addresses, self._carry, self._turn_to)
         self._up = True
         for descriptor in deciding.descriptors():
             self._loop.add_reader(descriptor, self._turn)
@@ -216,6 +219,10 @@ class Live:
         self._deciding.submit(given)
         if self._up:
             self._turn()
+
+    def _turn_to(self, project: Project) -> None:
+        if self._performer is not None:
+            self._performer.turn_to(project)
 
     def _carry(self, effect: Carried) -> None:
         if self._performer is not None:

@@ -15,6 +15,10 @@ class MediaFolder:
     """The folder that ``media`` names in ``situ.toml``; without one, the project's own."""
 
     def __init__(self, project: Project) -> None:
+        self.turn_to(project)
+
+    def turn_to(self, project: Project) -> None:
+        """From here on the files of this project."""
         home = Path(project.root).resolve()
         self.root = (home / (project.media or "")).resolve()
         self._inside = self.root.is_relative_to(home)

@@ -9,6 +9,7 @@ from situ.blackboard.curve import KeysOf
 from situ.blackboard.protocol import Addresses
 from situ.blackboard.services import Carried
 from situ.decide import inputs
+from situ.document.project import Project
 
 Submit = Callable[[inputs.AnyInput], None]
 
@@ -22,6 +23,8 @@ class Performing(Protocol):
     async def start(self) -> None: ...
 
     def open_door(self, addresses: Addresses, keys: KeysOf | None) -> None: ...
+
+    def turn_to(self, project: Project) -> None: ...
 
     def perform(self, effect: Carried) -> None: ...
 

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import msgspec
 from msgspec import Struct
+from msgspec.structs import replace
 
 import situ
 from situ.blackboard.backlog import stamped
@@ -91,6 +92,8 @@ class Recorder:
         self._files = files
         self._documents = documents
         self._run: Run | None = None
+        # What runs now, where that is another version than at the beginning of the file.
+        self._next: tuple[Run, Mapping[str, str]] | None = None
         self._robot: Snapshots
         self._state: bytes | None = None
         self._waiting: list[tuple[str, float, bytes]] = []
@@ -110,6 +113,11 @@ class Recorder:
         self._waiting = [] if state is None else [("/snapshot", moment, state)]
         self._wanted = True
 
+    def turn_to(self, project: Project, documents: Mapping[str, str]) -> None:
+        """Another version runs: what is recorded into the next file begins with these."""
+        if self._run is not None:
+            self._next = replace(self._run, project=project), documents
+
     def step(
         self, us: int, given: AnyInput | None, events: list[TraceEvent], moment: float
     ) -> None:
@@ -118,7 +126,7 @@ class Recorder:
             if us >= self._again:
                 # From here on: the robot's state has this step in it.
                 self._again = math.inf
-                self._state = self._robot.snapshot()
+                self._head()
                 self._wanted = True
             return
         self._us = us
@@ -171,7 +179,13 @@ class Recorder:
         if now - self._since >= self._files.span or self._file.grown >= self._files.size:
             self._file.finish()
             self._file = None
-            self._state = self._robot.snapshot()
+            self._head()
+
+    def _head(self) -> None:
+        """What the next file begins with: the robot as it is now, and what it runs."""
+        self._state = self._robot.snapshot()
+        if self._next is not None:
+            (self._run, self._documents), self._next = self._next, None
 
     def _put(self, now: float) -> None:
         if not self._waiting:

@@ -46,7 +46,8 @@ _log = logging.getLogger("situ.run")
 class Kept(Struct):
     """A snapshot. began: when the robot's moment was 0, by the system's monotonic clock.
 
-    identity: of the project and of situ itself. boot: of the machine.
+    identity: of the project and of situ itself. boot: of the machine. version: of the project
+    (``situ.engine.versions``).
     """
 
     identity: str
@@ -56,6 +57,7 @@ class Kept(Struct):
     seq: int
     robot: bytes
     sessions: SessionsState
+    version: int = 0
 
 
 class Recovery:
@@ -101,6 +103,10 @@ class Recovery:
         except _CAN_NOT as error:
             self._fail(error)
 
+    def turn_to(self, project: Project) -> None:
+        """Another version runs: the next snapshot is of a robot that runs this."""
+        self._identity = identity(project)
+
     def snapshot(
         self, began: float, robot: Robot, sessions: SessionsState, backlog: Backlog
     ) -> None:
@@ -116,9 +122,17 @@ class Recovery:
             self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
             self._trace.follow(sessions.runtime, backlog)
             state = robot.snapshot()
-            body = msgspec.msgpack.encode(
-                Kept(self._identity, self._boot, mark, began, robot.seq, state, sessions)
+            kept = Kept(
+                self._identity,
+                self._boot,
+                mark,
+                began,
+                robot.seq,
+                state,
+                sessions,
+                robot.version,
             )
+            body = msgspec.msgpack.encode(kept)
             journal = frames.create(self._folder / "journal.new", mark.encode())
             if self._journal is not None:
                 os.close(self._journal)
@@ -204,6 +218,24 @@ class Recovery:
         if end < len(journal):
             _log.warning("%s breaks off; what follows is left out", self._folder / "journal")
         return past
+
+
+def version_left(folder: Path, *, boot: str | None = None) -> int | None:
+    """The version of the project that a core in this boot left behind; None: it left nothing."""
+    try:
+        found = list(frames.read((folder / FOLDER / "snapshot").read_bytes()))
+        left = msgspec.msgpack.decode(found[0][0], type=_Left) if found else None
+    except (OSError, ValueError, msgspec.MsgspecError):
+        return None
+    here = _boot() if boot is None else boot
+    return left.version if left is not None and here and left.boot == here else None
+
+
+class _Left(Struct):
+    """The part of ``Kept`` that tells what to read."""
+
+    boot: str
+    version: int = 0
 
 
 def identity(project: Project) -> str:

@@ -20,7 +20,7 @@ from msgspec.structs import replace
 from situ.document.folder import sources
 from situ.engine.folder import state_folder
 from situ.engine.readiness import Readiness
-from situ.errors import UsageError
+from situ.errors import SituError, UsageError
 
 if TYPE_CHECKING:
     import asyncio
@@ -29,12 +29,14 @@ if TYPE_CHECKING:
     from situ.blackboard.journal import DurableTags
     from situ.blackboard.keys import RobotKeys
     from situ.document.project import Project
+    from situ.engine.deploy import Deployer
     from situ.engine.live import Live
     from situ.engine.perform import Performer
     from situ.engine.record import Recorder
     from situ.engine.recovery import Recovery
     from situ.engine.script import Script
     from situ.engine.trace_out import TraceOut
+    from situ.engine.versions import Versions
     from situ.rehearse.scenario import Line
 
 _log = logging.getLogger("situ.run")
@@ -54,6 +56,7 @@ class Options(Struct, frozen=True, kw_only=True):
     speech: str
     sync: bool
     fresh: bool
+    as_given: bool
     patience: float
     script: str | None
     speed: float
@@ -71,6 +74,8 @@ class Kept(Struct, frozen=True):
     durable: DurableTags | None = None
     recovery: Recovery | None = None
     recorders: tuple[Recorder, ...] = ()
+    versions: Versions | None = None
+    version: int = 0
 
 
 class Run:
@@ -119,19 +124,40 @@ class Run:
         from situ.blackboard.journal import DurableTags, patterns
         from situ.engine.folder import StateFolder
         from situ.engine.record import RING, Recorder, RingFiles
-        from situ.engine.recovery import Recovery
 
         folder = StateFolder(self._folder())
         stack.callback(folder.close)
+        versions, version, recovery = self._version(folder.path)
         durable = None
         if durable_tags := patterns(self._project):
             durable = DurableTags(folder.path, durable_tags, sync=self._options.sync)
             stack.callback(durable.close)
-        recovery = Recovery(folder.path, self._project)
+        ring = Recorder(RingFiles(folder.path / RING), versions.texts(self._project))
+        return Kept(durable, recovery, (ring,), versions, version)
+
+    def _version(self, folder: Path) -> tuple[Versions, int, Recovery]:
+        """Which version of the project runs, from here on ``_project``, and what a core that was
+        killed has left of it."""
+        from situ.engine.recovery import Recovery, version_left
+        from situ.engine.versions import Versions, version_to_run
+
+        versions, left = Versions(folder, self._project), version_left(folder)
         if self._options.fresh:
-            recovery.forget()
-        ring = Recorder(RingFiles(folder.path / RING), sources(self._project))
-        return Kept(durable, recovery, (ring,))
+            left = None
+        number, goes_on = version_to_run(versions, left, anew=self._options.as_given)
+        for version in dict.fromkeys((number, versions.current.version, 0)):
+            try:
+                project = versions.project(version)
+            except (SituError, OSError) as error:
+                _log.error("version %d can not run: %s", version, error)
+                continue
+            recovery = Recovery(folder, project)
+            if self._options.fresh or not goes_on:
+                recovery.forget()
+            if version == versions.current.version or recovery.found is not None or not version:
+                break
+        self._project = project
+        return versions, version, recovery
 
     def _recorder(self, file: Path) -> Recorder:
         from situ.engine.record import OneFile, Recorder
@@ -208,6 +234,7 @@ class Run:
                 keys=self._keys(),
                 insecure=options.insecure,
                 patience=options.patience,
+                deployer=self._deployer(),
             )
             core_loop.run(
                 deciding,
@@ -257,6 +284,7 @@ class Run:
             insecure=options.insecure,
             patience=options.patience,
             broker=partial(self._broker, loop) if _has_broker(project) else None,
+            deployer=self._deployer(),
         )
         addresses = await live.start()
         try:
@@ -350,6 +378,13 @@ class Run:
             )
 
         return make
+
+    def _deployer(self) -> Deployer | None:
+        from situ.engine.deploy import Deployer
+
+        if self._kept.versions is None:
+            return None
+        return Deployer(self._kept.versions, self._kept.version)
 
     def _broker(self, loop: asyncio.AbstractEventLoop, submit: Any) -> Any:
         from situ.engine.mqtt import Bridge

@@ -31,7 +31,7 @@ class Pages:
         headers: dict[str, str],
     ) -> None:
         self._folder = folder
-        self._settings = tuple(settings)
+        self.settings = tuple(settings)
         self._admit = admit
         self._keyed = keyed
         self._headers = headers
@@ -50,7 +50,7 @@ class Pages:
         """The forms: ``settings``, a list of {tag, label, type, choices}, and ``keyed``."""
         if not self._admit(request):
             return web.Response(status=403, text=_REFUSED)
-        told = {"settings": self._settings, "keyed": self._keyed()}
+        told = {"settings": self.settings, "keyed": self._keyed()}
         return web.Response(body=msgspec.json.encode(told), content_type="application/json")
 
 

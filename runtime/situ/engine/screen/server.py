@@ -192,6 +192,11 @@ class ScreenServer:
             await self._runner.cleanup()
             self._runner = None
 
+    def turn_to(self, settings: Sequence[Setting]) -> None:
+        """Other media stand in the folder, and these forms: open pages are to look anew."""
+        self._beside.settings = tuple(settings)
+        self._tell()
+
     # -- what is shown -----------------------------------------------------------
 
     def show(self, value: Any, actions: Sequence[int] = (), lang: str = "en") -> None:

@@ -1,0 +1,285 @@
+"""Versions of what a robot runs: ``situ deploy``, ``situ rollback`` and ``situ history``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from situ.blackboard.client import Board
+    from situ.blackboard.protocol import Deployment, Role, Turn, Waits
+    from situ.document.project import Project
+
+POLL = 0.2
+"""Seconds between two questions how far it is."""
+
+
+def add(commands: Any) -> None:
+    deploy = _command(
+        commands,
+        "deploy",
+        "have a running robot run this project from its next safe point on",
+        "The robot checks it, waits until no action runs, and keeps the states that it is in. It "
+        "goes back by itself if that fails within the first minute. Exit status 1 where the robot "
+        "does not take it.",
+    )
+    deploy.add_argument("project", metavar="PROJECT", help="a project, or one of its files")
+    deploy.add_argument(
+        "--spds",
+        action="store_true",
+        help="only its situated priority description script; all else stays as the robot has it",
+    )
+    deploy.set_defaults(run=_deploy)
+    _waits(deploy)
+
+    back = _command(
+        commands,
+        "rollback",
+        "have a running robot run a former version again",
+        "As situ deploy, with a version that the robot has still got.",
+    )
+    back.add_argument(
+        "version",
+        metavar="N",
+        nargs="?",
+        type=int,
+        help="which one, 0 for what situ run was given; the one that ran before unless given",
+    )
+    back.set_defaults(run=_rollback)
+    _waits(back)
+
+    told = _command(
+        commands,
+        "history",
+        "list the versions that a running robot has had",
+        "Who deployed what and when, how it ended, and what can be gone back to.",
+    )
+    told.add_argument("--json", action="store_true", help="for a program to read")
+    told.set_defaults(run=_history)
+
+
+def _command(commands: Any, name: str, about: str, more: str) -> argparse.ArgumentParser:
+    parser: argparse.ArgumentParser = commands.add_parser(
+        name, help=about, description=f"{about.capitalize()}. {more}"
+    )
+    parser.add_argument("--to", required=True, metavar="ENDPOINT", help="the robot's address")
+    parser.add_argument(
+        "--keys",
+        metavar="DIR",
+        help="the folder with your keys, where the robot lets in only whom it knows",
+    )
+    return parser
+
+
+def _waits(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--force-after",
+        type=float,
+        metavar="S",
+        help="do not wait longer than S seconds for the actions that run; as long as it takes "
+        "unless given",
+    )
+    parser.add_argument(
+        "--wait", action="store_true", help="until its first minute is over, not until it runs"
+    )
+
+
+def _connect(args: argparse.Namespace, role: Role) -> Board:
+    from situ.blackboard import client
+
+    return client.connect(args.to, role=role, keys=args.keys)
+
+
+def _deploy(args: argparse.Namespace) -> int:
+    with _connect(args, "operator") as board:
+        files, main = _only_spds(args.project, board) if args.spds else _whole(args.project)
+        for line in _changes(board, files):
+            print(line)
+        size = sum(map(len, files.values()))
+        print(
+            f"{len(files)} file{'s' * (len(files) != 1)}, {size / 1e6:.1f} MB", flush=True
+        )
+        begun = board.deploy(files, main, force_after=args.force_after)
+        return _follow(board, begun, args.wait)
+
+
+def _rollback(args: argparse.Namespace) -> int:
+    with _connect(args, "operator") as board:
+        begun = board.rollback(args.version, force_after=args.force_after)
+        return _follow(board, begun, args.wait)
+
+
+# -- what is sent ---------------------------------------------------------------
+
+
+def _whole(path: str) -> tuple[dict[str, bytes], str]:
+    from situ.document.export import deployable
+    from situ.document.folder import PROJECT_FILE
+    from situ.document.ready import load_ready
+
+    project = load_ready(path)
+    files = deployable(project)
+    return files, PROJECT_FILE if project.toml is not None else next(iter(files))
+
+
+def _only_spds(path: str, board: Board) -> tuple[dict[str, bytes], None]:
+    from situ.document import codec, deployed
+    from situ.document.export import without_editor
+    from situ.document.folder import load
+    from situ.errors import ProjectError
+
+    mine, problems = load(path)
+    errors = [str(one) for one in problems if one.severity == "error"]
+    if mine is None or mine.spds is None or errors:
+        raise ProjectError(errors[0] if errors else f"{path}: there is no script (SPDS) in it")
+    texts = board.documents().files
+    theirs, _ = deployed.read(texts)
+    if theirs is None or theirs.spds_file is None:
+        raise ProjectError(f"{path}: the robot runs no script (SPDS): deploy the whole project")
+    data = codec.write(without_editor(mine.spds))
+    # With its applications and modules, not with those beside the script here.
+    _, problems = deployed.read({**texts, theirs.spds_file: data.decode()})
+    errors = [str(one) for one in problems if one.severity == "error"]
+    if errors:
+        raise ProjectError(f"with what the robot runs: {errors[0]}")
+    return {theirs.spds_file: data}, None
+
+
+def _changes(board: Board, files: dict[str, bytes]) -> list[str]:
+    """What the robot would do differently, in plain words; its media are left to the robot."""
+    from situ.cli_diff import told
+    from situ.document.diff import compare
+
+    robots = board.documents().files
+    texts = {path: data.decode() for path, data in files.items() if path.endswith(_TEXTS)}
+    before, after = _read(robots), _read({**robots, **texts} if len(files) == 1 else texts)
+    if before is None or after is None:
+        return []
+    changes = [change for change in compare(before, after) if change.behaviour]
+    return told(changes) if changes else ["The robot will act the same; its media may differ."]
+
+
+_TEXTS = (".xml", ".toml", ".po")
+
+
+def _read(texts: dict[str, str]) -> Project | None:
+    from situ.document.folder import load_texts
+
+    project, _ = load_texts(texts)
+    return project
+
+
+# -- how it goes on -------------------------------------------------------------
+
+
+def _follow(board: Board, begun: Deployment, wait: bool) -> int:
+    """Tells how far it is, until it runs, or ``wait``: until its first minute is over."""
+    number, before = begun.asked, begun.version
+    said, restart = "", begun.restart
+    for state in _states(board, begun):
+        restart = state.restart
+        if state.asked != number:
+            return _elsewhere(board, number)
+        if state.stands == "refused":
+            return _failed(
+                [f"version {number} is refused; version {before} runs on", *state.problems]
+            )
+        if state.stands == "returned":
+            why = " ".join(state.problems)
+            return _failed([f"version {state.version} runs again: {why}"])
+        line = _told(state, before)
+        if line != said:
+            print(line, flush=True)
+            said = line
+        if state.stands == "running" and not (wait and state.minute is not None):
+            if wait:
+                print(f"version {number} counts: its first minute is over")
+            break
+    if restart:
+        print(f"when the robot is started again, these count too: {', '.join(restart)}")
+    return 0
+
+
+def _states(board: Board, state: Deployment) -> Iterator[Deployment]:
+    while True:
+        yield state
+        board.sleep(POLL)
+        state = board.progress()
+
+
+def _told(state: Deployment, before: int) -> str:
+    if state.stands == "checking":
+        return f"version {state.asked} has come; the robot checks it"
+    if state.stands == "waiting":
+        forced = "" if state.forced is None else "; at the latest when its time is over"
+        return f"checked; waiting for {', '.join(map(_waited, state.waits)) or 'a moment'}{forced}"
+    back = (
+        ""
+        if state.minute is None
+        else (f"; back to version {before} by itself if it fails in its first minute")
+    )
+    return f"version {state.asked} runs{back}"
+
+
+def _waited(one: Waits) -> str:
+    name = "" if one.name is None else f" {one.name}"
+    return f"{one.action}{name} of state {one.state} of {one.application}"
+
+
+def _elsewhere(board: Board, number: int | None) -> int:
+    """The robot was started again meanwhile, or somebody else asked for another version."""
+    told = board.history()
+    at = [i for i, turn in enumerate(told.turns) if turn.version == number]
+    last = told.turns[at[-1] + 1 :] if at else ()
+    if last and last[0].did == "returned":
+        return _failed([f"version {told.version} runs again: {last[0].why}"])
+    if told.version == number:
+        print(f"version {number} runs")
+        return 0
+    return _failed(
+        [f"version {told.version} runs, and version {number} not: see situ history, deploy again"]
+    )
+
+
+def _failed(lines: list[str]) -> int:
+    for line in lines:
+        print(f"situ: {line}", file=sys.stderr)
+    return 1
+
+
+# -- what there was -------------------------------------------------------------
+
+
+def _history(args: argparse.Namespace) -> int:
+    import msgspec
+
+    with _connect(args, "viewer") as board:
+        told = board.history()
+    if args.json:
+        shown = {"version": told.version, "kept": told.kept, "turns": told.turns}
+        print(msgspec.json.format(msgspec.json.encode(shown), indent=2).decode())
+        return 0
+    for turn in told.turns:
+        for line in _turn(turn):
+            print(line)
+    kept = [str(number) for number in told.kept if number != told.version]
+    back = f"; {', '.join(kept)} can be gone back to" if kept else ""
+    print(f"version {told.version} runs{back}")
+    return 0
+
+
+def _turn(turn: Turn) -> list[str]:
+    from datetime import datetime
+
+    when = datetime.fromtimestamp(turn.time).strftime("%Y-%m-%d %H:%M:%S")
+    did = {
+        "deployed": f"version {turn.version} deployed by {turn.who}",
+        "rolled back": f"back to version {turn.version} by {turn.who}",
+        "returned": f"back to version {turn.version} by itself",
+        "refused": f"version {turn.version} of {turn.who} refused",
+        "given": f"version {turn.version}, the project's own folder,",
+    }[turn.did]
+    why = f": {turn.why}" if turn.why else ""
+    return [f"{when}  {did}{why}", *(f"    {line}" for line in turn.changed)]
