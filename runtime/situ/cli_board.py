@@ -14,19 +14,17 @@ if TYPE_CHECKING:
     from situ.blackboard.client import Board, Following
     from situ.blackboard.protocol import ModuleState, Role
     from situ.engine.trace_file import TraceFile
-    from situ.rehearse.masking import Mask
 
 T = TypeVar("T")
 
 PATIENCE = 1.0
 """Seconds that the robot has to answer."""
-TOGETHER = 0.1
-"""Seconds in which the events of one step have come, also those of a page that was asked for."""
 
 
 def add(commands: Any) -> None:
     get = _command(commands, "get", _get, "print what stands at a tag", as_json=True)
     get.add_argument("tag", metavar="TAG", help="a tag, a name into one, or a pattern: face.*")
+    _role(get)
 
     put = _command(commands, "set", _set, "set a tag")
     put.add_argument("tag", metavar="TAG")
@@ -39,6 +37,7 @@ def add(commands: Any) -> None:
         action="store_true",
         help="the messages of applications instead; TAG is a topic or a pattern: spo2/*",
     )
+    _role(watch)
     _waits(watch)
 
     event = _command(commands, "event", _event, "raise an event")
@@ -60,12 +59,7 @@ def add(commands: Any) -> None:
         metavar="F.mcap",
         help="record it here instead of printing it; it can be looked at, not decided again",
     )
-    trace.add_argument(
-        "--role",
-        choices=("viewer", "operator"),
-        default="viewer",
-        help="as whom: a viewer, as unless given, is shown ••• for what is private",
-    )
+    _role(trace)
     _waits(trace)
 
 
@@ -80,6 +74,15 @@ def _command(
         parser.add_argument("--json", action="store_true", help="for a program to read")
     parser.set_defaults(run=run)
     return parser
+
+
+def _role(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--role",
+        choices=("viewer", "operator"),
+        default="viewer",
+        help="as whom: a viewer, as unless given, is shown ••• for what is private",
+    )
 
 
 def _waits(parser: argparse.ArgumentParser) -> None:
@@ -117,7 +120,7 @@ def _print(value: Any) -> None:
 
 
 def _get(args: argparse.Namespace) -> int:
-    with connect(args, "viewer") as board:
+    with connect(args, args.role) as board:
         entries = board.entries(args.tag)
     if args.json:
         _print(entries)
@@ -140,7 +143,7 @@ def _set(args: argparse.Namespace) -> int:
 def _watch(args: argparse.Namespace) -> int:
     if args.messages:
         return _listen(args)
-    with connect(args, "viewer") as board, board.watch(args.tag) as changes:
+    with connect(args, args.role) as board, board.watch(args.tag) as changes:
         for change in _coming(args, board, changes):
             if args.json:
                 _print(change)
@@ -152,7 +155,7 @@ def _watch(args: argparse.Namespace) -> int:
 def _listen(args: argparse.Namespace) -> int:
     from msgspec.structs import asdict
 
-    with connect(args, "viewer") as board, board.messages(args.tag) as messages:
+    with connect(args, args.role) as board, board.messages(args.tag) as messages:
         for message in _coming(args, board, messages):
             if args.json:
                 _print(asdict(message))
@@ -220,45 +223,12 @@ def _trace(args: argparse.Namespace) -> int:
     with connect(args, args.role) as board, board.trace(args.since) as events:
         said = board.documents()
         head = heading(said.project, said.files, masked=args.role == "viewer")
-        mask = _mask(board, head.private) if head.masked and head.private else None
         if args.record is not None:
             documents = {} if head.masked else said.files
-            return _record(args, board, events, TraceFile(args.record, head, documents), mask)
-        for event in _coming_masked(args, board, events, mask):
+            return _record(args, board, events, TraceFile(args.record, head, documents))
+        for event in _coming(args, board, events):
             _print(event)
     return 0
-
-
-def _mask(board: Board, private: tuple[str, ...]) -> Mask:
-    from situ.rehearse.masking import Mask
-
-    mask = Mask(private)
-    for tag, entry in board.entries("**").items():
-        mask.know(tag, entry.value)
-    return mask
-
-
-def _coming_masked(
-    args: argparse.Namespace,
-    board: Board,
-    events: Following[dict[str, Any]],
-    mask: Mask | None,
-    idle: Callable[[], None] = lambda: None,
-) -> Iterator[dict[str, Any]]:
-    if mask is None:
-        yield from _coming(args, board, events, idle)
-        return
-    step: list[dict[str, Any]] = []
-    for event in _coming(args, board, events, idle):
-        step.append(event)
-        # What is private may be told only by the last event of a step.
-        while (more := events.next(TOGETHER)) is not None:
-            if more["t"] != event["t"]:
-                yield from mask.step(step)
-                event, step = more, []
-            step.append(more)
-        yield from mask.step(step)
-        step = []
 
 
 def _record(
@@ -266,11 +236,10 @@ def _record(
     board: Board,
     events: Following[dict[str, Any]],
     file: TraceFile,
-    mask: Mask | None,
 ) -> int:
     flushed = time.monotonic()
     try:
-        for event in _coming_masked(args, board, events, mask, file.flush):
+        for event in _coming(args, board, events, file.flush):
             file.add(event)
             if time.monotonic() - flushed > PATIENCE:
                 flushed = time.monotonic()

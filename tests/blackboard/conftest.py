@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import queue
+import shutil
 import signal
 import subprocess
 import sys
@@ -110,6 +111,20 @@ class Hand:
         return out
 
 
+@pytest.fixture(scope="session")
+def ward_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The lab with something private."""
+    folder = shutil.copytree(LAB, tmp_path_factory.mktemp("ward") / "lab")
+    with (folder / "situ.toml").open("a") as text:
+        text.write('[privacy]\nprivate = ["user.**", "private.*"]\n')
+    return folder
+
+
+@pytest.fixture(scope="session")
+def ward(ward_folder: Path) -> Project:
+    return load_ready(ward_folder)
+
+
 @pytest.fixture
 def hand(lab: Project) -> Hand:
     return Hand(lab)
@@ -123,10 +138,19 @@ def make_hand(lab: Project) -> Callable[..., Hand]:
 class Running:
     """``situ run`` as a process; ``endpoint`` is where it is asked."""
 
-    def __init__(self, folder: Path, arguments: list[str]) -> None:
+    def __init__(self, folder: Path, arguments: list[str], project: Path = LAB) -> None:
         self.arguments = arguments
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "situ", "run", str(LAB), "--json", "--no-restart", *arguments],
+            [
+                sys.executable,
+                "-m",
+                "situ",
+                "run",
+                str(project),
+                "--json",
+                "--no-restart",
+                *arguments,
+            ],
             stdout=subprocess.PIPE,
             text=True,
             env={**os.environ, "XDG_STATE_HOME": str(folder)},
@@ -169,9 +193,9 @@ def run_lab(tmp_path: Path) -> Iterator[Callable[..., Running]]:
     """Starts ``situ run``; on free ports unless arguments say other ones."""
     started: list[Running] = []
 
-    def start(*arguments: str) -> Running:
+    def start(*arguments: str, project: Path = LAB) -> Running:
         given = list(arguments) or ["--endpoint", "tcp://127.0.0.1:0"]
-        started.append(Running(tmp_path, given))
+        started.append(Running(tmp_path, given, project))
         return started[-1]
 
     yield start

@@ -153,7 +153,10 @@ def test_a_trace_is_recorded_instead_of_printed(
 
 
 @pytest.mark.parametrize("role", ["viewer", "operator"])
-def test_a_trace_shows_viewers_nothing_private(running: Any, role: str, tmp_path: Path) -> None:
+def test_a_trace_shows_viewers_nothing_private(
+    run_lab: Callable[..., Any], ward_folder: Path, role: str, tmp_path: Path
+) -> None:
+    running = run_lab(project=ward_folder)
     name, file = f"Ann {role}", tmp_path / "run.mcap"
     trace = ["trace", "--role", role, "--at", running.endpoint, "--since", "1"]
     with situ.connect(running.endpoint) as board:
@@ -187,6 +190,23 @@ def test_a_trace_shows_viewers_nothing_private(running: Any, role: str, tmp_path
         assert (shown["private.name"], shown["greeting"]) == (name, f"Good morning, {name}!")
         assert name.encode() in kept
         assert not heading.masked
+
+
+def test_get_and_watch_show_viewers_nothing_private(
+    run_lab: Callable[..., Any], ward_folder: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    at = ["--at", run_lab(project=ward_folder).endpoint]
+    assert cli.main(["set", "user.name", "Ann", *at]) == 0
+    for role, shown in (([], "•••"), (["--role", "operator"], "Ann")):
+        assert cli.main(["get", "user.name", *role, *at]) == 0
+        assert capfd.readouterr().out == f'"{shown}"\n'
+        watch = [sys.executable, "-m", "situ", "watch", "user.*", *role, *at]
+        with subprocess.Popen(watch, stdout=subprocess.PIPE) as process:
+            assert process.stdout is not None
+            assert process.stdout.readline().decode() == f'user.name "{shown}"\n'
+            assert cli.main(["set", "user.name", "Ann", *at]) == 0
+            assert process.stdout.readline().decode() == f'user.name "{shown}"\n'
+            process.terminate()
 
 
 def test_with_wait_the_next_start_is_waited_for(run_lab: Callable[..., Any]) -> None:

@@ -13,13 +13,12 @@ from hypothesis import strategies as st
 from tests.rehearse.recorded_robot import Recorded
 
 from situ import cli
-from situ.decide import inputs
+from situ.decide import inputs, masking
+from situ.decide.masking import HIDDEN, Mask
 from situ.decide.step import SECOND
 from situ.document.folder import sources
 from situ.document.ready import load_ready
 from situ.engine.record import OneFile, Recorder
-from situ.rehearse import masking
-from situ.rehearse.masking import HIDDEN, Mask
 from situ.rehearse.recorded import Document, Heading, Snapshot, Taken, read
 
 WARD = """<application name="ward">

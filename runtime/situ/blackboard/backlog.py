@@ -47,6 +47,10 @@ class Backlog:
         """The seq of the newest event; 0 where there was none yet."""
         return self._kept[-1][0] if self._kept else self._begin
 
+    def __iter__(self) -> Iterator[bytes]:
+        """The JSON of each event kept, oldest first."""
+        return (line for _, line, _ in self._kept)
+
     def add(self, events: Iterable[TraceEvent], moment: float) -> None:
         for event in events:
             line = _encoder.encode(event)

@@ -193,6 +193,7 @@ class Dialog:
             self._hold(frozenset(), 0)
             self._request_again()
         waiting, self._waiting = self._waiting, []
+        self._subscriptions.mask(topics.masked(self.person.role) if welcome.masked else ())
         self._subscriptions.renewed(restarted)
         for call in waiting:
             if restarted and isinstance(call.request, protocol.Finish):

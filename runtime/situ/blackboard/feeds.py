@@ -287,6 +287,13 @@ class TraceFeed(Feed[dict[str, Any]]):
         self._told = seq
         return late
 
+    def lost(self) -> None:
+        """What was asked for never comes; of what came meanwhile all that follows stands."""
+        self.asking = False
+        early, self._early = self._early, []
+        if self.next is not None:
+            self._append(early)
+
     def restart(self) -> None:
         """The core was started anew: its trace begins at 1."""
         self.next, self._told, self.asking, self.ready = 1, 0, False, True

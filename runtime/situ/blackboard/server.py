@@ -33,6 +33,9 @@ ones are bounded by their bytes (``Outbox``)."""
 SHAKE = 5_000
 """Milliseconds in which a connection must have shown that it speaks ZeroMQ, with a known key."""
 
+MaySubscribe = Callable[[Identity | None, bytes], bool]
+"""Whether somebody may hear what is published under topics that begin so; None: an unknown key."""
+
 Received = Callable[[bytes, bytes, Identity | None], None]
 """Is given a peer, what it sends, and with keys who that is."""
 
@@ -41,7 +44,8 @@ class Server:
     """Bound sockets; ``requests`` and ``notifications`` are their addresses as bound.
 
     keys: only whom they know gets in; without them everybody does, so that an address that
-    other machines can reach is refused, but for ``insecure``. ``gate`` is None without keys.
+    other machines can reach is refused, but for ``insecure``. ``gate`` is None without keys; with
+    them ``may_subscribe`` is asked about each topic, and what is not allowed is not heard.
 
     Raises ``UsageError`` where an address is none, is taken, or may not be bound.
     """
@@ -58,6 +62,7 @@ class Server:
         for address in (requests, notifications):
             check_reach(address, keyed=keys is not None, insecure=insecure)
         self.gate: Gate | None = None
+        self.may_subscribe: MaySubscribe = lambda who, topic: True
         if keys is not None:
             # Here: a core without keys does without asyncio, which the monitor's module wants.
             from situ.blackboard.gate import Gate
@@ -69,6 +74,8 @@ class Server:
             if self.gate is not None:
                 self.gate.guard(self._router, "requests")
                 self.gate.guard(self._publisher, "notifications")
+                # Each subscription comes here, and counts when it is set for the one who asked.
+                self._publisher.setsockopt(zmq.XPUB_MANUAL, 1)
             for socket in (self._router, self._publisher):
                 socket.linger = 200
                 socket.setsockopt(zmq.MAXMSGSIZE, wire.MAXIMUM)
@@ -137,7 +144,18 @@ class Server:
         received(peer, body, None)
 
     def _subscribed(self) -> None:
-        frame = self._publisher.recv(NOW)
+        if self.gate is None:
+            frame = self._publisher.recv(NOW)
+        else:
+            asked = self._publisher.recv(NOW, copy=False)
+            frame = asked.bytes
+            topic = frame[1:]
+            if frame[:1] != b"\x01":
+                self._publisher.setsockopt(zmq.UNSUBSCRIBE, topic)
+            elif self.may_subscribe(self.gate.who(asked), topic):
+                self._publisher.setsockopt(zmq.SUBSCRIBE, topic)
+            else:
+                return
         if frame.startswith(b"\x01" + topics.ECHO):
             self._publisher.send(frame[1:] + b"\n" + _ECHO, NOW)
 

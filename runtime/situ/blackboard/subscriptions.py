@@ -61,6 +61,9 @@ class Subscriptions:
         self._beats = 0
         self._up = False
         self._by_tag: dict[str, tuple[Watch, ...]] = {}
+        # The topics followed, and the beginnings of those that are heard masked.
+        self._followed: dict[bytes, None] = {}
+        self._masked: tuple[bytes, ...] = ()
 
     # -- for the dialog ------------------------------------------------------
 
@@ -86,6 +89,27 @@ class Subscriptions:
         elif isinstance(notice, protocol.Echo):
             self._echoed(frame[: frame.index(b"\n")])
 
+    def mask(self, beginnings: tuple[bytes, ...]) -> None:
+        """Of topics that begin so only what is not private is heard."""
+        if beginnings == self._masked:
+            return
+        before = [self._heard_as(topic) for topic in self._followed]
+        self._masked = beginnings
+        for old, topic in zip(before, self._followed, strict=True):
+            if (new := self._heard_as(topic)) != old:
+                self.topics.extend(((old, False), (new, True)))
+
+    def _heard_as(self, topic: bytes) -> bytes:
+        return topics.MASKED + topic if topic.startswith(self._masked) else topic
+
+    def _turn(self, topic: bytes, on: bool) -> None:
+        """Begins to hear it, or ends to."""
+        if on:
+            self._followed[topic] = None
+        else:
+            self._followed.pop(topic, None)
+        self.topics.append((self._heard_as(topic), on))
+
     def lost(self) -> None:
         """The session is lost: nothing is asked for any longer."""
         self.topics.extend((topic, False) for topic in self._echo)
@@ -94,7 +118,7 @@ class Subscriptions:
         for one in self._heard():
             one.ready = one.asking = False
         for feed in self.feeds:
-            feed.asking = False
+            feed.lost()
         for requests in self.requests:
             requests.lost()
 
@@ -153,14 +177,15 @@ class Subscriptions:
         self._by_tag.clear()
         if any(one.pattern == watch.pattern for one in self.watches):
             return
-        self.topics.append((topics.changes(watch.pattern), False))
+        self._turn(topics.changes(watch.pattern), False)
         if self._talk.connected:
             request = protocol.Unwatch(id=self._talk.next_id(), patterns=(watch.pattern,))
             self._talk.ask(request, _nothing, again=False)
 
     def _follow(self, one: H, among: list[H], new: Iterable[bytes]) -> H:
         """new: topics that nobody needed before it."""
-        self.topics.extend((topic, True) for topic in new)
+        for topic in new:
+            self._turn(topic, True)
         among.append(one)
         if self._talk.connected:
             self._sync([one])
@@ -236,7 +261,7 @@ class Subscriptions:
         if not _leave(messages, self.messages):
             return
         if all(one.pattern != messages.pattern for one in self.messages):
-            self.topics.append((topics.messages(messages.pattern), False))
+            self._turn(topics.messages(messages.pattern), False)
 
     # -- effects -------------------------------------------------------------
 
@@ -275,7 +300,7 @@ class Subscriptions:
         if self._talk.connected:
             self._ask_questions(requests)
         if not self.requests and self._module is not None:
-            self.topics.append((topics.asked(self._module), False))
+            self._turn(topics.asked(self._module), False)
 
     def _look_again(self, count: int) -> None:
         for requests in self.requests:
@@ -309,7 +334,7 @@ class Subscriptions:
         """Trace events from seq ``since`` on (None: from now), without a gap."""
         feed = TraceFeed(since, callback)
         if not self.feeds:
-            self.topics.append((topics.TRACE, True))
+            self._turn(topics.TRACE, True)
         self.feeds.append(feed)
         if self._talk.connected:
             self._fetch(feed)
@@ -317,7 +342,7 @@ class Subscriptions:
 
     def untrace(self, feed: TraceFeed) -> None:
         if _leave(feed, self.feeds) and not self.feeds:
-            self.topics.append((topics.TRACE, False))
+            self._turn(topics.TRACE, False)
 
     def _fetch(self, feed: TraceFeed) -> None:
         if feed.asking or feed.ended or not self._talk.connected:

@@ -5,6 +5,8 @@ from __future__ import annotations
 ECHO = b"echo:"
 TRACE = b"trace\n"
 END = b"end\n"
+MASKED = b"masked:"
+"""Begins the topic of a notice from which private values were taken."""
 
 
 def change(tag: str) -> bytes:
@@ -48,3 +50,16 @@ def message(topic: str) -> bytes:
 def one_line(topic: str) -> str:
     """A message's topic as it is subscribed to: a line break would end it."""
     return " ".join(topic.split())
+
+
+def masked(role: str) -> tuple[bytes, ...]:
+    """Beginnings of the topics that this role hears masked, where the project has private
+    values: a module needs the values of tags, a viewer does not."""
+    return {"viewer": (b"t:", b"m:", TRACE), "module": (TRACE,)}.get(role, ())
+
+
+def is_open(role: str, topic: bytes) -> bool:
+    """Whether this role may subscribe to what begins so, where there are private values."""
+    if role == "viewer":
+        return topic.startswith((MASKED, b"a:", ECHO, END[:-1]))
+    return not any(whole.startswith(topic) or topic.startswith(whole) for whole in masked(role))

@@ -10,11 +10,13 @@ from situ.document import names
 
 
 class Watched(Struct):
-    """changes: how many fitted the pattern since somebody began to watch it."""
+    """changes: how many fitted the pattern since somebody began to watch it. masked: how many of
+    the watchers are not shown what is private."""
 
     pattern: str
     changes: int = 0
     watchers: int = 0
+    masked: int = 0
 
 
 class Watching:
@@ -24,18 +26,20 @@ class Watching:
         self._patterns: dict[str, Watched] = {}
         self._by_tag: dict[str, tuple[Watched, ...]] = {}
 
-    def add(self, pattern: str) -> None:
+    def add(self, pattern: str, masked: bool = False) -> None:
         """One more watches it."""
         watched = self._patterns.get(pattern)
         if watched is None:
             watched = self._patterns[pattern] = Watched(pattern)
             self._by_tag.clear()
         watched.watchers += 1
+        watched.masked += masked
 
-    def remove(self, pattern: str) -> None:
+    def remove(self, pattern: str, masked: bool = False) -> None:
         """One less watches it."""
         watched = self._patterns[pattern]
         watched.watchers -= 1
+        watched.masked -= masked
         if watched.watchers == 0:
             del self._patterns[pattern]
             self._by_tag.clear()
@@ -61,6 +65,10 @@ class Watching:
         for watched in fitting:
             watched.changes += 1
         return bool(fitting)
+
+    def is_masked(self, tag: str) -> bool:
+        """Whether some of those who watch the tag, whose change was counted, are masked."""
+        return any(watched.masked for watched in self._by_tag[tag])
 
     def changes(self, patterns: Iterable[str]) -> dict[str, int]:
         """Pattern to how many changes fitted it; all of them must be watched."""

@@ -1,0 +1,150 @@
+"""What those are shown who may not see private values: ``•••`` in their place.
+
+What is private is told by its tag, ``[privacy] private`` (formats.md, *A project*). What is filled
+with it, a speech, a screen, the address of a service, does not say so in a trace; so what equals a
+private value, or holds one, is hidden whole wherever it stands; of a service's result all of it.
+Rather too much is hidden than too little.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import Any
+from urllib.parse import unquote_plus
+
+from situ.decide.values import in_text
+from situ.document import names
+
+HIDDEN = "•••"
+MANY = 2_000
+"""Private texts, and private numbers, known at once; those not seen for longest are forgotten."""
+
+# What is the project's or the runtime's own: it is never filled in.
+_OWN = frozenset(
+    {"kind", "seq", "t", "cause", "time", "application", "state", "from", "to", "event", "action"}
+    | {"name", "resource", "resources", "optional", "module", "missing", "reason", "situation"}
+    | {"holds", "ok", "timeout", "tag", "writer", "version", "lang", "where"}
+)
+_LAID_OUT = frozenset({"type", "id", "x", "y", "width", "height", "size", "max", "align", "tag"})
+
+
+class Mask:
+    """Hides what is private in the events of one trace, which it must be given in order."""
+
+    def __init__(self, private: Iterable[str]) -> None:
+        self._private = tuple(private)
+        # In order of when they were last seen. No patterns are made of them: they change with
+        # every write, and a search each is cheaper.
+        self._within: dict[str, None] = {}
+        self._alone: dict[str, None] = {}
+
+    def know(self, tag: str, value: Any) -> Any:
+        """Learns what is private in a tag's value; the value without it."""
+        if self._is_private(tag):
+            if value is None:
+                return None
+            self._learn(value)
+            return HIDDEN
+        if isinstance(value, dict):
+            return {key: self.know(f"{tag}.{key}", inner) for key, inner in value.items()}
+        if isinstance(value, list):
+            return [self.know(f"{tag}.{n}", inner) for n, inner in enumerate(value)]
+        return value
+
+    def shown(self, tag: str, value: Any) -> Any:
+        """What is to be seen of a tag's value."""
+        return self._shown(self.know(tag, value))
+
+    def text(self, text: str) -> str:
+        """What is to be seen of a text."""
+        return HIDDEN if self._holds(text) else text
+
+    def step(self, events: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        """The events of one step, or of several, without what is private."""
+        told = [
+            {**event, "value": self.know(event["tag"], event.get("value"))}
+            if event["kind"] == "data"
+            else event
+            for event in events
+        ]
+        # A service's result stands before the tags that it goes to.
+        return [{key: self._field(key, value) for key, value in event.items()} for event in told]
+
+    def _field(self, key: str, value: Any) -> Any:
+        if key in _OWN:
+            return value
+        shown = self._shown(value, key == "components")
+        return HIDDEN if key == "result" and shown != value else shown
+
+    def _is_private(self, tag: str) -> bool:
+        return any(names.matches(pattern, tag) for pattern in self._private)
+
+    def _learn(self, value: Any) -> None:
+        if isinstance(value, dict):
+            for inner in value.values():
+                self._learn(inner)
+        elif isinstance(value, list):
+            for inner in value:
+                self._learn(inner)
+        elif not isinstance(value, bool) and (text := _plain(value)):
+            known = self._alone if len(text) == 1 or _is_number(text) else self._within
+            known.pop(text, None)
+            known[text] = None
+            if len(known) > MANY:
+                del known[next(iter(known))]
+
+    def _shown(self, value: Any, component: bool = False) -> Any:
+        """component: it is one of a screen, or all of them."""
+        if isinstance(value, str):
+            return HIDDEN if self._holds(value) else value
+        if isinstance(value, dict):
+            return {
+                HIDDEN if self._holds(key) and not component else key: (
+                    inner
+                    if component and key in _LAID_OUT
+                    else self._shown(inner, key == "components")
+                )
+                for key, inner in value.items()
+            }
+        if isinstance(value, list):
+            return [self._shown(inner, component) for inner in value]
+        number = isinstance(value, (int, float)) and not isinstance(value, bool)
+        if not number:
+            return value
+        plain = _plain(value)
+        return HIDDEN if plain in self._alone or plain in self._within else value
+
+    def _holds(self, text: str) -> bool:
+        # In an address it is written with signs of its own.
+        for one in {text, unquote_plus(text)}:
+            folded = one.casefold()
+            if any(known in folded for known in self._within):
+                return True
+            if self._alone and any(part in self._alone for part in _standing_alone(one)):
+                return True
+        return False
+
+
+def _standing_alone(text: str) -> Iterator[str]:
+    """The words and numbers of a text, and the signs that touch no word."""
+    for found in _WORD.finditer(text):
+        word, fraction = found[0], found[1] or ""
+        minus = "-" if text[max(found.start() - 1, 0)] == "-" else ""
+        yield from (word, word + fraction, minus + word, minus + word + fraction)
+    yield from _SIGN.findall(text)
+
+
+_WORD = re.compile(r"\w+(?=(\.\w+)?)")
+_SIGN = re.compile(r"(?<!\w)[^\w\s](?!\w)")
+_NUMBER = re.compile(r"-?\d+(\.\d+)?")
+
+
+def _plain(value: Any) -> str:
+    """As it is looked for: in any case of letters, but for one that stands alone."""
+    text = in_text(value).strip()
+    return text if len(text) == 1 else text.casefold()
+
+
+def _is_number(text: str) -> bool:
+    return _NUMBER.fullmatch(text) is not None
