@@ -419,8 +419,7 @@ class Welcome(Reply, frozen=True, kw_only=True):
     """To hello. runtime: another one after each start of the core, as ``seq`` begins anew.
 
     resumed: the session is the one that was named; else watches, requests for
-    authority and trace are to be asked for anew. seq: the last trace event's. masked: whether
-    private values are hidden from this session, which then subscribes to other topics.
+    authority and trace are to be asked for anew. seq: the last trace event's.
     """
 
     session: str
@@ -433,7 +432,6 @@ class Welcome(Reply, frozen=True, kw_only=True):
     addresses: Addresses
     time: int
     seq: int
-    masked: bool = False
 
 
 class Alive(Reply, frozen=True, kw_only=True):
@@ -526,8 +524,6 @@ class Questions(Reply, frozen=True, kw_only=True):
     count: int
 
 
-class Files(Reply, frozen=True, kw_only=True):
-    """To documents: path relative to the project, to the text of the file."""
 class Staged(Reply, frozen=True, kw_only=True):
     """To stage: the files whose pieces are to be sent; the robot has the others."""
 
@@ -588,6 +584,8 @@ class Turns(Reply, frozen=True, kw_only=True):
     kept: tuple[int, ...]
 
 
+class Files(Reply, frozen=True, kw_only=True):
+    """To documents: path relative to the project, to the text of the file."""
 
     project: str
     files: dict[str, str]
@@ -638,11 +636,11 @@ AnyReply = (
     | Traced
     | Outstanding
     | Questions
-    | Files
-    | Expectations
     | Staged
     | Deployment
     | Turns
+    | Files
+    | Expectations
     | ModuleStates
 )
 
@@ -671,14 +669,14 @@ REPLIES: dict[type[Request], type[Reply]] = {
     Resume: Done,
     Step: Done,
     Goto: Done,
-    Documents: Files,
-    Expected: Expectations,
     Stage: Staged,
     Piece: Done,
     Deploy: Deployment,
     Rollback: Deployment,
     Progress: Deployment,
     History: Turns,
+    Documents: Files,
+    Expected: Expectations,
     Modules: ModuleStates,
     Disclose: Done,
     Bye: Done,

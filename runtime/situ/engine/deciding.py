@@ -261,7 +261,6 @@ class Deciding:
         self._sessions = Sessions(
             self._core, addresses, scripted=self._scripted, own=self._services, guard=guard
         )
-        self._server.may_subscribe = self._sessions.may_subscribe
 
     def _begin_again(self) -> None:
         """What was being carried out here: again, where twice is as good as once."""
@@ -290,9 +289,9 @@ class Deciding:
             then = recorder.tend(self._clock())
             if then is not None:
                 due = then if due is None else min(due, then)
-        return due
         if self._deployer is not None and (then := self._deployer.tend(self._clock())) is not None:
             due = then if due is None else min(due, then)
+        return due
 
     def _work(self) -> float | None:
         if self._minute is not None and self._clock() >= self._minute:
