@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from typing import Protocol
+from typing import Any, Protocol
 
 from msgspec import Raw, Struct
 
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import masked, protocol, topics, wire
 from situ.blackboard.asking import Asking
 from situ.blackboard.backlog import Backlog, stamped
 from situ.blackboard.history import AnySessionEvent, Past
@@ -22,6 +22,7 @@ from situ.decide import inputs, trace
 from situ.decide.board import Board
 from situ.decide.effects import AnyEffect, Begin, Changed, Refuse
 from situ.decide.expected import Expectation
+from situ.decide.masking import Mask
 from situ.decide.step import SECOND
 from situ.document.project import Project
 
@@ -105,7 +106,8 @@ class Core:
     moment: its time in µs. epoch: UNIX time of 0 µs by the clock that ``now`` (µs) is read
     from; both differ from ``moment`` only where a scenario gives the time. files: path to
     text of the project's files. modules: those connected; holders: resource to module.
-    tracing: how many follow the trace. performing: how many carry out each service elsewhere;
+    tracing: how many follow the trace, by whether it is masked. performing: how many carry out
+    each service elsewhere;
     effects: how many effects each service was given, by whomever it is carried out. asking: what
     modules are asked; patience: seconds that they have to answer. heard: as ``Heard``, None:
     nobody is told; taken: as ``Taken``. deployer: None where nothing can be deployed. remembers:
@@ -130,7 +132,7 @@ class Core:
         self.watching = Watching()
         self.modules: dict[str, Disclosed] = {}
         self.holders: dict[str, str | None] = {}
-        self.tracing = 0
+        self.tracing: Counter[bool] = Counter()
         self.performing: Counter[str] = Counter()
         self.effects: Counter[str] = Counter()
         self.asking = Asking(self._is_asked, patience)
@@ -145,6 +147,19 @@ class Core:
         self._durability = durability
         self._durable = durability.durable if durability is not None else None
         self._out = Outgoing()
+        self._mask: Mask | None = None
+        self._private: tuple[str, ...] = ()
+
+    def hides(self, role: protocol.Role) -> bool:
+        """Whether there is something that this role is not shown everywhere."""
+        return bool(self.project.private) and bool(topics.masked(role))
+
+    def mask(self) -> Mask:
+        """Hides what is private; made when it is first asked for, and kept up from then on."""
+        if self._mask is None or self._private is not self.project.private:
+            self._private = self.project.private
+            self._mask = masked.learned(self.project, self.board, self.backlog)
+        return self._mask
 
     @property
     def board(self) -> Board:
@@ -191,6 +206,8 @@ class Core:
                     out.durable.append(effect)
                 if self.watching.changed(effect.tag):
                     out.notices.append(_change(effect))
+                    if self._mask is not None and self.watching.is_masked(effect.tag):
+                        out.notices.append(_masked_change(self.mask(), effect))
             elif isinstance(effect, Refuse):
                 refused = effect.message
             else:
@@ -198,6 +215,8 @@ class Core:
                 self._hand_on(effect)
                 if isinstance(effect, Begin) and effect.action == "message":
                     out.notices.append(_message(effect))
+                    if self._mask is not None:
+                        out.notices.append(_masked_message(self.mask(), effect))
                 elif isinstance(effect, Begin) and asked_of(effect) is not None:
                     self.asking.begin(effect, self.now, self.modules)
         if self.asking and any(type(event) in _ENDS for event in events):
@@ -267,6 +286,10 @@ class Core:
     def _traced(self, events: list[trace.TraceEvent]) -> None:
         at = self.epoch + self.now / SECOND
         self.backlog.add(events, at)
+        if self._mask is not None:
+            for event in events:
+                if type(event) is trace.Data:
+                    self._mask.know(event.tag, event.value)
         if self.heard is not None:
             self.heard(events, at)
         if self.deployer is not None and any(type(event) is trace.Deployed for event in events):
@@ -279,29 +302,49 @@ class Core:
                 )
                 topic = topics.authority(event.resource)
                 self._out.notices.append(wire.notice(topic, passed))
-        if self.tracing:
+        if self.tracing[False]:
             lines = tuple(Raw(stamped(event, at)) for event in events)
             body = protocol.Events(events=lines)
             self._out.notices.append(wire.notice(topics.TRACE, body))
+        if self.tracing[True]:
+            shown = masked.events(self.mask(), (stamped(event, at) for event in events))
+            body = protocol.Events(events=shown)
+            self._out.notices.append(wire.notice(topics.MASKED + topics.TRACE, body))
 
 
 _ENDS = (trace.Finished, trace.Cancelled)
 
 
 def _change(effect: Changed) -> bytes:
-    body = protocol.Change(
+    return wire.notice(topics.change(effect.tag), _changed(effect, effect.value))
+
+
+def _masked_change(mask: Mask, effect: Changed) -> bytes:
+    body = _changed(effect, mask.shown(effect.tag, effect.value))
+    return wire.notice(topics.MASKED + topics.change(effect.tag), body)
+
+
+def _changed(effect: Changed, value: Any) -> protocol.Change:
+    return protocol.Change(
         tag=effect.tag,
-        value=effect.value,
+        value=value,
         version=effect.version,
         writer=effect.writer,
         time=effect.time,
     )
-    return wire.notice(topics.change(effect.tag), body)
 
 
 def _message(effect: Begin) -> bytes:
+    topic, body = _sent(effect, effect.fields.get("value"))
+    return wire.notice(topic, body)
+
+
+def _masked_message(mask: Mask, effect: Begin) -> bytes:
+    topic, body = _sent(effect, mask.shown("", effect.fields.get("value")))
+    return wire.notice(topics.MASKED + topic, body)
+
+
+def _sent(effect: Begin, value: Any) -> tuple[bytes, protocol.Message]:
     topic = str(effect.fields.get("topic", ""))
-    body = protocol.Message(
-        topic=topic, value=effect.fields.get("value"), application=effect.application
-    )
-    return wire.notice(topics.message(topic), body)
+    body = protocol.Message(topic=topic, value=value, application=effect.application)
+    return topics.message(topic), body

@@ -419,7 +419,8 @@ class Welcome(Reply, frozen=True, kw_only=True):
     """To hello. runtime: another one after each start of the core, as ``seq`` begins anew.
 
     resumed: the session is the one that was named; else watches, requests for
-    authority and trace are to be asked for anew. seq: the last trace event's.
+    authority and trace are to be asked for anew. seq: the last trace event's. masked: whether
+    private values are hidden from this session, which then subscribes to other topics.
     """
 
     session: str
@@ -432,6 +433,7 @@ class Welcome(Reply, frozen=True, kw_only=True):
     addresses: Addresses
     time: int
     seq: int
+    masked: bool = False
 
 
 class Alive(Reply, frozen=True, kw_only=True):

@@ -7,7 +7,7 @@ from typing import Any, get_args
 
 from msgspec import UNSET, Raw, Struct
 
-from situ.blackboard import presence, protocol
+from situ.blackboard import masked, presence, protocol
 from situ.blackboard.asking import one_line
 from situ.blackboard.core import Core
 from situ.blackboard.history import Performing, Told, Traced, Unwatched, Watched
@@ -32,7 +32,8 @@ class Session(Struct):
     """One client. heard: µs, when it was last heard of. performing: whether it is told what its
     services are to carry out; heeded: whether its answers count, which they do not where a
     scenario says what ends and what is measured. http: where its screen is. identity: by whose
-    key it came, None without keys."""
+    key it came, None without keys. masked: whether it is not shown what is private: a viewer
+    nowhere, a module not in the trace."""
 
     id: str
     peer: Hashable
@@ -47,17 +48,23 @@ class Session(Struct):
     heeded: bool = True
     http: str | None = None
     identity: Identity | None = None
+    masked: bool = False
+
+    @property
+    def is_blind(self) -> bool:
+        """Whether private values are hidden from it wherever they stand."""
+        return self.masked and self.role == "viewer"
 
     def watch(self, patterns: Iterable[str], watching: Watching) -> None:
         """patterns: none that it watches already."""
         for pattern in patterns:
             self.patterns.add(pattern)
-            watching.add(pattern)
+            watching.add(pattern, self.is_blind)
 
     def unwatch(self, patterns: Iterable[str], watching: Watching) -> None:
         for pattern in patterns:
             self.patterns.remove(pattern)
-            watching.remove(pattern)
+            watching.remove(pattern, self.is_blind)
 
 
 class No(Exception):
@@ -131,7 +138,7 @@ def _get(core: Core, session: Session, request: protocol.Get) -> protocol.Reply:
                 writer=None if entry is None else entry.writer,
                 time=0 if entry is None else entry.time,
             )
-    return protocol.Values(id=request.id, entries=found)
+    return protocol.Values(id=request.id, entries=_seen(core, session, found))
 
 
 def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Reply:
@@ -155,7 +162,13 @@ def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Re
             if names.matches(pattern, tag):
                 found[tag] = _entry(state[tag])
     changes = core.watching.changes(request.patterns)
-    return protocol.Snapshot(id=request.id, entries=found, changes=changes)
+    return protocol.Snapshot(id=request.id, entries=_seen(core, session, found), changes=changes)
+
+
+def _seen(
+    core: Core, session: Session, found: dict[str, protocol.Entry]
+) -> dict[str, protocol.Entry]:
+    return masked.entries(core.mask(), found) if session.is_blind else found
 
 
 def _unwatch(core: Core, session: Session, request: protocol.Unwatch) -> protocol.Reply:
@@ -288,12 +301,13 @@ def _answer(core: Core, session: Session, request: protocol.Answer) -> protocol.
 
 def _trace(core: Core, session: Session, request: protocol.Trace) -> protocol.Reply:
     if not session.tracing:
-        core.tracing += 1
+        core.tracing[session.masked] += 1
         session.tracing = True
         core.remember(Traced(session.id))
     last = core.backlog.last
     since = last + 1 if request.since is None else max(request.since, core.backlog.first)
-    lines = tuple(Raw(line) for line in core.backlog.since(since, PAGE))
+    kept = core.backlog.since(since, PAGE)
+    lines = masked.events(core.mask(), kept) if session.masked else tuple(map(Raw, kept))
     return protocol.Traced(
         id=request.id,
         events=lines,
@@ -343,7 +357,10 @@ def _documents(core: Core, session: Session, request: protocol.Documents) -> pro
 
 
 def _expected(core: Core, session: Session, request: protocol.Expected) -> protocol.Reply:
-    return protocol.Expectations(id=request.id, applications=core.expected())
+    told = core.expected()
+    if session.is_blind:
+        told = masked.expectations(core.mask(), told)
+    return protocol.Expectations(id=request.id, applications=told)
 
 
 def _modules(core: Core, session: Session, request: protocol.Modules) -> protocol.Reply:

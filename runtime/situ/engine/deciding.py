@@ -261,6 +261,7 @@ class Deciding:
         self._sessions = Sessions(
             self._core, addresses, scripted=self._scripted, own=self._services, guard=guard
         )
+        self._server.may_subscribe = self._sessions.may_subscribe
 
     def _begin_again(self) -> None:
         """What was being carried out here: again, where twice is as good as once."""
