@@ -12,7 +12,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from situ.blackboard import protocol, wire
+from situ.blackboard import protocol, topics, wire
 from situ.blackboard.core import Core, Outgoing
 from situ.blackboard.guard import Guard
 from situ.blackboard.history import (
@@ -238,11 +238,18 @@ class Sessions:
             services=one.services,
             performing=one.performing,
         )
+        self._hide(session)
         session.watch(one.patterns, self._core.watching)
-        self._core.tracing += one.tracing
+        self._core.tracing[session.masked] += one.tracing
         if one.performing:
             self._core.performing.update(one.services)
         self._sessions[session.peer] = session
+
+    def _hide(self, session: Session) -> None:
+        session.masked = self._core.hides(session.role)
+        if session.is_blind:
+            # Messages are heard without asking.
+            self._core.mask()
 
     def _find(self, id: str) -> Session:
         return next(session for session in self._sessions.values() if session.id == id)
@@ -266,8 +273,9 @@ class Sessions:
         self._find(event.session).unwatch(event.patterns, self._core.watching)
 
     def _traced(self, event: Traced) -> None:
-        self._find(event.session).tracing = True
-        self._core.tracing += 1
+        session = self._find(event.session)
+        session.tracing = True
+        self._core.tracing[session.masked] += 1
 
     def _performing(self, event: Performing) -> None:
         session = self._find(event.session)
@@ -284,12 +292,23 @@ class Sessions:
         if not self._scripted:
             self._core.move(now)
 
+    def may_subscribe(self, who: Identity | None, topic: bytes) -> bool:
+        """Whether somebody with this key may hear what is published under topics that begin so."""
+        if self._guard is None:
+            return True
+        if who is None:
+            return False
+        return not self._core.hides(who.role) or topics.is_open(who.role, topic)
+
     # -- requests ------------------------------------------------------------
 
     def _answer(self, peer: Hashable, body: bytes, identity: Identity | None) -> protocol.Reply:
         session = self._sessions.get(peer)
-        if session is not None and session.identity != identity:
-            # The name of the connection is another's now, or the key is not what it was.
+        if session is not None and (
+            session.identity != identity or session.masked != self._core.hides(session.role)
+        ):
+            # The name of the connection is another's now, the key is not what it was, or another
+            # project that was deployed hides what this one did not.
             self._end(session)
             session = None
         if session is not None:
@@ -359,6 +378,7 @@ class Sessions:
                 heeded=not (hello.services and self._scripted),
             )
             session.identity = identity
+            self._hide(session)
             self._sessions[peer] = session
             if self._look is None:
                 self._look = session.heard + _LEASE
@@ -388,6 +408,7 @@ class Sessions:
             addresses=self._where(),
             time=self._core.moment,
             seq=self._core.backlog.last,
+            masked=session.masked,
         )
 
     def _resumed(
@@ -464,7 +485,7 @@ class Sessions:
     def _forget(self, session: Session) -> None:
         del self._sessions[session.peer]
         session.unwatch(tuple(session.patterns), self._core.watching)
-        self._core.tracing -= session.tracing
+        self._core.tracing[session.masked] -= session.tracing
         if session.performing:
             self._core.performing.subtract(session.services)
         if session.module is not None:
