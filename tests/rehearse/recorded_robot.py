@@ -26,7 +26,7 @@ class Recorded:
 
     def __init__(self, path: Path, recorder: Recorder, *, state: bytes | None = None) -> None:
         self.project = load_ready(path)
-        self.robot = Robot(self.project)
+        self.robot = Robot(self.project, files=sources(self.project))
         self.recorder = recorder
         self.trace = b""
         if state is not None:

@@ -235,3 +235,34 @@ def _whole() -> bytes:
         file = Path(folder, "run.mcap")
         Recorded(LAB, recorder(file)).recorder.close()
         return file.read_bytes()
+
+
+@pytest.mark.parametrize("late", [False, True], ids=["whole", "from a snapshot"])
+def test_a_run_over_deploys_is_decided_again_by_itself(
+    tmp_path: Path, replay: Replay, late: bool
+) -> None:
+    """One version waits for a speech, another fails and is returned from. Nothing is needed beside
+    the recording, also where it begins with a version that its documents are not.
+    """
+    file, path = tmp_path / "run.mcap", ROOT / "examples" / "reception"
+    texts = sources(load_ready(path))
+    flow = texts["reception.rbd.xml"]
+    other = flow.replace("<speech>Touch my screen", "<speech>Please touch my screen")
+    loops = other.replace("<event name=", '<event next="#again"/><event name=', 3)
+    assert flow != other != loops
+    run = Recorded(path, recorder(file, path))
+    run.at(SECOND, inputs.Deploy(1, {**texts, "reception.rbd.xml": other}, "operator:ann"))
+    run.at(2 * SECOND, inputs.Finish("speech"))
+    run.at(2 * SECOND)
+    if late:
+        state = run.robot.snapshot()
+        run.recorder.close()
+        run = Recorded(path, recorder(file, path), state=state)
+    run.at(3 * SECOND, inputs.Deploy(2, {**texts, "reception.rbd.xml": loops}, "operator:ann"))
+    run.at(4 * SECOND, inputs.Raise("screenTouched"))
+    run.recorder.close()
+    told = [(e["kind"], e.get("version")) for e in map(json.loads, run.trace.splitlines())]
+    deployed = [version for kind, version in told if kind == "deployed"]
+    assert deployed == ([2, 1] if late else [1, 2, 1])
+    assert replay(file) == (0, run.trace, "")
+    assert replay(file, "--decide") == (0, b"decided again, all is as recorded\n", "")

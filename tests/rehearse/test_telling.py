@@ -39,8 +39,8 @@ def test_what_is_no_trace_is_refused_with_its_line(tmp_path: Path, text: str, sa
 
 def test_empty_lines_and_kinds_that_only_a_robot_has_are_read(tmp_path: Path) -> None:
     file = tmp_path / "t.jsonl"
-    file.write_text(ENTER + '\n{"kind":"deployed","seq":2,"t":1,"cause":null,"files":[]}\n')
-    assert [event["kind"] for event in read_trace(file)] == ["enter", "deployed"]
+    file.write_text(ENTER + '\n{"kind":"told","seq":2,"t":1,"cause":null,"files":[]}\n')
+    assert [event["kind"] for event in read_trace(file)] == ["enter", "told"]
     with pytest.raises(UsageError, match="No such file"):
         read_trace(tmp_path / "none")
 
@@ -108,6 +108,11 @@ def test_the_steps_of_a_trace_begin_with_outside_input_or_later() -> None:
         (trace.Paused(1, 0, None, "a", "1", 3), "a is paused in 1 by breakpoint 3"),
         (trace.Paused(1, 0, None, "a", "1", None, "o"), "a is paused in 1 by o"),
         (trace.Resumed(1, 0, None, "a", "1", 3, "o"), "a is no longer paused, by o"),
+        (
+            trace.Deployed(1, 0, None, 2, ("a.xml", "b.xml"), "o"),
+            "version 2 takes over, deployed by o; changed: a.xml and b.xml",
+        ),
+        (trace.Deployed(1, 0, None, 2, (), "o"), "version 2 takes over, deployed by o"),
         (trace.Warned(1, 0, None, "so", "there"), "warning: so"),
         (trace.Failed(1, 0, None, "so", "there"), "error: so"),
     ],
@@ -118,7 +123,7 @@ def test_every_kind_of_event_has_its_words(event: trace.TraceEvent, told: str) -
 
 
 def test_a_kind_that_is_not_known_is_called_by_its_name() -> None:
-    assert Teller().tell({"kind": "deployed", "seq": 1, "t": 0, "cause": None}) == "deployed"
+    assert Teller().tell({"kind": "told", "seq": 1, "t": 0, "cause": None}) == "told"
 
 
 def test_where_an_event_without_a_cause_comes_from() -> None:

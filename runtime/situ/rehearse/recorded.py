@@ -42,7 +42,8 @@ LARGEST = 1 << 28
 
 class Heading(Struct, frozen=True):
     """What ran. version: of situ. tags, private: as in ``Project``. file: where the project is read
-    from among its documents. masked: private values are ``•••``, and there are no inputs.
+    from among its documents. deployed: the version that these documents are. masked: private
+    values are ``•••``, and there are no inputs.
     """
 
     runtime: str = ""
@@ -51,6 +52,7 @@ class Heading(Struct, frozen=True):
     file: str = ""
     tags: dict[str, Any] = {}
     private: tuple[str, ...] = ()
+    deployed: int = 0
     masked: bool = False
 
 
@@ -170,7 +172,7 @@ def again(recording: Iterable[Piece], name: str) -> Difference | None:
         elif isinstance(piece, Document):
             documents.append(piece)
         elif isinstance(piece, Snapshot):
-            robot = Robot(_project(heading, documents, name))
+            robot = _robot(heading, documents, name)
             try:
                 robot.restore(piece.state)
             except (msgspec.DecodeError, ValueError):
@@ -181,7 +183,7 @@ def again(recording: Iterable[Piece], name: str) -> Difference | None:
             if robot is None:
                 if not isinstance(piece.given, Start):
                     raise UsageError(f"{name}: it lacks where the robot began")
-                robot = Robot(_project(heading, documents, name))
+                robot = _robot(heading, documents, name)
             t = piece.us / SECOND
             expected.extend(map(to_line, robot.step(piece.given, piece.us)[0]))
         elif isinstance(piece, Line):
@@ -207,12 +209,14 @@ def bare(line: bytes) -> bytes:
     return event + b"}\n" if found else line + b"\n"
 
 
-def _project(heading: Heading, documents: list[Document], name: str) -> Project:
-    """The project as it ran."""
+def _robot(heading: Heading, documents: list[Document], name: str) -> Robot:
+    """One that runs the project as it ran."""
     project = loaded(heading, documents)
     if project is None:
         raise UsageError(f"{name}: the project that it holds can not be read")
-    return replace(project, name=heading.project, tags=heading.tags)
+    project = replace(project, name=heading.project, tags=heading.tags)
+    files = {document.path: document.data.decode(errors="replace") for document in documents}
+    return Robot(project, heading.deployed, files)
 
 
 def loaded(heading: Heading, documents: Iterable[Document]) -> Project | None:

@@ -155,6 +155,10 @@ _TOLD: dict[str, Callable[[Teller, Fields], str]] = {
     "resume": lambda teller, e: f"{e['application']} goes on",
     "paused": lambda teller, e: f"{_at('is paused in')(teller, e)} by {_who(e)}",
     "resumed": lambda teller, e: f"{e['application']} is no longer paused, by {_who(e)}",
+    "deployed": lambda teller, e: (
+        f"version {e['version']} takes over, deployed by {e['writer']}"
+        + (f"; changed: {words.listed(e['files'])}" if e["files"] else "")
+    ),
     "warning": lambda teller, e: f"warning: {e['message']}",
     "error": lambda teller, e: f"error: {e['message']}",
 }
