@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from datetime import datetime
+from itertools import compress
+from operator import is_not
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
@@ -64,6 +66,8 @@ class Status(QStatusBar):
         saved.addWidget(self.saved)
         end.addLayout(saved)
         self.addPermanentWidget(right)
+        self._counted: list[State | Always] = []
+        self._leading = 0
         self._silence = QTimer(self)
         self._silence.setSingleShot(True)
         self._silence.setInterval(SAID_FOR)
@@ -126,8 +130,14 @@ class Status(QStatusBar):
             parts: list[State | Always] = list(document.states)
             if document.always is not None:
                 parts.append(document.always)
-            leading = len([e for p in parts for e in p.events if e.next is not None])
-            leading += len([p for p in parts if p.timeout is not None and p.timeout.next])
+            if len(parts) == len(self._counted):
+                # Only what is another value is counted anew.
+                other = [*map(is_not, parts, self._counted)]
+                self._leading += sum(map(_leading, compress(parts, other)))
+                self._leading -= sum(map(_leading, compress(self._counted, other)))
+            else:
+                self._leading = sum(map(_leading, parts))
+            self._counted, leading = parts, self._leading
             words = [
                 count(len(document.states), self.tr("state"), self.tr("states")),
                 count(leading, self.tr("transition"), self.tr("transitions")),
@@ -158,3 +168,9 @@ class Status(QStatusBar):
             self.saved.setText(self.tr("Saved {0}").format(f"{at:%H:%M}"))
         else:
             self.saved.setText(self.tr("No changes"))
+
+
+def _leading(part: State | Always) -> int:
+    """How many transitions leave it."""
+    events = sum(event.next is not None for event in part.events)
+    return events + bool(part.timeout is not None and part.timeout.next)

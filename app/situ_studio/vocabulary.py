@@ -82,13 +82,17 @@ def tags(part: rbd.State | rbd.Always) -> frozenset[str]:
     return frozenset(tag for tag in found if tag)
 
 
+class _Words(Struct, frozen=True):
+    events: frozenset[str]
+    tags: frozenset[str]
+    resources: frozenset[str]
+
+
 class _Known(Struct, frozen=True):
     """What one state adds; kept as long as the state is this very value."""
 
     part: rbd.State | rbd.Always
-    events: frozenset[str]
-    tags: frozenset[str]
-    resources: frozenset[str]
+    words: _Words
 
 
 def _media(project: Project) -> tuple[str, ...]:
@@ -106,6 +110,8 @@ class Lexicon:
 
     def __init__(self) -> None:
         self._known: dict[int, _Known] = {}
+        self._words = _Words(frozenset(), frozenset(), frozenset())
+        self._of: list[_Known] = []
         self._project: Project | None = None
         self._document: Document | None = None
         self._made = Vocabulary()
@@ -125,19 +131,29 @@ class Lexicon:
                 if known is None or known.part is not part:
                     robot = (a for a in _actions(part) if isinstance(a, rbd.Robot))
                     resources = frozenset(a.resource for a in robot)
-                    known = _Known(part, events(part), tags(part), resources)
+                    known = _Known(part, _Words(events(part), tags(part), resources))
                 kept[id(part)] = known
                 yield known
         self._known = kept
 
+    def _words_of(self, parts: list[_Known]) -> _Words:
+        """Of all states; those of before where no state has other words than it had."""
+        before, self._of = self._of, parts
+        if len(before) == len(parts) and all(
+            old.words == new.words for old, new in zip(before, parts, strict=True) if old is not new
+        ):
+            return self._words
+        self._words = _Words(
+            frozenset().union(*(known.words.events for known in parts)),
+            frozenset().union(*(known.words.tags for known in parts)),
+            frozenset().union(*(known.words.resources for known in parts)),
+        )
+        return self._words
+
     def _make(self, project: Project, document: Document) -> Vocabulary:
-        known_tags = set(project.tags)
-        known_events: set[str] = set()
-        resources = {"screen", "speech"}
-        for known in self._parts(project):
-            known_tags |= known.tags
-            known_events |= known.events
-            resources |= known.resources
+        words = self._words_of([*self._parts(project)])
+        known_tags = {*project.tags, *words.tags}
+        resources = {"screen", "speech", *words.resources}
         if project.spds is not None:
             known_tags |= {o.tag for o in project.spds.observe}
             for situation in project.spds.situations:
@@ -152,7 +168,7 @@ class Lexicon:
         application = document if isinstance(document, Application) else None
         return Vocabulary(
             states=tuple((s.no, s.name) for s in application.states) if application else (),
-            events=tuple(sorted(known_events)),
+            events=tuple(sorted(words.events)),
             tags=tuple(sorted(known_tags)),
             resources=tuple(sorted(resources)),
             situations=tuple(s.name for s in script.situations) if script is not None else (),

@@ -6,6 +6,7 @@ finished a different one: at Enter, at leaving the field, at a choice.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QStringListModel, Qt, Signal
@@ -240,6 +241,7 @@ class Choice(QComboBox):
         super().__init__(parent)
         self._theme = theme
         self._value: Any = None
+        self._offered: tuple[tuple[Any, str], ...] = ()
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(4)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -251,8 +253,9 @@ class Choice(QComboBox):
 
     def offer(self, choices: tuple[tuple[Any, str], ...]) -> None:
         """The values and what stands for each."""
-        if [(self.itemData(i), self.itemText(i)) for i in range(self.count())] == list(choices):
+        if choices == self._offered and self.count() == len(choices):
             return
+        self._offered = choices
         self.blockSignals(True)
         self.clear()
         for value, text in choices:
@@ -337,11 +340,17 @@ class Swatch(Line):
         painter.end()
 
 
+@lru_cache(maxsize=4)
+def _states(states: tuple[tuple[str, str], ...]) -> tuple[tuple[str, str], ...]:
+    """Numbers, and what stands for each; one list for all fields of a form."""
+    return tuple((no, f"{no} {name}".strip()) for no, name in states)
+
+
 def next_choices(vocabulary: Vocabulary, stay: str) -> tuple[tuple[Any, str], ...]:
     """What an event can lead to."""
     return (
         (None, stay),
-        *((no, f"{no} {name}".strip()) for no, name in vocabulary.states),
+        *_states(vocabulary.states),
         (AGAIN, QCoreApplication.translate("fields", "the same state, anew")),
         (BACK, QCoreApplication.translate("fields", "back to where it came from")),
     )
@@ -383,8 +392,7 @@ def offer(
         elif editor == "next":
             widget.offer(next_choices(vocabulary, empty))
         elif editor == "state":
-            states = tuple((no, f"{no} {name}".strip()) for no, name in vocabulary.states)
-            widget.offer(((None, empty), *states))
+            widget.offer(((None, empty), *_states(vocabulary.states)))
         elif editor == "situation":
             widget.offer(((None, empty), *((s, s) for s in vocabulary.situations)))
         else:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from operator import is_
+
 from msgspec import Struct
 from PySide6.QtCore import QItemSelection, QModelIndex, QSortFilterProxyModel, Qt, Signal
 from PySide6.QtGui import QStandardItem, QStandardItemModel
@@ -9,7 +11,7 @@ from PySide6.QtWidgets import QLineEdit, QListView, QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
 from situ.document.project import Project
-from situ.document.rbd import Application
+from situ.document.rbd import Application, State
 from situ.document.spds import Spds
 from situ_studio.edit import Document, Place
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, NUMBER, PLACE, RowDelegate
@@ -57,6 +59,8 @@ class Outline(QWidget):
         self.setProperty("role", "panel")
         self._document: Document | None = None
         self._rows: list[Row] = []
+        self._at: dict[Place, list[int]] = {}
+        self._worst: dict[Place, str] = {}
         self._told: tuple[Place, ...] = ()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -101,13 +105,14 @@ class Outline(QWidget):
         self, project: Project, document: Document | None, problems: tuple[Problem, ...]
     ) -> None:
         """Shows the members of ``document`` with their problems' marks."""
-        self._document = document
+        before, self._document = self._document, document
         rows: list[Row] = []
         worst: dict[Place, str] = {}
         for problem in problems:
             place = problem.place[:2]
             if worst.get(place) != "error":
                 worst[place] = problem.severity
+        unmarked, self._worst = worst != self._worst, worst
 
         def marks(place: Place, *more: str) -> tuple[tuple[str, str], ...] | None:
             colours = {"start": "start", "part": "part", "end": "text2"}
@@ -123,12 +128,29 @@ class Outline(QWidget):
                 place = ("always",)
                 words = self.tr("In every state")
                 rows.append(Row(place=place, name=words, number="∞", marks=marks(place)))
-            for state in document.states:
+
+            def row(state: State) -> Row:
                 place = ("state", state.no)
                 more = ["start"] * (state.no == start)
                 more = more or ["part"] * (state.flow is not None) or ["end"] * state.final
                 found = marks(place, *more)
-                rows.append(Row(place=place, name=state.name, number=state.no, marks=found))
+                return Row(place=place, name=state.name, number=state.no, marks=found)
+
+            first = len(rows)
+            if (
+                isinstance(before, Application)
+                and not unmarked
+                and before.start_no == start
+                and len(before.states) == len(document.states)
+                and len(self._rows) == first + len(document.states)
+            ):
+                # Rows of states that are the very same stand as they are.
+                rows += self._rows[first:]
+                for index, same in enumerate(map(is_, before.states, document.states)):
+                    if not same:
+                        rows[first + index] = row(document.states[index])
+            else:
+                rows += map(row, document.states)
         elif isinstance(document, Spds):
             self.search.setPlaceholderText(self.tr("Find a module"))
             applications = {a.name for a in project.applications.values()}
@@ -170,12 +192,15 @@ class Outline(QWidget):
         shown, self._rows = self._rows, rows
         if shown == rows:
             return
+        self._at = {}
+        for index, row in enumerate(rows):
+            self._at.setdefault(row.place, []).append(index)
         model, chosen = self._model, self._told
         selection = self.list.selectionModel()
         selection.blockSignals(True)
         if len(shown) == len(rows):
             for index, (old, new) in enumerate(zip(shown, rows, strict=True)):
-                if old != new:
+                if old is not new and old != new:
                     item = model.item(index)
                     item.setText(new.name)
                     for role, value in new.data():
@@ -194,9 +219,9 @@ class Outline(QWidget):
         model = self.list.selectionModel()
         model.blockSignals(True)
         self.list.clearSelection()
-        for row in range(self._proxy.rowCount()):
-            index = self._proxy.index(row, 0)
-            if index.data(PLACE) in wanted:
+        for row in sorted(row for place in wanted for row in self._at.get(place, ())):
+            index = self._proxy.mapFromSource(self._model.index(row, 0))
+            if index.isValid():
                 flag = model.SelectionFlag.Select
                 model.select(index, flag)
                 model.setCurrentIndex(index, model.SelectionFlag.NoUpdate)
