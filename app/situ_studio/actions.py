@@ -1,22 +1,17 @@
 """Every command of the studio in one table.
 
-Menus, toolbar, shortcuts and the command palette are made from it. A command's
-handler is a method of ``commands.Commands``, its ``when`` a method of the same
-that says whether it can be done now.
+Menus, context menus, toolbar, shortcuts, the command palette and the list of shortcuts are made
+from it (``menus.Actions``). A command's handler is a method of ``commands.Commands``, its
+``when`` a method of the same that says whether it can be done now.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, Literal
 
 from msgspec import Struct
-from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt
-from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
-from situ_studio import icons, kinds
-from situ_studio.theme import Theme
+from situ_studio import kinds
 
 
 class Command(Struct, frozen=True, kw_only=True):
@@ -28,6 +23,9 @@ class Command(Struct, frozen=True, kw_only=True):
     choice: commands of one choice are exclusive and checkable, ``checked`` says which one is.
     rule: a line stands before it, in its menu and in the toolbar.
     argument: given to the handler, if not None.
+    contexts: where it is in the context menu, divided by blanks: ``ground``, ``state`` (one),
+        ``states`` (several), ``exit`` (a transition), ``always``, ``thing`` (anything else).
+    also: another shortcut.
     """
 
     id: str
@@ -45,11 +43,20 @@ class Command(Struct, frozen=True, kw_only=True):
     rule: bool = False
     argument: Any = None
     tip: str = ""
+    contexts: str = ""
+    also: str = ""
 
 
 def _c(id: str, text: str, handler: str, **rest: Any) -> Command:
     return Command(id=id, text=text, handler=handler, **rest)
 
+
+_CONTEXTS = {
+    "state": "ground",
+    "event": "state always",
+    "timeout": "state always",
+}
+"""Where a new thing of a kind is offered in a context menu."""
 
 _INSERT = tuple(
     _c(
@@ -63,6 +70,7 @@ _INSERT = tuple(
         argument=kind.name,
         rule=index == 0 and part != "application",
         tip=kind.help,
+        contexts=_CONTEXTS.get(kind.name, ""),
     )
     for part in ("application", "action", "screen", "script", "modules")
     for index, kind in enumerate(k for k in kinds.KINDS if k.palette == part)
@@ -122,6 +130,7 @@ COMMANDS: tuple[Command, ...] = (
         menu="Edit",
         when="can_cut",
         rule=True,
+        contexts="state states",
     ),
     _c(
         "copy",
@@ -131,6 +140,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+C",
         menu="Edit",
         when="can_copy",
+        contexts="state states",
     ),
     _c(
         "paste",
@@ -140,6 +150,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+V",
         menu="Edit",
         when="can_paste",
+        contexts="ground",
     ),
     _c(
         "duplicate",
@@ -149,18 +160,67 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+D",
         menu="Edit",
         when="can_duplicate",
+        contexts="state states",
     ),
-    _c("delete", "Delete", "delete", shortcut="Del", menu="Edit", when="has_selection"),
-    _c("rename", "Rename", "rename", shortcut="F2", menu="Edit", when="has_selection"),
+    _c(
+        "delete",
+        "Delete",
+        "delete",
+        shortcut="Del",
+        menu="Edit",
+        when="has_selection",
+        contexts="state states exit always thing",
+    ),
+    _c(
+        "rename",
+        "Rename",
+        "rename",
+        shortcut="F2",
+        menu="Edit",
+        when="has_selection",
+        contexts="state thing",
+    ),
+    _c(
+        "rename_everywhere",
+        "Rename everywhere…",
+        "rename_everywhere",
+        shortcut="Shift+F2",
+        menu="Edit",
+        when="can_rename_everywhere",
+        contexts="exit thing",
+        tip="An event, tag or module gets another name in every document of the project.",
+    ),
     _c(
         "select_all",
-        "Select all",
+        "Everything",
         "on_view",
         argument="select_all",
         shortcut="Ctrl+A",
-        menu="Edit",
+        menu="Edit/Select",
         when="has_document",
-        rule=True,
+        contexts="ground",
+    ),
+    _c(
+        "select_followers",
+        "What follows too",
+        "on_view",
+        argument="select_followers",
+        shortcut="Ctrl+Shift+Right",
+        menu="Edit/Select",
+        when="has_states",
+        contexts="state states",
+        tip="Adds the states to which the selected ones lead.",
+    ),
+    _c(
+        "select_leading",
+        "What leads here too",
+        "on_view",
+        argument="select_leading",
+        shortcut="Ctrl+Shift+Left",
+        menu="Edit/Select",
+        when="has_states",
+        contexts="state states",
+        tip="Adds the states that lead to the selected ones.",
     ),
     _c(
         "find",
@@ -171,7 +231,53 @@ COMMANDS: tuple[Command, ...] = (
         menu="Edit",
         rule=True,
     ),
-    _c("find_here", "Find in the outline", "find_here", shortcut="Ctrl+F", menu="Edit"),
+    _c(
+        "find_in_project",
+        "Find in the project…",
+        "find_in_project",
+        icon="search",
+        shortcut="Ctrl+F",
+        menu="Edit",
+        when="has_project",
+        contexts="ground",
+        tip="States, texts, events and tags in every document.",
+    ),
+    _c(
+        "find_next",
+        "Next found",
+        "find_next",
+        argument=1,
+        shortcut="F3",
+        menu="Edit",
+        when="has_found",
+    ),
+    _c(
+        "find_previous",
+        "Found before",
+        "find_next",
+        argument=-1,
+        shortcut="Shift+F3",
+        menu="Edit",
+        when="has_found",
+    ),
+    _c(
+        "find_usages",
+        "Find usages…",
+        "find_usages",
+        shortcut="Ctrl+Shift+F",
+        menu="Edit",
+        when="can_find_usages",
+        contexts="state exit thing",
+        tip="Every place that mentions the selected event, tag, state, module or file.",
+    ),
+    _c(
+        "find_here",
+        "Filter the outline",
+        "find_here",
+        shortcut="Ctrl+Shift+O",
+        menu="Edit",
+        when="has_document",
+    ),
     _c(
         "view.graph",
         "Graph",
@@ -234,6 +340,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+9",
         menu="View",
         when="on_graph",
+        contexts="ground",
     ),
     _c(
         "zoom_selection",
@@ -242,6 +349,93 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+8",
         menu="View",
         when="has_selection",
+        contexts="states",
+    ),
+    _c(
+        "go_start",
+        "The start",
+        "on_view",
+        argument="go_to_start",
+        shortcut="Ctrl+Home",
+        menu="Go",
+        when="on_application",
+        contexts="ground",
+    ),
+    _c(
+        "go_target",
+        "Where it leads",
+        "on_view",
+        argument="go_to_target",
+        shortcut="Ctrl+J",
+        menu="Go",
+        when="has_exit",
+        contexts="exit",
+    ),
+    _c(
+        "next_exit",
+        "Next transition of the state",
+        "on_view",
+        argument="next_exit",
+        shortcut="Alt+Down",
+        menu="Go",
+        when="has_card_or_exit",
+    ),
+    _c(
+        "previous_exit",
+        "Transition before",
+        "on_view",
+        argument="previous_exit",
+        shortcut="Alt+Up",
+        menu="Go",
+        when="has_card_or_exit",
+    ),
+    _c(
+        "next_problem",
+        "Next problem",
+        "next_problem",
+        argument=1,
+        shortcut="F8",
+        menu="Go",
+        when="has_problems",
+        rule=True,
+    ),
+    _c(
+        "previous_problem",
+        "Problem before",
+        "next_problem",
+        argument=-1,
+        shortcut="Shift+F8",
+        menu="Go",
+        when="has_problems",
+    ),
+    _c(
+        "next_tab",
+        "Next document",
+        "next_tab",
+        argument=1,
+        shortcut="Ctrl+PgDown",
+        menu="Go",
+        when="has_document",
+        rule=True,
+    ),
+    _c(
+        "previous_tab",
+        "Document before",
+        "next_tab",
+        argument=-1,
+        shortcut="Ctrl+PgUp",
+        menu="Go",
+        when="has_document",
+    ),
+    _c(
+        "context_menu",
+        "What can be done with the selection",
+        "context_menu",
+        shortcut="Shift+F10",
+        also="Menu",
+        menu="Go",
+        when="has_document",
+        rule=True,
     ),
     _c(
         "part.enter",
@@ -249,10 +443,11 @@ COMMANDS: tuple[Command, ...] = (
         "enter_part",
         icon="part",
         shortcut="Alt+Right",
-        menu="View",
+        menu="Go",
         when="can_enter_part",
         rule=True,
         tip="Shows the application that the selected state runs.",
+        contexts="state",
     ),
     _c(
         "part.leave",
@@ -260,8 +455,9 @@ COMMANDS: tuple[Command, ...] = (
         "leave_part",
         icon="undo",
         shortcut="Alt+Left",
-        menu="View",
+        menu="Go",
         when="can_leave_part",
+        contexts="ground",
     ),
     _c(
         "theme.system",
@@ -309,34 +505,98 @@ COMMANDS: tuple[Command, ...] = (
     ),
     *_INSERT,
     _c(
-        "align.left",
-        "Align left edges",
-        "align",
-        argument="left",
-        icon="align_left",
-        menu="Arrange",
-        toolbar="left",
-        when="can_align",
+        "lead_to",
+        "Lead to…",
+        "on_view",
+        argument="ask_where_to",
+        icon="link",
+        shortcut="Ctrl+E",
+        menu="Insert",
+        when="has_card_or_exit",
         rule=True,
+        contexts="state exit always",
+        tip="A new transition of the selected state, or another target of the selected one.",
     ),
     _c(
-        "align.top",
-        "Align upper edges",
-        "align",
-        argument="top",
-        icon="align_top",
-        menu="Arrange",
-        when="can_align",
+        "connect_states",
+        "Connect one after the other",
+        "on_view",
+        argument="connect_selected",
+        menu="Insert",
+        when="has_two_cards",
+        contexts="states",
     ),
     _c(
-        "distribute",
-        "Distribute evenly",
-        "align",
-        argument="distribute",
+        "guard",
+        "Guard",
+        "guard",
+        icon="guard",
+        menu="Insert",
+        when="has_exit",
+        contexts="exit",
+        tip="When the selected transition may be taken.",
+    ),
+    _c(
+        "mark_start",
+        "Start here",
+        "on_view",
+        argument="mark_start",
+        icon="start",
+        menu="Insert",
+        when="has_one_state",
+        contexts="state",
+    ),
+    *(
+        _c(
+            f"align.{edge}",
+            text,
+            "on_view_with",
+            argument=("align", edge),
+            icon=f"align_{edge}",
+            menu="Arrange/Align",
+            toolbar="left" if edge == "left" else "",
+            when="has_two_cards",
+            rule=edge in ("left", "top"),
+            contexts="states",
+        )
+        for edge, text in (
+            ("left", "Left edges"),
+            ("center", "Middles, one above the other"),
+            ("right", "Right edges"),
+            ("top", "Upper edges"),
+            ("middle", "Middles, side by side"),
+            ("bottom", "Lower edges"),
+        )
+    ),
+    _c(
+        "distribute.across",
+        "Evenly side by side",
+        "on_view_with",
+        argument=("align", "across"),
         icon="distribute",
-        menu="Arrange",
+        menu="Arrange/Align",
         toolbar="left",
-        when="can_align",
+        when="has_three_cards",
+        rule=True,
+        contexts="states",
+    ),
+    _c(
+        "distribute.down",
+        "Evenly one above the other",
+        "on_view_with",
+        argument=("align", "down"),
+        menu="Arrange/Align",
+        when="has_three_cards",
+        contexts="states",
+    ),
+    _c(
+        "snap",
+        "Put on the grid",
+        "on_view",
+        argument="snap_to_grid",
+        menu="Arrange",
+        when="on_application",
+        tip="The selected cards, or all, to the nearest points of the grid.",
     ),
     _c(
         "layout",
@@ -350,6 +610,7 @@ COMMANDS: tuple[Command, ...] = (
         when="can_auto_layout",
         rule=True,
         tip="Moves every card to a place where the arrows are easy to follow.",
+        contexts="ground",
     ),
     _c(
         "part.make",
@@ -361,6 +622,7 @@ COMMANDS: tuple[Command, ...] = (
         when="can_make_part",
         rule=True,
         tip="The selected states become an application of their own, which one state runs.",
+        contexts="state states",
     ),
     _c(
         "connect",
@@ -384,128 +646,11 @@ COMMANDS: tuple[Command, ...] = (
         outlined=True,
         shown="is_connected",
     ),
+    _c("shortcuts", "Keyboard shortcuts", "show_shortcuts", shortcut="Shift+F1", menu="Help"),
     _c("about", "About Situ Studio", "about", menu="Help"),
 )
 
-MENUS = ("File", "Edit", "View", "Insert", "Arrange", "Robot", "Help")
-
-
-def translated(text: str) -> str:
-    """A text of the table in the user's language."""
-    return QCoreApplication.translate("actions", text) if text else ""
-
-
-class Actions(QObject):
-    """The table as QActions of one window.
-
-    handlers: has every method that the table names.
-    """
-
-    def __init__(self, handlers: object, theme: Theme, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._handlers = handlers
-        self._theme = theme
-        self._menus: dict[str, QMenu] = {}
-        self._groups: dict[str, QActionGroup] = {}
-        self.actions: dict[str, QAction] = {}
-        for command in COMMANDS:
-            self.actions[command.id] = self._action(command, parent)
-        self.set_theme(theme)
-
-    def _action(self, command: Command, parent: QWidget) -> QAction:
-        action = QAction(translated(command.text), parent)
-        action.setObjectName(command.id)
-        if command.shortcut:
-            action.setShortcut(QKeySequence(command.shortcut))
-        if command.tip:
-            action.setToolTip(translated(command.tip))
-        handler: Callable[..., Any] = getattr(self._handlers, command.handler)
-        if command.argument is None:
-            action.triggered.connect(lambda _=False: handler())
-        else:
-            action.triggered.connect(lambda _=False: handler(command.argument))
-        if command.choice:
-            action.setCheckable(True)
-            group = self._groups.setdefault(command.choice, QActionGroup(self))
-            group.addAction(action)
-        parent.addAction(action)
-        return action
-
-    def set_theme(self, theme: Theme) -> None:
-        self._theme = theme
-        for command in COMMANDS:
-            if command.icon:
-                made = icons.icon(command.icon, theme.color("text2"), 18)
-                self.actions[command.id].setIcon(made)
-
-    def refresh(self) -> None:
-        """Enables, shows and checks every command as it can be done now."""
-        for command in COMMANDS:
-            action = self.actions[command.id]
-            if command.shown:
-                action.setVisible(bool(getattr(self._handlers, command.shown)()))
-            if command.when:
-                action.setEnabled(bool(getattr(self._handlers, command.when)()))
-            if command.checked:
-                action.setChecked(bool(getattr(self._handlers, command.checked)(command.argument)))
-
-    def fill_menus(self, bar: QMenuBar) -> None:
-        """Makes the menus; one without a visible command is not shown."""
-        for title in MENUS:
-            self._menu(title, bar)
-        for command in COMMANDS:
-            if not command.menu:
-                continue
-            menu = self._menu(command.menu, bar)
-            if command.rule and not menu.isEmpty():
-                menu.addSeparator()
-            menu.addAction(self.actions[command.id])
-        for menu in self._menus.values():
-            menu.aboutToShow.connect(self.refresh)
-
-    def menu(self, title: str) -> QMenu:
-        """A menu by its title in the table."""
-        return self._menus[title]
-
-    def _menu(self, title: str, bar: QMenuBar) -> QMenu:
-        if title in self._menus:
-            return self._menus[title]
-        head, _, tail = title.rpartition("/")
-        parent: QMenuBar | QMenu = self._menu(head, bar) if head else bar
-        if head:
-            parent.addSeparator()
-        menu = parent.addMenu(translated(tail))
-        menu.setToolTipsVisible(True)
-        self._menus[title] = menu
-        return menu
-
-    def show_menus(self) -> None:
-        """Hides the menus in which nothing is visible."""
-        for title, menu in self._menus.items():
-            if "/" not in title:
-                there = any(a.isVisible() and not a.isSeparator() for a in menu.actions())
-                menu.menuAction().setVisible(there)
-
-    def fill_toolbar(self, bar: QToolBar, end: Literal["left", "right"]) -> None:
-        """Puts the commands of one end into the toolbar."""
-        first = True
-        for command in COMMANDS:
-            if command.toolbar != end:
-                continue
-            if command.rule and not first:
-                bar.addSeparator()
-            first = False
-            action = self.actions[command.id]
-            bar.addAction(action)
-            button = bar.widgetForAction(action)
-            if isinstance(button, QToolButton):
-                button.setAccessibleName(translated(command.text))
-                size = 16 if command.outlined else 18
-                button.setIconSize(QSize(size, size))
-                button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-                if command.outlined:
-                    button.setProperty("role", "outlined")
-                    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+MENUS = ("File", "Edit", "View", "Go", "Insert", "Arrange", "Robot", "Help")
 
 
 def command(id: str) -> Command:

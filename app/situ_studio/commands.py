@@ -11,12 +11,15 @@ from PySide6.QtWidgets import QApplication
 
 import situ
 from situ.document.beginning import project_name
+from situ.document.rbd import Application
 from situ.errors import SituError
 from situ_studio import kinds, projects
+from situ_studio.context_menus import context_of
 from situ_studio.find import Find, places_of
 from situ_studio.insert import NotHere, insert
 from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
+from situ_studio.shortcuts import Shortcuts
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -60,6 +63,48 @@ class Commands(QObject):
         view = self._window.current_view
         return view is not None and (bool(view.selected) or not selected) and view.can(method)
 
+    def on_application(self) -> bool:
+        return self.on_graph() and isinstance(self._window.current_document, Application)
+
+    def _cards(self) -> int:
+        """How many cards of an application are selected; none where something else is too."""
+        view = self._window.current_view
+        if view is None or not self.on_application():
+            return 0
+        cards = [p for p in view.selected if context_of((p,)) in ("state", "always")]
+        return len(cards) if len(cards) == len(view.selected) else 0
+
+    def has_states(self) -> bool:
+        return self._cards() > 0
+
+    def has_one_state(self) -> bool:
+        return self._cards() == 1
+
+    def has_two_cards(self) -> bool:
+        return self._cards() > 1
+
+    def has_three_cards(self) -> bool:
+        return self._cards() > 2
+
+    def has_exit(self) -> bool:
+        view = self._window.current_view
+        return view is not None and self.on_application() and context_of(view.selected) == "exit"
+
+    def has_card_or_exit(self) -> bool:
+        return self._cards() == 1 or self.has_exit()
+
+    def has_found(self) -> bool:
+        return self._window.finding.panel.has_hits
+
+    def has_problems(self) -> bool:
+        return self.has_project() and bool(self._session.problems)
+
+    def can_find_usages(self) -> bool:
+        return self._window.finding.can_find_usages()
+
+    def can_rename_everywhere(self) -> bool:
+        return self._window.finding.can_rename()
+
     def can_cut(self) -> bool:
         return self._can("cut")
 
@@ -71,10 +116,6 @@ class Commands(QObject):
 
     def can_duplicate(self) -> bool:
         return self._can("duplicate")
-
-    def can_align(self) -> bool:
-        view = self._window.current_view
-        return view is not None and len(view.selected) > 1 and view.can("align")
 
     def can_auto_layout(self) -> bool:
         return self._can("auto_layout", selected=False)
@@ -226,10 +267,28 @@ class Commands(QObject):
         if focus is None or not self._window.inspector.isAncestorOf(focus):
             self.on_view(method)
 
-    def align(self, how: str) -> None:
+    def on_view_with(self, call: tuple[str, str]) -> None:
+        """A method of the present view, with its argument."""
         view = self._window.current_view
         if view is not None:
-            view.call("align", "across" if how == "distribute" else how)
+            view.call(*call)
+
+    def rename_everywhere(self) -> None:
+        self._window.finding.rename_everywhere()
+
+    def guard(self) -> None:
+        """A condition of the selected event, to be filled in."""
+        view, form = self._window.current_view, self._window.inspector.form
+        if view is None or form is None or len(view.selected) != 1:
+            return
+        if view.selected[0][-1:] == ("timeout",):
+            self._window.say(
+                self.tr("A timeout has no guard: give it no target, and guard the event timeout.")
+            )
+            return
+        condition = form.section("when").condition
+        if condition is not None:
+            condition.add("test")
 
     def make_part(self) -> None:
         self._window.parts.make()
@@ -326,8 +385,31 @@ class Commands(QObject):
                 )
         return found
 
+    def find_in_project(self) -> None:
+        self._window.finding.open()
+
+    def find_next(self, by: int) -> None:
+        self._window.finding.panel.step(by)
+
+    def find_usages(self) -> None:
+        self._window.finding.find_usages()
+
     def find_here(self) -> None:
         self._window.outline.toggle_search()
+
+    # -- going somewhere ----------------------------------------------------------------
+
+    def next_problem(self, by: int) -> None:
+        self._window.problems.step(by)
+
+    def next_tab(self, by: int) -> None:
+        self._window.tabs.step(by)
+
+    def context_menu(self) -> None:
+        self._window.context_menus.open_at_selection()
+
+    def show_shortcuts(self) -> None:
+        Shortcuts(self._window).show()
 
     # -- robot -------------------------------------------------------------------------
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from situ.document.problem import Problem
@@ -36,6 +36,8 @@ class DocumentView(QStackedWidget):
     selection_changed = Signal(tuple)
     activated = Signal(tuple)
     status = Signal(str)
+    menu_requested = Signal(tuple, QPoint)
+    """A context menu is wanted: of what, and where on the screen."""
     zoomed = Signal()
     part_asked = Signal(object, tuple)
     """A part was dropped: where its card's corner shall be, and the exit into whose pipe."""
@@ -132,6 +134,8 @@ class DocumentView(QStackedWidget):
         view.selection_changed.connect(self._on_selection)
         view.activated.connect(self.activated)
         view.status.connect(self.status)
+        if hasattr(view, "menu_requested"):
+            view.menu_requested.connect(self.menu_requested)
         self.addWidget(view)
 
     def _on_selection(self, chosen: Any) -> None:

@@ -20,10 +20,10 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import tab_order
-from situ_studio.actions import Actions
 from situ_studio.breadcrumbs import Breadcrumbs
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
+from situ_studio.menus import Actions
 from situ_studio.panels.fields import Choice, Flag
 from situ_studio.panels.header import PanelHeader
 from situ_studio.panels.inspector import Inspector

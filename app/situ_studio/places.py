@@ -8,6 +8,7 @@ screen components go by their name, everything else by its position.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, TypeVar, cast
 
 from msgspec import Struct
@@ -50,6 +51,8 @@ _MEMBERS: dict[type, tuple[str, str | None]] = {
     condition.Condition: ("children", None),
     condition.Group: ("children", None),
 }
+# What actions hold where they can.
+_LISTS = {"param": "params", "result": "results"}
 
 
 class _Link(Struct, frozen=True):
@@ -72,7 +75,7 @@ def _way(document: Document, place: Place) -> tuple[list[_Link], Any] | None:
         else:
             found = _WORDS.get((type(value), rest[0]))
             if found is None and isinstance(value, rbd.Action) and len(rest) > 1:
-                word = {"param": "params", "result": "results"}.get(rest[0])
+                word = _LISTS.get(rest[0])
                 found = (word, None) if word and hasattr(value, word) else None
             if found is None:
                 return None
@@ -97,6 +100,41 @@ def _way(document: Document, place: Place) -> tuple[list[_Link], Any] | None:
         links.append(_Link(value, attribute, index))
         value = every[index]
     return links, value
+
+
+def members(value: Any) -> Iterator[tuple[Place, Any]]:
+    """What stands directly in a value, each with the words of a place that lead there."""
+    kind = type(value)
+    if kind not in _KNOWN:
+        _KNOWN[kind] = _inside(kind)
+    for attribute, word, key in _KNOWN[kind]:
+        held = getattr(value, attribute)
+        if key == "":
+            if held is not None:
+                yield (word,), held
+            continue
+        for index, member in enumerate(held):
+            name = str(index) if key is None else getattr(member, key)
+            yield ((word, name) if word else (name,)), member
+
+
+_KNOWN: dict[type, tuple[tuple[str, str, str | None], ...]] = {}
+"""What ``_inside`` found: the tables do not change."""
+
+
+def _inside(kind: type) -> tuple[tuple[str, str, str | None], ...]:
+    """Attribute, word and key of everything that values of a type hold, in the table's order."""
+    found: dict[str, tuple[str, str, str | None]] = {}
+    for (holder, word), (attribute, key) in _WORDS.items():
+        if holder is kind:
+            found.setdefault(attribute, (attribute, word, key))
+    if kind in _MEMBERS:
+        attribute, key = _MEMBERS[kind]
+        found[attribute] = (attribute, "", key)
+    for word, attribute in _LISTS.items():
+        if issubclass(kind, rbd.Action) and attribute in kind.__struct_fields__:
+            found[attribute] = (attribute, word, None)
+    return tuple(found.values())
 
 
 def get(document: Document, place: Place) -> Any:

@@ -136,6 +136,12 @@ class DocumentTabs(QFrame):
         index = self.bar.currentIndex()
         return self.bar.tabData(index) if index >= 0 else None
 
+    def step(self, by: int) -> None:
+        """Chooses the next tab, round the end."""
+        files = self.files()
+        if files:
+            self.choose(files[(self.bar.currentIndex() + by) % len(files)])
+
     def choose(self, file: str) -> None:
         """Chooses a tab and tells it, also if it was chosen already."""
         index = self.files().index(file)

@@ -17,13 +17,15 @@ from situ.document.mend import mends
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places, words
-from situ_studio.actions import Actions
 from situ_studio.commands import Commands
+from situ_studio.context_menus import ContextMenus
 from situ_studio.dialogs import Dialogs
 from situ_studio.disk import DiskSide
 from situ_studio.document_view import DocumentView
 from situ_studio.edit import Document, Place
 from situ_studio.frame import Frame
+from situ_studio.looking import FindingSide
+from situ_studio.menus import Actions
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.parts import PartsSide
@@ -68,6 +70,8 @@ class MainWindow(Frame):
         self.robot = RobotSide(self)
         self.disk = DiskSide(self)
         self.parts = PartsSide(self)
+        self.finding = FindingSide(self)
+        self.context_menus = ContextMenus(self)
         self.add_commands(Actions(self.commands, self.theme, self))
         self.search.clicked.connect(self.commands.find)
         self._wire()
@@ -194,6 +198,7 @@ class MainWindow(Frame):
         view.activated.connect(self._on_activated)
         view.status.connect(self.say)
         view.part_asked.connect(self.parts.insert)
+        view.menu_requested.connect(self.context_menus.open)
         self.views[file] = view
         self.documents.addWidget(view)
         return view
@@ -517,6 +522,7 @@ class MainWindow(Frame):
         """The documents and the robot's panels take the theme too."""
         super().set_theme(theme)
         self.robot.set_theme(theme)
+        self.finding.set_theme(theme)
         for view in self.views.values():
             view.set_theme(theme)
         self._settle_selection()

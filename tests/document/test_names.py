@@ -130,3 +130,15 @@ def test_escaped_text_and_references_come_apart_again(parts: list[str | tuple[st
 )
 def test_a_text_may_be_exactly_one_reference(text: str, name: str | None) -> None:
     assert names.only_reference(text) == name
+
+
+def test_the_names_in_a_template_are_changed_and_nothing_else() -> None:
+    text = "{user} {{user}} {user.name} {no name} {}"
+    assert names.with_references(text, lambda name: f"x.{name}") == (
+        "{x.user} {{user}} {x.user.name} {no name} {}"
+    )
+
+
+@given(st.text())
+def test_a_template_whose_names_stay_stays_as_it_is(text: str) -> None:
+    assert names.with_references(text, lambda name: name) == text

@@ -367,7 +367,7 @@ def test_only_what_a_document_can_take_is_offered(studio: Start, project: Copy) 
 
 def test_the_outline_is_filtered(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
-    used.key(Qt.Key.Key_F, CONTROL)
+    used.key(Qt.Key.Key_O, CONTROL | SHIFT)
     used.type("name")
     rows = used.window.outline.list.model()
     assert {"show names", "names"} <= {rows.index(r, 0).data() for r in range(rows.rowCount())}

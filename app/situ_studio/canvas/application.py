@@ -14,8 +14,8 @@ from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places
 from situ_studio.canvas import gestures, layout, spoken
-from situ_studio.canvas.base import Canvas
 from situ_studio.canvas.cards import CardItem
+from situ_studio.canvas.commands import CommandedCanvas
 from situ_studio.canvas.figure_items import FrameItem, NoteItem
 from situ_studio.canvas.figures import Figure
 from situ_studio.canvas.figuring import Figuring
@@ -27,6 +27,7 @@ from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.piping import Piping
 from situ_studio.canvas.projection import (
     ALWAYS,
+    FIRST,
     NEW,
     Card,
     Picture,
@@ -43,7 +44,7 @@ MIME = "application/x-situ-states+xml"
 """Copied states on the clipboard: an application of their own, as a file has it."""
 
 
-class ApplicationCanvas(Canvas):
+class ApplicationCanvas(CommandedCanvas):
     """Shows an application; gestures become ``edited`` (canvas.md)."""
 
     part_asked = Signal(object, tuple)
@@ -51,7 +52,7 @@ class ApplicationCanvas(Canvas):
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(theme, parent)
-        self.document: Application = Application(name="")
+        self.document = Application(name="")
         self._projector = Projector()
         self._picture = Picture({}, {}, {})
         self._piping = Piping(self.graph, self)
@@ -207,7 +208,18 @@ class ApplicationCanvas(Canvas):
     def _on_dropped(self, leaving: Any, spot: QPointF) -> None:
         self._drop = leaving.node.uid, leaving.name, spot
 
-    def _ask_what_follows(self, uid: str, exit: str, spot: QPointF) -> None:
+    def _ask_from(self, card: Card, exit: str) -> None:
+        uid = self._picture.uids[card.place]
+        self.viewer.reveal(self.card_area(uid))
+        x, y = card.port(exit)
+        taken = [(c.x, c.y, c.width, c.height) for c in self._picture.cards.values()]
+        free = QPointF(*layout.beside(taken, card.x + 230, card.y)) + QPointF(0, FIRST)
+        self._ask_what_follows(uid, exit, free, QPointF(card.x + x, card.y + y))
+
+    def _ask_what_follows(
+        self, uid: str, exit: str, spot: QPointF, at: QPointF | None = None
+    ) -> None:
+        """spot: where a new state goes; at: where the menu opens, there if None."""
         if uid not in self._picture.cards:
             return
         source = self._picture.cards[uid]
@@ -227,7 +239,8 @@ class ApplicationCanvas(Canvas):
         menu.chosen.connect(lambda key: self._follow(uid, exit, key, spot))
         menu.closed.connect(self._menu_closed)
         self.menu = menu
-        menu.popup(self.viewer.viewport().mapToGlobal(self.viewer.mapFromScene(spot)))
+        corner = self.viewer.mapFromScene(at if at is not None else spot)
+        menu.popup(self.viewer.viewport().mapToGlobal(corner))
 
     def _menu_closed(self) -> None:
         self.menu = None
@@ -246,16 +259,11 @@ class ApplicationCanvas(Canvas):
 
     # -- commands ---------------------------------------------------------------------------
 
-    def _edit(self, after: Application, text: str) -> None:
-        if text:
-            self.edited.emit(after, text)
-
-    def _numbers(self) -> list[str]:
-        cards = (self._face(uid) for uid in self.selected_uids())
-        return [c.no for c in cards if c.no]
-
     def free_spot(self) -> QPointF:
-        """Beside the selected card, else in the middle of what is seen; never on another card."""
+        """Where the context menu was opened, if it was; else beside the selected card, else in the
+        middle of what is seen, and then never on another card."""
+        if self.pointed is not None:
+            return QPointF(gestures.snap(self.pointed.x()), gestures.snap(self.pointed.y()))
         notes = (one for one in self._figuring.shown.values() if one.kind == "note")
         things = (*self._picture.cards.values(), *notes)
         taken = [(c.x, c.y, c.width, c.height) for c in things]

@@ -41,6 +41,9 @@ class Canvas(QWidget):
     zoomed = Signal(float)
     menu_requested = Signal(tuple, QPoint)
     """A right click: the place under it (empty for the ground), where on the screen."""
+    pointed: QPointF | None
+    """Where in the scene a context menu was opened, while what it offers is done: what is added
+    or pasted goes there."""
     few = 150
     """Up to so many pipes, all are routed anew at each edit, for the best picture."""
 
@@ -60,6 +63,7 @@ class Canvas(QWidget):
         self._quiet = 0
         self._fitted = False
         self._editor: InPlace | None = None
+        self.pointed: QPointF | None = None
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.viewer)
@@ -448,7 +452,15 @@ class Canvas(QWidget):
         self.select([made])
 
     def _on_menu(self, item: Any, at: QPoint) -> None:
+        self.pointed = self.viewer.mapToScene(self.viewer.viewport().mapFromGlobal(at))
         self.menu_requested.emit(self._place_of(item), at)
+
+    def menu_corner(self) -> QPoint:
+        """Where on the screen a menu about the selection opens."""
+        area = self._area_of(self.selection())
+        spot = area.center() if not area.isEmpty() else self.viewer.seen().center()
+        corner: QPoint = self.viewer.viewport().mapToGlobal(self.viewer.mapFromScene(spot))
+        return corner
 
     def _key(self, event: QKeyEvent) -> bool:
         key, held = event.key(), event.modifiers()

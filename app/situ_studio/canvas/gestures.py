@@ -17,7 +17,7 @@ from situ.document import rbd
 from situ.document.aside import NOTHING
 from situ.document.rbd import Application, Event, State, Timeout
 from situ_studio import changes, places, words
-from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, exit_of
+from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, exit_of, targets
 from situ_studio.edit import Place
 
 GRID = 8.0
@@ -264,6 +264,35 @@ def delete(application: Application, gone: Iterable[Place]) -> Done:
     if not what:
         return application, ""
     return after, f"Delete {what[0]}" if len(what) == 1 else f"Delete {len(what)} things"
+
+
+def followers(application: Application, numbers: Iterable[str]) -> tuple[str, ...]:
+    """The states to which these lead themselves, in document order."""
+    wanted = set(numbers)
+    reached = {t for s in application.states if s.no in wanted for t in targets(s)}
+    return tuple(s.no for s in application.states if s.no in reached)
+
+
+def leading(application: Application, numbers: Iterable[str]) -> tuple[str, ...]:
+    """The states that lead to these themselves, in document order."""
+    wanted = set(numbers)
+    return tuple(s.no for s in application.states if not wanted.isdisjoint(targets(s)))
+
+
+def mark_start(application: Application, no: str) -> Done:
+    """The application starts in that state."""
+    if application.start_no == no or application.state(no) is None:
+        return application, ""
+    return replace(application, start=no), f"Start in {title(application, no)}"
+
+
+def snap_all(application: Application, shown: Mapping[Place, tuple[float, float]]) -> Done:
+    """Cards put on the nearest points of the grid. shown: where they are."""
+    to = {place: (snap(x), snap(y)) for place, (x, y) in shown.items()}
+    moved = {place: at for place, at in to.items() if at != shown[place]}
+    after, text = move(application, moved) if moved else (application, "")
+    count = "1 card" if len(moved) == 1 else f"{len(moved)} cards"
+    return after, f"Put {count} on the grid" if text else ""
 
 
 # -- copies --------------------------------------------------------------------

@@ -20,7 +20,13 @@ class FollowMenu(QFrame):
     chosen = Signal(str)
     closed = Signal()
 
-    def __init__(self, choices: Sequence[Follow], theme: Theme, parent: QWidget) -> None:
+    def __init__(
+        self,
+        choices: Sequence[Follow],
+        theme: Theme,
+        parent: QWidget,
+        asked: str = "What follows?",
+    ) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("followMenu")
@@ -30,10 +36,10 @@ class FollowMenu(QFrame):
         layout.setContentsMargins(5, 5, 5, 5)
         layout.setSpacing(4)
         self.field = QLineEdit()
-        self.field.setPlaceholderText("What follows? Type to filter")
+        self.field.setPlaceholderText(f"{asked} Type to filter")
         self.field.setFont(font(FORM))
         self.field.setFixedHeight(28)
-        self.field.setAccessibleName("What follows")
+        self.field.setAccessibleName(asked)
         self.field.installEventFilter(self)
         self.list = QListWidget()
         self.list.setFont(font(FORM))

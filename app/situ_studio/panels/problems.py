@@ -204,5 +204,14 @@ class Problems(QWidget):
                 self.list.setCurrentIndex(item.index())
         self._stack.setCurrentIndex(0 if problems else 1)
 
+    def step(self, by: int) -> None:
+        """Chooses the next problem, round the end."""
+        rows = self._model.rowCount()
+        if rows:
+            here = self.list.currentIndex()
+            row = (here.row() + by) % rows if here.isValid() else (0 if by > 0 else rows - 1)
+            self.list.setCurrentIndex(self._model.index(row, 0))
+            self._on_chosen(self._model.index(row, 0))
+
     def _on_chosen(self, index: QModelIndex) -> None:
         self.chosen.emit(index.data(PROBLEM))

@@ -14,6 +14,7 @@ look for the longest tag that begins a name would cost the square of its length.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import lru_cache
 
 RESERVED_ROOTS = ("robot/", "module/", "application/", "service/")
@@ -126,6 +127,20 @@ def split(text: str) -> tuple[tuple[str, str | None], ...]:
 def references(text: str) -> tuple[str, ...]:
     """The names that a template refers to, in the order written, each time it does."""
     return tuple(name for _, name in split(text) if name is not None)
+
+
+def with_references(text: str, change: Callable[[str], str]) -> str:
+    """A template in which every name it refers to is what ``change`` makes of it.
+
+    >>> with_references("Hello {user.name}!", str.upper)
+    'Hello {USER.NAME}!'
+    """
+
+    def piece(match: re.Match[str]) -> str:
+        name = match[1]
+        return f"{{{change(name)}}}" if name is not None and is_name(name) else match[0]
+
+    return _PIECE.sub(piece, text)
 
 
 def only_reference(text: str) -> str | None:

@@ -1,0 +1,81 @@
+"""Context menus: of the ground, of a state, of several, of a transition, of anything else."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, QPoint, QTimer
+from PySide6.QtWidgets import QMenu
+
+from situ_studio.edit import Place
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+
+def context_of(selected: tuple[Place, ...]) -> str:
+    """The context of a selection, as ``actions.Command.contexts`` names it."""
+    if not selected:
+        return "ground"
+    if len(selected) > 1:
+        return (
+            "states" if all(context_of((p,)) in ("state", "always") for p in selected) else "thing"
+        )
+    place = selected[0]
+    inner = place[1:] if place[0] == "always" else place[2:]
+    if place[0] not in ("always", "state"):
+        return "thing"
+    if not inner:
+        return place[0]
+    return "exit" if inner == ("timeout",) or (len(inner) == 2 and inner[0] == "event") else "thing"
+
+
+class ContextMenus(QObject):
+    """Opens them in one window; the commands are those of the table."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self.shown: QMenu | None = None
+
+    def open(self, place: Place, at: QPoint) -> None:
+        """About what was pressed; () is the ground. What is selected with it stays so."""
+        window = self._window
+        view = window.current_view
+        if view is None:
+            return
+        if place and place not in view.selected:
+            window.select(place)
+        self._pop_up(context_of(view.selected) if place else "ground", at)
+
+    def open_at_selection(self) -> None:
+        """About what is selected, beside it."""
+        view = self._window.current_view
+        if view is not None:
+            shown = view.current_view()
+            corner = view.call("menu_corner") or shown.mapToGlobal(shown.rect().center())
+            self._pop_up(context_of(view.selected), corner)
+
+    def _pop_up(self, context: str, at: QPoint) -> None:
+        if self.shown is not None:
+            self.shown.close()
+        menu = self._window.actions_.context_menu(context, self._window)
+        if menu.isEmpty():
+            menu.deleteLater()
+            return
+        menu.aboutToHide.connect(lambda: self._on_hidden(menu))
+        self.shown = menu
+        menu.popup(at)
+
+    def _on_hidden(self, menu: QMenu) -> None:
+        # What was chosen is done after this, and still wants to know where the menu was.
+        QTimer.singleShot(0, self, lambda: self._forget(menu))
+
+    def _forget(self, menu: QMenu) -> None:
+        if self.shown is menu:
+            self.shown = None
+        menu.deleteLater()
+        view = self._window.current_view
+        canvas: Any = view.canvas if view is not None else None
+        if canvas is not None:
+            canvas.pointed = None

@@ -1,0 +1,155 @@
+"""The table of commands as one window's QActions: menus, context menus, toolbar, shortcuts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Literal
+
+from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
+
+from situ_studio import icons
+from situ_studio.actions import COMMANDS, MENUS, Command
+from situ_studio.theme import Theme
+
+
+def translated(text: str) -> str:
+    """A text of the table in the user's language."""
+    return QCoreApplication.translate("actions", text) if text else ""
+
+
+class Actions(QObject):
+    """The table as QActions of one window.
+
+    handlers: has every method that the table names.
+    """
+
+    def __init__(self, handlers: object, theme: Theme, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._handlers = handlers
+        self._theme = theme
+        self._menus: dict[str, QMenu] = {}
+        self._groups: dict[str, QActionGroup] = {}
+        self.actions: dict[str, QAction] = {}
+        for command in COMMANDS:
+            self.actions[command.id] = self._action(command, parent)
+        self.set_theme(theme)
+
+    def _action(self, command: Command, parent: QWidget) -> QAction:
+        action = QAction(translated(command.text), parent)
+        action.setObjectName(command.id)
+        if command.shortcut:
+            keys = [k for k in (command.shortcut, command.also) if k]
+            action.setShortcuts([QKeySequence(k) for k in keys])
+        if command.tip:
+            action.setToolTip(translated(command.tip))
+        handler: Callable[..., Any] = getattr(self._handlers, command.handler)
+        if command.argument is None:
+            action.triggered.connect(lambda _=False: handler())
+        else:
+            action.triggered.connect(lambda _=False: handler(command.argument))
+        if command.choice:
+            action.setCheckable(True)
+            group = self._groups.setdefault(command.choice, QActionGroup(self))
+            group.addAction(action)
+        parent.addAction(action)
+        return action
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        for command in COMMANDS:
+            if command.icon:
+                made = icons.icon(command.icon, theme.color("text2"), 18)
+                self.actions[command.id].setIcon(made)
+
+    def refresh(self) -> None:
+        """Enables, shows and checks every command as it can be done now."""
+        for command in COMMANDS:
+            action = self.actions[command.id]
+            if command.shown:
+                action.setVisible(bool(getattr(self._handlers, command.shown)()))
+            if command.when:
+                action.setEnabled(bool(getattr(self._handlers, command.when)()))
+            if command.checked:
+                action.setChecked(bool(getattr(self._handlers, command.checked)(command.argument)))
+
+    def fill_menus(self, bar: QMenuBar) -> None:
+        """Makes the menus; one without a visible command is not shown."""
+        for title in MENUS:
+            self._menu(title, bar)
+        for command in COMMANDS:
+            if not command.menu:
+                continue
+            menu = self._menu(command.menu, bar)
+            if command.rule and not menu.isEmpty():
+                menu.addSeparator()
+            menu.addAction(self.actions[command.id])
+        for menu in self._menus.values():
+            menu.aboutToShow.connect(self.refresh)
+
+    def context_menu(self, context: str, parent: QWidget) -> QMenu:
+        """What can be done now in a context, in the table's order; a line between its menus."""
+        self.refresh()
+        menu = QMenu(parent)
+        menu.setToolTipsVisible(True)
+        below: dict[str, QMenu] = {}
+        before = ""
+        for command in COMMANDS:
+            action = self.actions[command.id]
+            if context not in command.contexts.split() or not action.isVisible():
+                continue
+            if not action.isEnabled():
+                continue
+            head, _, tail = command.menu.partition("/")
+            if before and head != before:
+                menu.addSeparator()
+            before = head
+            if tail and context != "ground" and tail not in below:
+                below[tail] = menu.addMenu(translated(tail))
+            below.get(tail, menu).addAction(action)
+        return menu
+
+    def menu(self, title: str) -> QMenu:
+        """A menu by its title in the table."""
+        return self._menus[title]
+
+    def _menu(self, title: str, bar: QMenuBar) -> QMenu:
+        if title in self._menus:
+            return self._menus[title]
+        head, _, tail = title.rpartition("/")
+        parent: QMenuBar | QMenu = self._menu(head, bar) if head else bar
+        if head:
+            parent.addSeparator()
+        menu = parent.addMenu(translated(tail))
+        menu.setToolTipsVisible(True)
+        self._menus[title] = menu
+        return menu
+
+    def show_menus(self) -> None:
+        """Hides the menus in which nothing is visible."""
+        for title, menu in self._menus.items():
+            if "/" not in title:
+                there = any(a.isVisible() and not a.isSeparator() for a in menu.actions())
+                menu.menuAction().setVisible(there)
+
+    def fill_toolbar(self, bar: QToolBar, end: Literal["left", "right"]) -> None:
+        """Puts the commands of one end into the toolbar."""
+        first = True
+        for command in COMMANDS:
+            if command.toolbar != end:
+                continue
+            if command.rule and not first:
+                bar.addSeparator()
+            first = False
+            action = self.actions[command.id]
+            bar.addAction(action)
+            button = bar.widgetForAction(action)
+            if isinstance(button, QToolButton):
+                button.setAccessibleName(translated(command.text))
+                size = 16 if command.outlined else 18
+                button.setIconSize(QSize(size, size))
+                button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+                if command.outlined:
+                    button.setProperty("role", "outlined")
+                    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

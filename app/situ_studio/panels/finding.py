@@ -1,0 +1,133 @@
+"""Find in the whole project: a field, below it every place in plain words; Enter goes there."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QStandardItem, QStandardItemModel
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QListView, QVBoxLayout, QWidget
+
+from situ_studio.panels.lists import COUNT, ICON, PLACE, RowDelegate
+from situ_studio.search import Hit
+from situ_studio.theme import Theme
+
+MOST = 500
+"""Rows that are shown; who needs more wants another word."""
+
+
+class Finding(QWidget):
+    """Asks for what is typed, shows what was found, and tells which of it was chosen."""
+
+    asked = Signal(str)
+    chosen = Signal(object)
+    """A ``Hit``."""
+    left = Signal()
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        line = QHBoxLayout()
+        line.setContentsMargins(12, 6, 12, 6)
+        line.setSpacing(12)
+        self.field = QLineEdit()
+        self.field.setFixedWidth(320)
+        self.field.setClearButtonEnabled(True)
+        self.field.setPlaceholderText(self.tr("States, texts, events, tags"))
+        self.field.setAccessibleName(self.tr("Find in the project"))
+        self.field.textChanged.connect(self.asked)
+        self.field.installEventFilter(self)
+        line.addWidget(self.field)
+        self.count = QLabel()
+        self.count.setProperty("role", "dim")
+        line.addWidget(self.count, 1)
+        column.addLayout(line)
+        self.list = QListView()
+        self.list.setAccessibleName(self.tr("Found"))
+        self.list.setUniformItemSizes(True)
+        self.list.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
+        self._delegate = RowDelegate(theme, 24, self.list)
+        self.list.setItemDelegate(self._delegate)
+        self._model = QStandardItemModel(0, 1, self)
+        self.list.setModel(self._model)
+        self.list.clicked.connect(lambda index: self.chosen.emit(index.data(PLACE)))
+        self.list.activated.connect(lambda index: self.chosen.emit(index.data(PLACE)))
+        self.list.installEventFilter(self)
+        column.addWidget(self.list, 1)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._delegate.set_theme(theme)
+        self.list.viewport().update()
+
+    @property
+    def query(self) -> str:
+        """What is looked for."""
+        return self.field.text()
+
+    def look_for(self, query: str) -> None:
+        """Looks for this; as if it had been typed."""
+        self.field.setText(query)
+        self.field.setFocus()
+        self.field.selectAll()
+
+    def show_hits(self, hits: list[Hit]) -> None:
+        """What was found; the row that was current stays so if it is still there."""
+        current = self.list.currentIndex().data(PLACE)
+        self._model.clear()
+        row = 0
+        for at, hit in enumerate(hits[:MOST]):
+            item = QStandardItem(hit.text)
+            item.setData((hit.icon, hit.token), ICON)
+            item.setData(hit.where, COUNT)
+            item.setData(hit, PLACE)
+            item.setToolTip(f"{hit.text}\n{hit.where}")
+            item.setAccessibleText(f"{hit.text}, {hit.where}")
+            self._model.appendRow(item)
+            if hit == current:
+                row = at
+        if hits:
+            self.list.setCurrentIndex(self._model.index(row, 0))
+        self.count.setText(self._counted(len(hits)))
+
+    def _counted(self, count: int) -> str:
+        if not self.query.strip():
+            return self.tr("F3 goes from one to the next")
+        if count == 0:
+            return self.tr("Nothing in this project has that.")
+        if count > MOST:
+            return self.tr("{0} places, the first {1} are shown").format(count, MOST)
+        return self.tr("{0} places").format(count) if count > 1 else self.tr("1 place")
+
+    @property
+    def has_hits(self) -> bool:
+        return self._model.rowCount() > 0
+
+    def step(self, by: int) -> None:
+        """Chooses the next row, round the end."""
+        rows = self._model.rowCount()
+        if rows:
+            row = (self.list.currentIndex().row() + by) % rows
+            self.list.setCurrentIndex(self._model.index(row, 0))
+            self.chosen.emit(self._model.index(row, 0).data(PLACE))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() != QEvent.Type.KeyPress or not isinstance(event, QKeyEvent):
+            return False
+        key = event.key()
+        if key == Qt.Key.Key_Escape:
+            self.left.emit()
+            return True
+        if watched is not self.field:
+            return False
+        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            index = self.list.currentIndex()
+            if index.isValid():
+                self.chosen.emit(index.data(PLACE))
+            return True
+        if key in (Qt.Key.Key_Down, Qt.Key.Key_Up):
+            row = self.list.currentIndex().row() + (1 if key == Qt.Key.Key_Down else -1)
+            if 0 <= row < self._model.rowCount():
+                self.list.setCurrentIndex(self._model.index(row, 0))
+            return True
+        return False

@@ -1,0 +1,305 @@
+"""One table of commands makes menus, context menus, toolbar, shortcuts, palette and help."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QAction, QContextMenuEvent, QKeySequence, QShortcut
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+
+from situ_studio.actions import COMMANDS, MENUS, command
+from situ_studio.commands import Commands
+from situ_studio.shortcuts import Shortcuts
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
+
+Studio = Any
+Start = Callable[..., Studio]
+Copy = Callable[[str], Path]
+
+
+def test_every_row_of_the_table_can_be_run() -> None:
+    assert [i for i, n in Counter(c.id for c in COMMANDS).items() if n > 1] == []
+    for row in COMMANDS:
+        for method in (row.handler, row.when, row.shown, row.checked):
+            assert not method or hasattr(Commands, method), f"{row.id}: no {method}"
+        assert row.menu.partition("/")[0] in MENUS, row.id
+
+
+def test_no_two_commands_have_one_shortcut() -> None:
+    keys = [QKeySequence(k).toString() for c in COMMANDS for k in (c.shortcut, c.also) if k]
+    assert all(keys)
+    assert [k for k, n in Counter(keys).items() if n > 1] == []
+
+
+def test_menus_toolbar_palette_and_help_show_the_table(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    window = used.window
+    actions = window.actions_.actions
+    in_menus: set[QAction] = set()
+    for menu in window.menuBar().findChildren(QMenu):
+        in_menus |= set(menu.actions())
+    assert {c.id for c in COMMANDS if actions[c.id] not in in_menus} == set()
+    assert {c.id for c in COMMANDS if c.toolbar} == {
+        a.objectName() for a in window.toolbar.actions() if a.objectName()
+    }
+    assert window.findChildren(QShortcut) == []
+    by_hand = [
+        a.text()
+        for a in window.findChildren(QAction)
+        if not a.shortcut().isEmpty() and a.objectName() not in actions
+    ]
+    assert by_hand == []
+    palette = {f.text for f in window.commands.everything()}
+    can = [c.id for c in COMMANDS if actions[c.id].isEnabled() and actions[c.id].isVisible()]
+    assert {actions[i].text().rstrip("…") for i in can if i != "find"} <= palette
+
+
+def test_the_list_of_shortcuts_has_every_key_and_is_filtered(studio: Start) -> None:
+    used = studio()
+    used.key(Qt.Key.Key_F1, SHIFT)
+    (shown,) = used.window.findChildren(Shortcuts)
+    assert shown.isVisible()
+    rows = {}
+    for at in range(shown.tree.topLevelItemCount()):
+        head = shown.tree.topLevelItem(at)
+        for row in range(head.childCount()):
+            rows[head.child(row).text(0)] = head.child(row)
+    for one in COMMANDS:
+        if one.shortcut:
+            assert QKeySequence(one.shortcut).toString(
+                QKeySequence.SequenceFormat.NativeText
+            ) in rows[one.text.rstrip("…")].text(1)
+    QTest.keyClicks(shown.field, "rename everywhere")
+    assert [t for t, r in rows.items() if not r.isHidden()] == ["Rename everywhere"]
+    shown.close()
+    used.settle()
+
+
+# -- context menus -------------------------------------------------------------------
+
+
+def offered(used: Studio) -> list[str]:
+    """What the open context menu and its submenus offer, as ids of commands."""
+    menu = used.window.context_menus.shown
+    assert menu is not None
+    found: list[str] = []
+    waiting = [menu]
+    while waiting:
+        for action in waiting.pop().actions():
+            below = action.menu()
+            if isinstance(below, QMenu):
+                waiting.append(below)
+            elif not action.isSeparator():
+                found.append(action.objectName())
+    return found
+
+
+def right_click(used: Studio, canvas: Any, spot: Any) -> None:
+    port = canvas.viewer.viewport()
+    at = canvas.viewer.mapFromScene(spot)
+    QTest.mouseClick(port, Qt.MouseButton.RightButton, pos=at)
+    reason = QContextMenuEvent.Reason.Mouse
+    QApplication.sendEvent(port, QContextMenuEvent(reason, at, port.mapToGlobal(at)))
+    used.settle()
+
+
+def close(used: Studio) -> None:
+    used.window.context_menus.shown.close()
+    used.settle()
+    assert used.window.context_menus.shown is None
+
+
+def test_a_right_click_offers_what_fits_what_is_under_it(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    canvas = used.window.current_view.canvas
+    canvas.zoom_to_fit()
+    card = canvas.card_area(canvas._find(("state", "2"))[0])
+    right_click(used, canvas, card.center())
+    assert used.window.current_view.selected == (("state", "2"),)
+    of_state = offered(used)
+    assert {"mark_start", "lead_to", "insert.event", "insert.timeout", "copy"} <= set(of_state)
+    assert "align.left" not in of_state
+    close(used)
+    right_click(used, canvas, canvas.extent().bottomRight())
+    assert {"insert.state", "select_all", "zoom_fit"} <= set(offered(used))
+    assert "delete" not in offered(used)
+    close(used)
+
+
+def test_a_right_click_on_one_of_several_keeps_them(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    canvas = used.window.current_view.canvas
+    canvas.zoom_to_fit()
+    several = tuple(("state", no) for no in ("1", "2", "3"))
+    canvas.select(several)
+    right_click(used, canvas, canvas.card_area(canvas._find(("state", "2"))[0]).center())
+    assert used.window.current_view.selected == several
+    assert {"align.left", "align.bottom", "distribute.down", "part.make"} <= set(offered(used))
+    assert "mark_start" not in offered(used)
+    close(used)
+
+
+@pytest.mark.parametrize(
+    "keys", [(Qt.Key.Key_F10, SHIFT), (Qt.Key.Key_Menu, Qt.KeyboardModifier(0))]
+)
+def test_a_key_opens_the_menu_of_the_selection(studio: Start, project: Copy, keys: Any) -> None:
+    used = studio(project("reception"))
+    canvas = used.window.current_view.canvas
+    used.select("state", "2", "event", "0")
+    used.key(*keys)
+    assert {"go_target", "guard", "find_usages", "rename_everywhere"} <= set(offered(used))
+    corner = canvas.viewer.viewport().mapFromGlobal(used.window.context_menus.shown.pos())
+    assert canvas.viewer.viewport().rect().contains(corner)
+    close(used)
+    used.window.show_mode("outline")
+    used.select("state", "2")
+    used.key(*keys)
+    assert "rename" in offered(used)
+    close(used)
+
+
+def test_a_state_added_from_the_menu_of_the_ground_stands_there(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    canvas = used.window.current_view.canvas
+    canvas.look_at((1.0, -600.0, -600.0))
+    used.select("state", "2")
+    spot = canvas.viewer.mapToScene(QPoint(80, 120))
+    right_click(used, canvas, spot)
+    QTest.keyClick(used.window.context_menus.shown, Qt.Key.Key_Down)
+    menu = used.window.context_menus.shown
+    menu.setActiveAction(used.window.actions_.actions["insert.state"])
+    QTest.keyClick(menu, Qt.Key.Key_Return)
+    used.settle()
+    ((_, no),) = used.window.current_view.selected
+    x, y = used.session.document("reception.rbd.xml").state(no).aside.position
+    assert abs(x - spot.x()) <= 4
+    assert abs(y - spot.y()) <= 4
+    assert canvas.pointed is None
+
+
+# -- the keyboard on the canvas ----------------------------------------------------------
+
+
+def test_from_transition_to_transition_and_on_to_its_target(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    view = used.window.current_view
+    used.select("state", "6")
+    used.key(Qt.Key.Key_Down, ALT)
+    assert view.selected == (("state", "6", "event", "0"),)
+    used.key(Qt.Key.Key_Up, ALT)
+    last = view.selected[0]
+    assert last != ("state", "6", "event", "0")
+    used.key(Qt.Key.Key_Down, ALT)
+    used.key(Qt.Key.Key_J, CONTROL)
+    event = used.session.document("reception.rbd.xml").state("6").events[0]
+    assert view.selected == (("state", event.next),)
+    used.key(Qt.Key.Key_Home, CONTROL)
+    assert view.selected == (("state", "1"),)
+
+
+def test_a_transition_is_led_elsewhere_by_keys(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "6", "event", "0")
+    used.key(Qt.Key.Key_E, CONTROL)
+    used.type("greeting")
+    used.key(Qt.Key.Key_Return)
+    event = used.session.document("reception.rbd.xml").state("6").events[0]
+    assert used.session.document("reception.rbd.xml").state(event.next).name == "greeting"
+
+
+def test_a_state_gets_one_more_transition_by_keys(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    count = len(used.session.document("reception.rbd.xml").state("6").events)
+    used.select("state", "6")
+    used.key(Qt.Key.Key_E, CONTROL)
+    used.type("new end state")
+    used.key(Qt.Key.Key_Return)
+    document = used.session.document("reception.rbd.xml")
+    assert len(document.state("6").events) == count + 1
+    new = document.state(document.state("6").events[-1].next)
+    assert new.final
+    used.key(Qt.Key.Key_Z, CONTROL)
+    assert len(used.session.document("reception.rbd.xml").state("6").events) == count
+
+
+def test_followers_and_what_leads_here_are_added_to_the_selection(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    view = used.window.current_view
+    used.select("state", "2")
+    used.key(Qt.Key.Key_Right, CONTROL | SHIFT)
+    document = used.session.document("reception.rbd.xml")
+    reached = {e.next for e in document.state("2").events if e.next}
+    timeout = document.state("2").timeout
+    reached |= {timeout.next} if timeout is not None and timeout.next else set()
+    assert {p[1] for p in view.selected} == reached | {"2"}
+    used.select("state", "2")
+    used.key(Qt.Key.Key_Left, CONTROL | SHIFT)
+    assert ("state", "1") in view.selected
+
+
+def test_a_state_is_marked_as_the_start(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "6")
+    used.window.actions_.actions["mark_start"].trigger()
+    assert used.session.document("reception.rbd.xml").start_no == "6"
+    assert used.session.undo_text == "Start in 6 show names"
+
+
+def test_problems_are_gone_through_by_a_key(studio: Start, project: Copy) -> None:
+    folder = project("reception")
+    file = folder / "reception.rbd.xml"
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace('next="14"', 'next="77"'), encoding="utf-8")
+    used = studio(folder)
+    count = used.window.problems.list.model().rowCount()
+    assert count > 1
+    places = []
+    for _ in range(count + 1):
+        used.key(Qt.Key.Key_F8)
+        places.append(used.window.current_view.selected)
+    assert places[0] == places[-1]
+    assert len(set(places)) > 1
+    used.key(Qt.Key.Key_F8, SHIFT)
+    assert used.window.current_view.selected == places[-2]
+
+
+def test_a_guard_is_added_and_filled_in_by_keys(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "6", "event", "0")
+    assert used.session.document("reception.rbd.xml").state("6").events[0].when is None
+    used.window.actions_.actions["guard"].trigger()
+    used.settle()
+    used.key(Qt.Key.Key_A, CONTROL)
+    used.type("patients")
+    used.key(Qt.Key.Key_Return)
+    when = used.session.document("reception.rbd.xml").state("6").events[0].when
+    assert [t.tag for t in when.children] == ["patients"]
+
+
+def test_cards_off_the_grid_are_put_on_it(studio: Start, project: Copy) -> None:
+    folder = project("reception")
+    used = studio(folder)
+    from situ_studio import places
+
+    document = used.session.document("reception.rbd.xml")
+    state = document.state("2")
+    crooked = places.change(document, ("state", "2"), aside=state.aside.at(13, 27))
+    used.window.commit(crooked, "Elsewhere")
+    used.select("state", "2")
+    used.window.actions_.actions["snap"].trigger()
+    after = used.session.document("reception.rbd.xml").state("2")
+    assert after.aside.position == (16, 24)
+    assert command("snap").menu == "Arrange"

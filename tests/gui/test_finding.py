@@ -1,0 +1,135 @@
+"""Find in the project, find usages, and another name everywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt
+
+from situ_studio.panels.lists import COUNT
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+Studio = Any
+Start = Callable[..., Studio]
+Copy = Callable[[str], Path]
+
+
+def rows(used: Studio) -> list[tuple[str, str]]:
+    """Text and place of every row of the panel."""
+    model = used.window.finding.panel.list.model()
+    indices = [model.index(row, 0) for row in range(model.rowCount())]
+    return [(i.data(), i.data(COUNT)) for i in indices]
+
+
+def test_a_text_is_found_in_every_document_and_enter_goes_there(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("touch your name")
+    assert any("speech" in where and "state 8 names" in where for _, where in rows(used))
+    used.key(Qt.Key.Key_Return)
+    assert used.window.current_view.selected[0][:2] == ("state", "8")
+    files = set()
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("clickConfirm")
+    for _, where in rows(used):
+        files.add(where.partition(":")[0])
+    assert files == {"reception", "register"}
+
+
+def test_f3_goes_from_place_to_place_round_the_end(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("clickConfirm")
+    count = len(rows(used))
+    assert used.window.finding.panel.count.text() == f"{count} places"
+    seen = []
+    used.key(Qt.Key.Key_Return)
+    for _ in range(count):
+        seen.append((used.window.current_file, used.window.current_view.selected))
+        used.key(Qt.Key.Key_F3)
+    assert (used.window.current_file, used.window.current_view.selected) == seen[0]
+    assert {file for file, _ in seen} == {"reception.rbd.xml", "register.rbd.xml"}
+    used.key(Qt.Key.Key_F3, SHIFT)
+    assert (used.window.current_file, used.window.current_view.selected) == seen[-1]
+
+
+def test_what_is_found_follows_an_edit(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("marmalade")
+    assert rows(used) == []
+    assert used.window.finding.panel.count.text() == "Nothing in this project has that."
+    used.select("state", "2")
+    used.fill(used.window.inspector.form.field("name"), "marmalade")
+    assert [text for text, _ in rows(used)] == ["2 marmalade"]
+
+
+def test_escape_goes_back_to_the_drawing(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "2")
+    used.key(Qt.Key.Key_F, CONTROL)
+    assert used.window.finding.panel.field.hasFocus()
+    used.key(Qt.Key.Key_Escape)
+    assert used.window.current_view.canvas.viewer.hasFocus()
+
+
+def test_usages_of_an_event_are_where_it_is_raised_and_expected(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.select("state", "8", "screen", "names")
+    used.key(Qt.Key.Key_F, CONTROL | SHIFT)
+    used.type("userNameSelected")
+    used.key(Qt.Key.Key_Return)
+    assert used.window.finding.panel.query == "event: userNameSelected"
+    assert rows(used) == [
+        ("userNameSelected", "reception: state 8 names, list names: sends"),
+        ("userNameSelected", "reception: state 8 names, event userNameSelected: event"),
+    ]
+
+
+def test_usages_of_a_state_are_those_of_its_document(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "2")
+    used.key(Qt.Key.Key_F, CONTROL | SHIFT)
+    assert used.window.finding.panel.query == "state: 2"
+    assert {where.partition(":")[0] for _, where in rows(used)} == {"reception"}
+    assert rows(used)[-1][0] == "2 intro" or ("2 intro", "reception: state 2 intro") in rows(used)
+
+
+def test_an_event_is_renamed_in_every_document_as_one_step(studio: Start, project: Copy) -> None:
+    folder = project("reception")
+    used = studio(folder)
+    before = {f: used.session.document(f) for f in used.session.files}
+    used.select("state", "3", "screen", "confirm")
+    used.answers.put("name", "clickFine")
+    used.key(Qt.Key.Key_F2, SHIFT)
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("event: clickConfirm")
+    assert rows(used) == []
+    assert used.session.undo_text == "Rename event clickConfirm to clickFine"
+    assert set(used.session.dirty) == {"reception.rbd.xml", "register.rbd.xml"}
+    said = used.window.status.said.text()
+    assert "places follow." in said
+    assert "scenarios/new-user.jsonl" in said
+    used.window.actions_.actions["undo"].trigger()
+    assert all(used.session.document(f) is before[f] for f in before)
+    assert used.session.undo_text is None
+
+
+def test_a_name_that_is_used_already_is_refused_in_one_line(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "8", "event", "0")
+    name = used.session.document("reception.rbd.xml").state("8").events[0].name
+    assert name != "clickYes"
+    used.answers.put("name", "clickYes")
+    used.key(Qt.Key.Key_F2, SHIFT)
+    assert used.session.undo_text is None
+    said = used.window.status.said.text()
+    assert said == "There is an event clickYes already: choose another name."
