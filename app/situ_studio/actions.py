@@ -72,7 +72,7 @@ _INSERT = tuple(
         tip=kind.help,
         contexts=_CONTEXTS.get(kind.name, ""),
     )
-    for part in ("application", "action", "screen", "script", "modules")
+    for part in ("application", "action", "screen", "drawing", "script", "modules")
     for index, kind in enumerate(k for k in kinds.KINDS if k.palette == part)
 )
 

@@ -13,7 +13,7 @@ import situ
 from situ.document.beginning import project_name
 from situ.document.rbd import Application
 from situ.errors import SituError
-from situ_studio import kinds, projects
+from situ_studio import kinds, places, projects
 from situ_studio.context_menus import context_of
 from situ_studio.find import Find, places_of
 from situ_studio.insert import NotHere, insert
@@ -142,6 +142,9 @@ class Commands(QObject):
     def offers_screen(self) -> bool:
         return self._can_insert("screen")
 
+    def offers_drawing(self) -> bool:
+        return self._can_insert("drawing")
+
     def offers_script(self) -> bool:
         return self._can_insert("script")
 
@@ -156,6 +159,9 @@ class Commands(QObject):
 
     def can_insert_screen(self) -> bool:
         return self._can_insert("screen") and self.has_selection()
+
+    def can_insert_drawing(self) -> bool:
+        return self._can_insert("drawing")
 
     def can_insert_script(self) -> bool:
         return self._can_insert("script")
@@ -306,6 +312,9 @@ class Commands(QObject):
             return
         if name == "part":
             self._window.parts.insert()
+            return
+        if name in places.DRAWN and view.can("add_drawn"):
+            view.call("add_drawn", name)
             return
         if name == "state" and view.can("add_state"):
             view.call("add_state")

@@ -6,7 +6,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from situ.document import modules, rbd, spds
+from situ.document import drawing, modules, rbd, spds
 from situ.document.condition import Condition, Test
 from situ_studio import changes, kinds, places, words
 from situ_studio.edit import Document, Place
@@ -39,6 +39,8 @@ def _into_application(
         no = changes.free_number(document)
         after = places.change(document, (), states=(*document.states, kind.make(no)))
         return after, ("state", no), f"Add state {no}"
+    if kind.name in places.DRAWN:
+        return _drawn(document, kind)
     root = places.root(at)
     part: Any = places.get(document, root) if root else None
     if part is None:
@@ -74,6 +76,17 @@ def _into_application(
         raise NotHere("Actions belong to states and events: select one of them first.")
     after = places.change(document, root, actions=(*part.actions, made))
     return after, (*root, "action", str(len(part.actions))), text
+
+
+def _drawn(document: rbd.Application, kind: Kind) -> tuple[Document, Place, str]:
+    """A note or a frame above all cards, where nothing is in its way."""
+    made = kind.make(kind.title)
+    spots = [at for state in document.states if (at := state.aside.position) is not None]
+    if spots:
+        left, top = min(x for x, _ in spots), min(y for _, y in spots)
+        made = replace(made, x=left, y=top - made.height - 24)
+    count = sum(1 for one in drawing.drawn(document) if type(one) is type(made))
+    return drawing.add(document, made), (kind.name, str(count)), f"Add {kind.name}"
 
 
 def _into_script(document: spds.Spds, kind: Kind, at: Place) -> tuple[Document, Place, str]:

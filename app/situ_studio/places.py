@@ -2,7 +2,7 @@
 
 A place is what a selection and a ``Problem`` name, from the outside in:
 ``("state", "5", "event", "0")``, ``("state", "5", "screen", "continue")``,
-``("situation", "sound", "entry", "1")``. States, situations, modules, data and
+``("situation", "sound", "entry", "1")``, ``("note", "0")``. States, situations, modules, data and
 screen components go by their name, everything else by its position.
 """
 
@@ -14,7 +14,7 @@ from typing import Any, TypeVar, cast
 from msgspec import Struct
 from msgspec.structs import replace
 
-from situ.document import condition, modules, rbd, spds
+from situ.document import condition, drawing, modules, rbd, spds
 from situ_studio.edit import Document, Place
 
 D = TypeVar("D", bound=Document)
@@ -45,6 +45,8 @@ _WORDS: dict[tuple[type, str], tuple[str, str | None]] = {
     (modules.Module, "requires"): ("requires", None),
     (modules.Module, "provides"): ("provides", None),
 }
+DRAWN: dict[str, type] = {"note": drawing.Note, "frame": drawing.Frame}
+"""What is drawn beside the cards; the second word of its place counts those of its kind."""
 # Values whose members follow without a word.
 _MEMBERS: dict[type, tuple[str, str | None]] = {
     rbd.Screen: ("components", "id"),
@@ -56,11 +58,15 @@ _LISTS = {"param": "params", "result": "results"}
 
 
 class _Link(Struct, frozen=True):
-    """One link of the way: ``holder.attribute``, or its member at ``index``."""
+    """One link of the way: ``holder.attribute``, or its member at ``index``.
+
+    named: the place names the member, and does not count.
+    """
 
     holder: Any
     attribute: str
     index: int | None
+    named: bool = False
 
 
 def _way(document: Document, place: Place) -> tuple[list[_Link], Any] | None:
@@ -97,9 +103,18 @@ def _way(document: Document, place: Place) -> tuple[list[_Link], Any] | None:
             index = next((i for i, m in enumerate(every) if getattr(m, key) == name), -1)
         if index < 0:
             return None
-        links.append(_Link(value, attribute, index))
+        links.append(_Link(value, attribute, index, key is not None))
         value = every[index]
     return links, value
+
+
+def _drawn(document: Document, place: Place) -> tuple[int, drawing.Drawn] | None:
+    """A note or frame that ``place`` names: its index among all that is drawn, and itself."""
+    if len(place) != 2 or place[0] not in DRAWN or not isinstance(document, rbd.Application):
+        return None
+    every = enumerate(drawing.drawn(document))
+    found = [(i, one) for i, one in every if isinstance(one, DRAWN[place[0]])]
+    return found[int(place[1])] if place[1].isdigit() and int(place[1]) < len(found) else None
 
 
 def members(value: Any) -> Iterator[tuple[Place, Any]]:
@@ -139,13 +154,16 @@ def _inside(kind: type) -> tuple[tuple[str, str, str | None], ...]:
 
 def get(document: Document, place: Place) -> Any:
     """The value at ``place``; None where there is none."""
+    if place[:1] and place[0] in DRAWN:
+        drawn = _drawn(document, place)
+        return drawn[1] if drawn is not None else None
     found = _way(document, place)
     return found[1] if found is not None else None
 
 
 def nearest(document: Document, place: Place) -> Place:
     """The longest beginning of ``place`` at which there is something."""
-    while place and _way(document, place) is None:
+    while place and get(document, place) is None:
         place = place[:-1]
     return place
 
@@ -156,17 +174,25 @@ def put(document: D, place: Place, value: Any) -> D:
     ``None`` takes an optional value away (a timeout, a screen) and a member out of its sequence.
     Everything off the way keeps its identity.
     """
+    drawn = _drawn(document, place)
+    if drawn is not None:
+        assert isinstance(document, rbd.Application)
+        return cast(D, drawing.exchange(document, drawn[0], value))
     found = _way(document, place)
     if found is None:
         raise LookupError(f"there is nothing at {'/'.join(place)}")
-    for link in reversed(found[0]):
+    return cast(D, _put(found[0], value))
+
+
+def _put(way: list[_Link], value: Any) -> Any:
+    for link in reversed(way):
         if link.index is None:
             value = replace(link.holder, **{link.attribute: value})
         else:
             every = list(getattr(link.holder, link.attribute))
             every[link.index : link.index + 1] = [] if value is None else [value]
             value = replace(link.holder, **{link.attribute: tuple(every)})
-    return cast(D, value)
+    return value
 
 
 def change(document: D, place: Place, **fields: Any) -> D:
@@ -182,6 +208,22 @@ def move(document: D, place: Place, attribute: str, start: int, end: int) -> D:
     every = list(getattr(get(document, place), attribute))
     every.insert(end, every.pop(start))
     return change(document, place, **{attribute: tuple(every)})
+
+
+def shift(document: D, place: Place, by: int) -> tuple[D, Place]:
+    """The document with the member at ``place`` so many further on among its own, and its place
+    then; the same where it stands at the end already, or is no member of a sequence.
+    """
+    found = _way(document, place)
+    if found is None or not found[0]:
+        return document, place
+    *way, last = found[0]
+    if last.index is None or not 0 <= last.index + by < len(getattr(last.holder, last.attribute)):
+        return document, place
+    every, to = list(getattr(last.holder, last.attribute)), last.index + by
+    every.insert(to, every.pop(last.index))
+    after = cast(D, _put(way, replace(last.holder, **{last.attribute: tuple(every)})))
+    return after, place if last.named else (*place[:-1], str(to))
 
 
 def root(place: Place) -> Place:

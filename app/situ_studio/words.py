@@ -7,6 +7,7 @@ from typing import Any
 
 from situ.document import rbd, spds
 from situ.document import words as said
+from situ.document.drawing import Drawn, Note
 from situ_studio import kinds, places
 from situ_studio.edit import Document, Place
 
@@ -39,6 +40,12 @@ def member_words(value: Any) -> str:
     return title
 
 
+def drawn_words(value: Drawn) -> str:
+    """A note's first line or a frame's title; what it is where it has none."""
+    text = value.text if isinstance(value, Note) else value.title
+    return text.partition("\n")[0] or ("Note" if isinstance(value, Note) else "Frame")
+
+
 def place_words(document: Document, place: Place) -> str:
     """A place in words, from the inside out: ``event clickNo of state 6``."""
     if not place:
@@ -47,6 +54,10 @@ def place_words(document: Document, place: Place) -> str:
         outer, inner = "Always", place[1:]
     elif place[0] == "state":
         outer, inner = f"state {place[1]}", place[2:]
+    elif place[0] in places.DRAWN:
+        value = places.get(document, place)
+        title = drawn_words(value) if value is not None else ""
+        return f"the frame {title}" if place[0] == "frame" else "a note"
     else:
         outer, inner = f"{place[0]} {place[1] if len(place) > 1 else ''}".strip(), place[2:]
     if not inner:
@@ -78,6 +89,8 @@ def title(document: Document, place: Place) -> tuple[str, str, str, str]:
     if kind is None:
         return "info", "text2", "", ""
     icon, tint = kind.icon, str(kind.tint)
+    if isinstance(value, Drawn):
+        return icon, tint, drawn_words(value), kind.title
     if isinstance(value, rbd.State):
         assert isinstance(document, rbd.Application)
         if document.start_no == value.no:

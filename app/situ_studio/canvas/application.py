@@ -265,7 +265,7 @@ class ApplicationCanvas(CommandedCanvas):
         if self.pointed is not None:
             return QPointF(gestures.snap(self.pointed.x()), gestures.snap(self.pointed.y()))
         notes = (one for one in self._figuring.shown.values() if one.kind == "note")
-        things = (*self._picture.cards.values(), *notes)
+        things: tuple[Card | Figure, ...] = (*self._picture.cards.values(), *notes)
         taken = [(c.x, c.y, c.width, c.height) for c in things]
         uids = self.selected_uids()
         if uids:

@@ -14,6 +14,7 @@ from situ_studio import kinds
 from situ_studio.canvas import accessible, spoken, walk
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
+from situ_studio.canvas.note_editor import NoteEditor
 from situ_studio.canvas.overlay import InPlace, MiniMap, ZoomBar, name_editor
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.style import Look
@@ -62,7 +63,7 @@ class Canvas(QWidget):
         self._row: tuple[str, str] | None = None
         self._quiet = 0
         self._fitted = False
-        self._editor: InPlace | None = None
+        self._editor: InPlace | NoteEditor | None = None
         self.pointed: QPointF | None = None
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -544,17 +545,21 @@ class Canvas(QWidget):
         return QRectF(area.left() + 29, area.top() + 2, area.width() - 33, 24)
 
     def edit_name(self, uid: str) -> None:
-        if self._editor is not None:
-            self._editor.close_editor()
         self.viewer.reveal(self.card_area(uid))
         corner = self.viewer.mapFromScene(self.name_area(uid).topLeft())
         size = self.name_area(uid).size() * self.look.zoom
         name = self.graph.cards[uid].name
         editor = name_editor(uid, name, self.look, self.viewer.viewport())
-        editor.finished.connect(self._on_named)
-        self._editor = editor
+        self._begin_editor(editor)
         wide, high = max(120, round(size.width())), max(24, round(size.height()))
         editor.open_at(QRect(corner.x(), corner.y(), wide, high))
+
+    def _begin_editor(self, editor: InPlace | NoteEditor) -> None:
+        """A field over the drawing, of which there is one at a time."""
+        if self._editor is not None:
+            self._editor.close_editor()
+        editor.finished.connect(self._on_named)
+        self._editor = editor
 
     def _on_named(self, uid: str, name: str | None, onwards: int) -> None:
         self._editor = None

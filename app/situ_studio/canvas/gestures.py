@@ -17,6 +17,7 @@ from situ.document import rbd
 from situ.document.aside import NOTHING
 from situ.document.rbd import Application, Event, State, Timeout
 from situ_studio import changes, places, words
+from situ_studio.canvas import figures
 from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, exit_of, targets
 from situ_studio.edit import Place
 
@@ -54,6 +55,8 @@ def snap(value: float) -> float:
 
 def called(application: Application, place: Place) -> str:
     """What a place is called: ``state 5``, ``clickYes of state 5``, ``the timeout of state 5``."""
+    if place[:1] and place[0] in places.DRAWN:
+        return words.place_words(application, place)
     owner = "every state" if place[:1] == (ALWAYS,) else f"state {place[1]}"
     exit = exit_of(place)
     if exit is None:
@@ -85,11 +88,24 @@ def move(application: Application, to: Mapping[Place, tuple[float, float]]) -> D
     if always is not None and target is not None and always.aside.position != target:
         always = replace(always, aside=always.aside.at(*target))
         moved += 1
+    drawn = {
+        place: at
+        for place, at in to.items()
+        if place[0] in places.DRAWN and _drawn_at(application, place) != at
+    }
+    moved += len(drawn)
     if not moved:
         return application, ""
+    after = figures.move(replace(application, states=tuple(states), always=always), drawn)
     one = next(iter(to))
-    text = f"Move {called(application, one)}" if len(to) == 1 else f"Move {len(to)} cards"
-    return replace(application, states=tuple(states), always=always), text
+    many = f"Move {len(to)} {'things' if drawn else 'cards'}"
+    text = f"Move {called(application, one)}" if len(to) == 1 else many
+    return after, text
+
+
+def _drawn_at(application: Application, place: Place) -> tuple[float, float] | None:
+    value = places.get(application, place)
+    return (value.x, value.y) if value is not None else None
 
 
 def connect(application: Application, place: Place, target: str) -> Done:
@@ -261,6 +277,9 @@ def delete(application: Application, gone: Iterable[Place]) -> Done:
         elif place[:1] == ("state",) and len(place) == 2 and after.state(place[1]) is not None:
             what.append(called(application, place))
             after = changes.remove_state(after, place[1])
+    drawn = [p for p in wanted if p[0] in places.DRAWN and places.get(after, p) is not None]
+    what += [called(application, place) for place in drawn]
+    after = figures.remove(after, drawn)
     if not what:
         return application, ""
     return after, f"Delete {what[0]}" if len(what) == 1 else f"Delete {len(what)} things"

@@ -28,7 +28,7 @@ from situ_studio.canvas.pipes import LivePipe, RoutedPipe
 from situ_studio.canvas.style import Look
 from situ_studio.kinds import MIME
 
-SLOP = 3.0
+SLOP = 4.0
 """How far off a press may be, in px on screen."""
 
 
@@ -140,17 +140,27 @@ class Viewer(Ground):
 
         An exit counts within its own few px even where a card lies on it.
         """
-        nodes = pipe = None
+        nodes = under = None
+        exits: list[Spot] = []
+        pipes: list[RoutedPipe] = []
         for item in self._items_near(pos):
             if isinstance(item, Spot):
                 if item.port_type == OUT and item.node is not None:
-                    return item
+                    exits.append(item)
             elif isinstance(item, NodeFace):
-                if nodes is None and item.shape().contains(item.mapFromScene(pos)):
+                if not item.shape().contains(item.mapFromScene(pos)):
+                    continue
+                if item.zValue() < 0:
+                    # A frame: what lies on it goes first.
+                    under = under or item
+                elif nodes is None:
                     nodes = item
-            elif isinstance(item, RoutedPipe) and pipe is None:
-                pipe = item
-        return nodes if nodes is not None else pipe
+            elif isinstance(item, RoutedPipe):
+                pipes.append(item)
+        if exits:
+            return min(exits, key=lambda spot: (spot.centre() - pos).manhattanLength())
+        pipe = min(pipes, key=lambda pipe: pipe.distance(pos), default=None)
+        return nodes or pipe or under
 
     def sceneMousePressEvent(self, event: Any) -> None:
         if self._LIVE_PIPE.isVisible():
@@ -197,7 +207,7 @@ class Viewer(Ground):
             node = item if isinstance(item, NodeFace) else None
             if isinstance(item, Spot):
                 node = item.node
-            if node is None:
+            if node is None or node.zValue() < 0:
                 continue
             if node is start.node and (pos - start.centre()).manhattanLength() < 24:
                 return False
@@ -377,6 +387,10 @@ class Viewer(Ground):
             self.data_dropped.emit(event.mimeData(), spot.toPoint())
 
     # -- keys -------------------------------------------------------------------------
+
+    def focusNextPrevChild(self, next: bool) -> bool:
+        # Tab goes from card to card; F6 leaves the drawing.
+        return False
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and (self.busy() or self._pressed is not None):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from situ.document import rbd
+from situ.document import drawing, rbd
 from situ_studio.kinds.kind import Field, Kind, Section
 
 _TIMEOUT = Field(
@@ -185,6 +185,58 @@ TIMEOUT = Kind(
     make=lambda _: rbd.Timeout(seconds=30),
     summary=lambda v: f"{v.seconds:g} s",
     palette="application",
+)
+COLORS = (
+    ("", "The usual"),
+    ("#46536a", "Grey"),
+    ("#0b7a4b", "Green"),
+    ("#0a5a4c", "Teal"),
+    ("#086d9c", "Blue"),
+    ("#5d4bb0", "Violet"),
+    ("#8a2178", "Plum"),
+    ("#7c2d0c", "Rust"),
+    ("#8a5f00", "Yellow"),
+)
+"""The colours of notes and frames: those of the kinds on light ground, for any ground."""
+_SIZE = Section(
+    title="Place and size",
+    closed=True,
+    fields=tuple(
+        Field(attribute=name, label=label, editor="number", fixed=True)
+        for name, label in (("x", "X"), ("y", "Y"), ("width", "Width"), ("height", "Height"))
+    ),
+)
+NOTE = Kind(
+    name="note",
+    value=drawing.Note,
+    title="Note",
+    icon="note",
+    tint="condition",
+    help="A few words for those who draw; the robot does not see them.",
+    fields=(
+        Field(attribute="text", label="Text", editor="long", empty=""),
+        Field(attribute="color", label="Colour", editor="choice", choices=COLORS, empty=""),
+    ),
+    sections=(_SIZE,),
+    make=lambda text: drawing.Note(text=text),
+    summary=lambda v: v.text,
+    palette="drawing",
+)
+FRAME = Kind(
+    name="frame",
+    value=drawing.Frame,
+    title="Frame",
+    icon="frame",
+    tint="module",
+    help="Goes round states that belong together, and moves with them.",
+    fields=(
+        Field(attribute="title", label="Title", empty=""),
+        Field(attribute="color", label="Colour", editor="choice", choices=COLORS, empty=""),
+    ),
+    sections=(_SIZE,),
+    make=lambda title: drawing.Frame(title=title),
+    summary=lambda v: v.title,
+    palette="drawing",
 )
 APPLICATION = Kind(
     name="application",

@@ -94,4 +94,4 @@ class Kind(Struct, frozen=True, kw_only=True):
     sections: tuple[Section, ...] = ()
     make: Callable[[str], Any] = str
     summary: Callable[[Any], str] = str
-    palette: Literal["", "application", "action", "screen", "script", "modules"] = ""
+    palette: Literal["", "application", "action", "screen", "drawing", "script", "modules"] = ""

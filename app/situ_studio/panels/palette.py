@@ -22,7 +22,7 @@ def offered(document: Document | None) -> tuple[Kind, ...]:
     """The kinds that a document can take."""
     parts: tuple[str, ...] = ()
     if isinstance(document, Application):
-        parts = ("application", "action", "screen")
+        parts = ("application", "action", "screen", "drawing")
     elif isinstance(document, Spds):
         parts = ("script",)
     elif isinstance(document, Modules):

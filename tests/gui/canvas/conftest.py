@@ -28,6 +28,7 @@ from situ.document.rbd import (
     Timeout,
 )
 from situ_studio import theme
+from situ_studio.canvas import figures
 from situ_studio.canvas.application import ApplicationCanvas
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.pipes import RoutedPipe
@@ -322,7 +323,8 @@ def agree(desk: Desk) -> None:
     graph, viewer = canvas.graph, canvas.viewer
     assert canvas.document is desk.document
     picture = Projector().picture(canvas.document, canvas._problems, canvas._laid)
-    cards, links = picture.cards, picture.links
+    cards: dict[str, Any] = {**picture.cards, **figures.shown(canvas.document, {})}
+    links = picture.links
     # The model.
     nodes = {n.uid: n for n in graph.model.nodes.values()}
     assert len(nodes) == len(graph.model.nodes)
@@ -351,6 +353,7 @@ def agree(desk: Desk) -> None:
     for item in items:
         card = cards[item.uid]
         assert (item.x(), item.y()) == (card.x, card.y)
+        assert getattr(item, "wanted", None) is None
         assert item.face == card
         assert {s.name for s in item.outputs} == set(card.outputs)
         assert {s.name for s in item.inputs} == set(card.inputs)
