@@ -75,6 +75,10 @@ class CurvedPipe(RoutedPipe):
             self.path().pointAtPercent(self._part), self._pill_text, bool(self.link.mark)
         )
 
+    def distance(self, spot: QPointF) -> float:
+        # A curve is nowhere near the box of its ends; of several the topmost is meant.
+        return 0.0
+
     def selected(self) -> bool:
         if self.isSelected():
             return True
@@ -84,6 +88,9 @@ class CurvedPipe(RoutedPipe):
         if source.isSelected() or target.isSelected():
             return True
         return bool(self.chosen)
+
+    def _hint(self) -> str:
+        return ""
 
     chosen = False
     """On the way to the selected situation, or on from it, without touching it."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsSceneMouseEvent, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
@@ -80,6 +80,8 @@ class Spot(PortItem):
 
     def hoverEnterEvent(self, event: Any) -> None:
         super().hoverEnterEvent(event)
+        if self.port_type == OUT:
+            self.setCursor(Qt.CursorShape.CrossCursor)
         self.node.hover(self.name if self.port_type == OUT else None)
 
     def hoverLeaveEvent(self, event: Any) -> None:

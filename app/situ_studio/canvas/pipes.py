@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF
@@ -12,15 +13,14 @@ from PySide6.QtWidgets import QWidget as Widget
 from situ_studio.canvas.cards import STUB, arrow, chip_width, paint_chip
 from situ_studio.canvas.library import PipeItem
 from situ_studio.canvas.live import LiveView, strength
+from situ_studio.canvas.pipe_labels import PipeLabel
 from situ_studio.canvas.routes import Point, Route
-from situ_studio.canvas.style import Label, Look, whole_label
+from situ_studio.canvas.style import Look
 
 CORNER = 8.0
-GUARD_HEIGHT = 22.0
-LABEL_HEIGHT = 18.0
 UNDER, ABOVE = -1.0, -0.5
 """Pipes lie under the cards; those of the selection above the others."""
-HIT = 9.0
+HIT = 12.0
 """How wide a pipe is for the mouse."""
 
 
@@ -47,6 +47,13 @@ def _sign(value: float) -> int:
     return (value > 0) - (value < 0)
 
 
+def _from_segment(spot: QPointF, a: Point, b: Point) -> float:
+    """From a spot to a horizontal or vertical."""
+    across = max(min(a[0], b[0]) - spot.x(), spot.x() - max(a[0], b[0]), 0.0)
+    down = max(min(a[1], b[1]) - spot.y(), spot.y() - max(a[1], b[1]), 0.0)
+    return across + down
+
+
 class RoutedPipe(PipeItem):
     """One transition. ``link`` is what it stands for; ``set_route`` gives it its way."""
 
@@ -65,9 +72,8 @@ class RoutedPipe(PipeItem):
         self.link: Any = None
         self.route = Route()
         self.hovered = False
-        self._label: Label | None = None
-        self._pill = False
-        self._said = ""
+        self._label: PipeLabel | None = None
+        self._shown: tuple[Any, ...] = ()
         self._rect = QRectF()
         self._hit: QPainterPath | None = None
         self._way: QPainterPath | None = None
@@ -81,12 +87,12 @@ class RoutedPipe(PipeItem):
 
     def set_route(self, route: Route, said: str, pill: bool, chip: str) -> None:
         """said: the label's words. chip: the target's number, for a folded pipe."""
-        if (route, said, pill, chip) == (self.route, self._said, self._pill, self._chip):
+        if (route, said, pill, chip) == self._shown:
             return
         self.prepareGeometryChange()
-        if said != self._said or route.room != self.route.room:
-            self._label = None
-        self.route, self._said, self._pill, self._chip = route, said, pill, chip
+        self._shown = route, said, pill, chip
+        self.route, self._chip = route, chip
+        self._label = PipeLabel(route, said, pill) if route.label is not None else None
         self._hit = self._way = None
         if route.folded:
             x, y = self.output_port.centre().toTuple()
@@ -97,8 +103,8 @@ class RoutedPipe(PipeItem):
             xs, ys = [p[0] for p in route.points], [p[1] for p in route.points]
             left, top = min(xs) - 8, min(ys) - 8
             area = QRectF(left, top, max(xs) + 8 - left, max(ys) + 8 - top)
-            if route.label is not None:
-                area = area.united(self._label_box().adjusted(-2, -2, 2, 2))
+            if self._label is not None:
+                area = area.united(self._label.reach().adjusted(-2, -2, 2, 2))
         self._rect = area
         self.update()
 
@@ -112,6 +118,9 @@ class RoutedPipe(PipeItem):
         return self._way
 
     def shape(self) -> QPainterPath:
+        if self.route.folded and self.look.level != "full":
+            # Chips are not shown where cards are small.
+            return QPainterPath()
         if self._hit is None:
             self._hit = self._make_shape()
         return self._hit
@@ -129,13 +138,20 @@ class RoutedPipe(PipeItem):
         stroker.setWidth(HIT)
         stroker.setCapStyle(Qt.PenCapStyle.FlatCap)
         hit = stroker.createStroke(self.path())
-        if route.label is not None:
-            hit.addRect(self._label_box())
+        if self._label is not None:
+            hit.addRect(self._label.area)
         return hit
+
+    def distance(self, spot: QPointF) -> float:
+        """How far a spot is from the line, 0 on its label or chip: who is meant of several."""
+        points = self.route.points
+        if self._label is not None and self._label.area.contains(spot):
+            return 0.0
+        return min((_from_segment(spot, a, b) for a, b in pairwise(points)), default=0.0)
 
     def refresh(self) -> None:
         """Painted anew, above the others where it belongs to the selection."""
-        self.setZValue(ABOVE if self.selected() else UNDER)
+        self.setZValue(ABOVE if self.selected() or self.hovered else UNDER)
         self.update()
 
     def selected(self) -> bool:
@@ -145,23 +161,7 @@ class RoutedPipe(PipeItem):
             return False
         return bool(self._input_port.node.isSelected() or self._output_port.node.isSelected())
 
-    def label_width(self) -> float:
-        return self._text().width
-
     # -- painting -------------------------------------------------------------------
-
-    def _text(self) -> Label:
-        if self._label is None:
-            room = self.route.room - (36 if self._pill else 10)
-            self._label = Label(self._said, 12, 500, min(220.0, max(20.0, room)))
-        return self._label
-
-    def _label_box(self) -> QRectF:
-        assert self.route.label is not None
-        x, y = self.route.label
-        wide = self._text().width + (36 if self._pill else 10)
-        tall = GUARD_HEIGHT if self._pill else LABEL_HEIGHT
-        return QRectF(x - wide / 2, y - tall / 2, wide, tall)
 
     def boundingRect(self) -> QRectF:
         return self._rect
@@ -193,7 +193,8 @@ class RoutedPipe(PipeItem):
             color, width = look["live"], max(2.75, width)
         pen = QPen(color, width)
         if self.link is not None and self.link.exit == "timeout":
-            pen.setDashPattern([4 / width, 3 / width])
+            unit = max(1.0, 1 / look.zoom) / width
+            pen.setDashPattern([4 * unit, 3 * unit])
         painter.setPen(pen)
         painter.drawPath(path)
         if route.trunk is None:
@@ -205,40 +206,14 @@ class RoutedPipe(PipeItem):
             painter.setBrush(color)
             painter.drawEllipse(QPointF(*route.joint), 3.25, 3.25)
         painter.setOpacity(1.0)
-        if route.label is not None:
-            self._paint_label(
-                painter, look, color if strong or taken else look["text2"], bool(taken)
-            )
-
-    def _paint_label(self, painter: QPainter, look: Look, ink: QColor, taken: bool) -> None:
-        assert self.route.label is not None
-        x, y = self.route.label
+        if self._label is None:
+            return
         count = self._count()
-        if count and (look.live is not None):
-            text = whole_label(f"{count}×", 14, 600)
-            box = QRectF(x - text.width / 2 - 8, y - 11, text.width + 16, 22)
-            painter.setPen(
-                QPen(look["live"] if taken else look["line_strong"], 1.25 if taken else 1)
-            )
-            painter.setBrush(look["live_soft"] if taken else look["panel"])
-            painter.drawRoundedRect(box, 11, 11)
-            text.draw_middle(painter, x, y + 5, look["live"] if taken else look["text2"])
-            return
-        if look.level == "half" and not (self._pill or self.hovered):
-            return
-        box = self._label_box()
-        text = self._text()
-        if self._pill:
-            painter.setPen(QPen(look["condition"], 1.5 if self.selected() else 1))
-            painter.setBrush(look["condition_soft"])
-            painter.drawRoundedRect(box, 11, 11)
-            look.icon(painter, "guard", box.left() + 6, y - 7, 14, look["condition"])
-            text.draw(painter, box.left() + 23, y + 4, look["condition"])
-            return
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(look["canvas"])
-        painter.drawRoundedRect(box, 4, 4)
-        text.draw_middle(painter, x, y + 4, ink)
+        if count:
+            self._label.paint_count(painter, look, count, bool(taken))
+        else:
+            ink = color if strong or taken else look["text2"]
+            self._label.paint(painter, look, ink, self.selected(), self.hovered)
 
     def _paint_folded_join(self, painter: QPainter, color: QColor) -> None:
         """To the chip of the exit above that leads to the same card."""
@@ -287,11 +262,22 @@ class RoutedPipe(PipeItem):
 
     def hoverEnterEvent(self, event: Any) -> None:
         self.hovered = True
-        self.update()
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.setToolTip(self._hint())
+        self.refresh()
 
     def hoverLeaveEvent(self, event: Any) -> None:
         self.hovered = False
-        self.update()
+        self.unsetCursor()
+        self.refresh()
+
+    def _hint(self) -> str:
+        """The whole of what the pipe stands for."""
+        source, target = self._output_port.node.face, self._input_port.node.face
+        hint = f"{source.hint(self._output_port.name)}\nleads to {target.hint().split(chr(10))[0]}"
+        if self.route.folded:
+            hint += "\nClick to go there, Alt and click to draw the way"
+        return hint
 
     def draw_path(self, start_port: Any, end_port: Any = None, cursor_pos: Any = None) -> None:
         """Routes come from the router, all together."""

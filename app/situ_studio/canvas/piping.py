@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, QTimer
 
 from situ_studio.canvas.cards import chip_width
 from situ_studio.canvas.graph import Graph
-from situ_studio.canvas.pipes import GUARD_HEIGHT, LABEL_HEIGHT
+from situ_studio.canvas.pipe_labels import GUARD_HEIGHT, LABEL_HEIGHT, LONGEST, PIXELS
 from situ_studio.canvas.projection import TIMEOUT, Card, Link, Picture
 from situ_studio.canvas.routes import Router
 from situ_studio.canvas.space import Box, Pipe, PipeId
@@ -22,8 +22,6 @@ from situ_studio.canvas.style import Label
 
 SLICE = 0.008
 """Seconds of routing at a time, where there are very many pipes."""
-LONGEST = 220.0
-"""A label is cut at this width."""
 
 
 class Piping(QObject):
@@ -189,5 +187,5 @@ class Piping(QObject):
         if width is None:
             if len(self._widths) > 20000:
                 self._widths.clear()
-            width = self._widths[text] = Label(text, 12, 500, LONGEST).width
+            width = self._widths[text] = Label(text, PIXELS, 500, LONGEST).width
         return width

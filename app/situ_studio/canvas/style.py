@@ -18,14 +18,16 @@ from situ_studio.theme import Theme, font
 
 Level = Literal["full", "half", "quarter", "tiny"]
 
+FULL, HALF = 0.75, 0.4
+"""The zooms from which cards show everything, and picture and name."""
 SELECTED_RING = 0.22
 
 
 def level(zoom: float) -> Level:
     """The level of detail at a zoom (mockups/tokens.md, *Level of detail*)."""
-    if zoom >= 0.75:
+    if zoom >= FULL:
         return "full"
-    if zoom >= 0.4:
+    if zoom >= HALF:
         return "half"
     return "quarter" if zoom >= 0.15 else "tiny"
 

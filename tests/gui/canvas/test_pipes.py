@@ -1,0 +1,148 @@
+"""Pipes under the mouse and at every zoom: what can be hit, what is said, what can be read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QImage
+
+from situ.document.rbd import Application
+
+Make = Callable[..., Any]
+
+
+@pytest.fixture
+def made(desk: Make, small: Application) -> Any:
+    return desk(small)
+
+
+def rest(made: Any, spot: QPointF) -> None:
+    """The mouse comes to a spot, no button held."""
+    none = Qt.MouseButton.NoButton
+    for away in (QPoint(9, 9), QPoint(0, 0)):
+        at = made.hand.pixel(spot) + away
+        made.hand._send(QEvent.Type.MouseMove, at, none, none)
+    made.hand.settle()
+
+
+def shape(made: Any) -> Qt.CursorShape:
+    found: Qt.CursorShape = made.canvas.viewer.viewport().cursor().shape()
+    return found
+
+
+def height(made: Any, spot: QPointF, token: str) -> int:
+    """How many px of a colour lie above each other around a spot, where most do."""
+    image: QImage = made.canvas.viewer.grab().toImage()
+    at, wanted = made.hand.pixel(spot), made.canvas.look[token].rgb()
+    return max(
+        sum(image.pixelColor(x, y).rgb() == wanted for y in range(at.y() - 20, at.y() + 20))
+        for x in range(at.x() - 60, at.x() + 60)
+    )
+
+
+@pytest.mark.parametrize("zoom", [1.0, 0.5, 0.4])
+def test_a_pipe_is_hit_within_six_px_of_its_line(made: Any, zoom: float) -> None:
+    hand = made.hand
+    made.canvas.set_zoom(zoom)
+    spot = hand.on_pipe(hand.pipe("2", "0"), 0.85)
+    for off in (-6, 6):
+        made.canvas.clear_selection()
+        hand.click(spot + QPointF(0, off / zoom))
+        assert made.canvas.selection() == (("state", "2", "event", "0"),)
+    hand.click(spot + QPointF(0, 14 / zoom))
+    assert made.canvas.selection() != (("state", "2", "event", "0"),)
+
+
+def test_of_two_pipes_beside_each_other_the_nearer_is_meant(made: Any) -> None:
+    hand = made.hand
+    made.canvas.set_zoom(0.5)
+    first, second = (hand.exit("2", exit) + QPointF(11, 0) for exit in ("0", "1"))
+    for spot, exit in ((first, "0"), (second, "1"), (first + QPointF(0, 6), "0")):
+        made.canvas.clear_selection()
+        hand.click(spot)
+        assert made.canvas.selection() == (("state", "2", "event", exit),)
+
+
+def test_the_mouse_on_a_pipe_marks_it_and_says_all_of_it(made: Any) -> None:
+    hand, pipe = made.hand, made.hand.pipe("2", "0")
+    plain = made.canvas.viewer.grab().toImage()
+    rest(made, hand.on_pipe(pipe, 0.15))
+    assert shape(made) == Qt.CursorShape.PointingHandCursor
+    assert pipe.toolTip() == "returned\nif patients.0 exists\nleads to 3 names"
+    assert made.canvas.viewer.grab().toImage() != plain
+    rest(made, QPointF(560, 420))
+    assert shape(made) != Qt.CursorShape.PointingHandCursor
+    assert made.canvas.viewer.grab().toImage() == plain
+
+
+def test_a_chip_says_where_it_leads_and_what_clicks_do(made: Any) -> None:
+    pipe = made.hand.pipe("2", "timeout")
+    rest(made, made.hand.on_pipe(pipe))
+    assert "leads to 1 start" in pipe.toolTip()
+    assert "Alt" in pipe.toolTip()
+
+
+def test_an_exit_says_by_the_cursor_that_a_pipe_is_drawn_from_it(made: Any) -> None:
+    rest(made, made.hand.exit("2", "1"))
+    assert shape(made) == Qt.CursorShape.CrossCursor
+
+
+def test_a_guard_is_as_high_where_cards_are_small(made: Any) -> None:
+    label = made.hand.pipe("2", "0").route.label
+    assert label is not None
+    heights = []
+    for zoom in (1.0, 0.5):
+        made.canvas.set_zoom(zoom)
+        heights.append(height(made, QPointF(*label), "condition_soft"))
+    assert heights[0] >= 10
+    assert heights[1] >= 10
+
+
+def test_names_of_pipes_are_shown_small_only_under_the_mouse(made: Any) -> None:
+    hand, pipe = made.hand, made.hand.pipe("3", "1")
+    assert pipe.route.label is not None
+    made.canvas.set_zoom(0.5)
+    spot = QPointF(*pipe.route.label)
+    plain = made.canvas.viewer.grab().toImage()
+    rest(made, spot)
+    shown = made.canvas.viewer.grab().toImage()
+    at = hand.pixel(spot)
+    # As high as a letter of 11 px, where only a line was.
+    rows = [
+        y
+        for y in range(at.y() - 14, at.y() + 14)
+        if any(
+            plain.pixelColor(x, y) != shown.pixelColor(x, y)
+            for x in range(at.x() - 12, at.x() + 12)
+        )
+    ]
+    assert max(rows) - min(rows) >= 8
+
+
+def test_chips_that_are_not_shown_are_not_hit(made: Any) -> None:
+    pipe = made.hand.pipe("2", "timeout")
+    spot = made.hand.on_pipe(pipe)
+    made.canvas.set_zoom(0.5)
+    made.hand.click(spot)
+    assert made.canvas.selection() == ()
+
+
+@pytest.mark.parametrize("zoom", [1.0, 0.5])
+def test_timeouts_are_dashed_at_every_zoom_that_shows_their_way(made: Any, zoom: float) -> None:
+    """The loop of state 1 runs below its card."""
+    pipe = made.hand.pipe("1", "timeout")
+    (ax, y), (bx, _) = pipe.route.points[-3], pipe.route.points[-2]
+    made.canvas.set_zoom(zoom)
+    image = made.canvas.viewer.grab().toImage()
+    left, right = (made.hand.pixel(QPointF(x, y)) for x in (min(ax, bx) + 10, max(ax, bx) - 10))
+    ground = made.canvas.look["canvas"].lightness()
+    dark = [
+        abs(image.pixelColor(x, left.y()).lightness() - ground) > 40
+        for x in range(left.x(), right.x())
+    ]
+    changes = sum(a != b for a, b in pairwise(dark))
+    assert changes >= 4
