@@ -61,6 +61,7 @@ class AccessibleViewer(QAccessibleWidget):
 
     def __init__(self, viewer: Viewer, speaker: Speaker) -> None:
         super().__init__(viewer, QAccessible.Role.Canvas, "Drawing")
+        viewer.setAccessibleDescription("Tab goes from card to card, F6 to the next panel.")
         self.viewer = viewer
         self.speaker = speaker
         self.tell: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility

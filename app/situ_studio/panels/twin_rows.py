@@ -131,9 +131,17 @@ def _event(document: rbd.Application, place: Place, event: rbd.Event) -> Node:
         ("event", "text2"),
         ("Event", event.name or "", words.leads_to(document, event.next), details),
         {1: (place, "name", "Event"), 2: (place, "next", "Leads to")},
-        lambda: [_action((*place, "action", str(i)), a) for i, a in enumerate(event.actions)],
-        bool(event.actions),
+        partial(_below_event, place, event),
+        event.when is not None or bool(event.actions),
     )
+
+
+def _below_event(place: Place, event: rbd.Event) -> list[Node]:
+    actions = [_action((*place, "action", str(i)), a) for i, a in enumerate(event.actions)]
+    if event.when is None:
+        return actions
+    cells = ("Only if", said.condition(event.when), "", "")
+    return [Node((*place, "when"), event.when, ("guard", "condition"), cells), *actions]
 
 
 def application_rows(document: rbd.Application) -> Iterator[Node]:
