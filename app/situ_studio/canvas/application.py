@@ -94,7 +94,9 @@ class ApplicationCanvas(CommandedCanvas):
             self._piping.route(self._picture, self.few)
         else:
             drawn = self._figuring.shown
-            self._piping.reroute(self._picture, [uid for uid in moved if uid not in drawn])
+            self._piping.reroute(
+                self._picture, [uid for uid in moved if uid not in drawn], self.few
+            )
 
     def _follow_cards(self) -> None:
         self._figuring.carry()
@@ -311,6 +313,9 @@ class ApplicationCanvas(CommandedCanvas):
         self.select([place])
         self.rename()
 
+    def _first(self) -> str | None:
+        return self._picture.uids.get(("state", self.document.start_no or ""))
+
     def delete_selection(self) -> None:
         self._edit(*gestures.delete(self.document, self.selection()))
 
@@ -417,6 +422,13 @@ class ApplicationCanvas(CommandedCanvas):
             self._begin_editor(self._figuring.editor(uid))
         elif isinstance(face, Figure) or face.no:
             super().edit_name(uid)
+
+    def walked_to(self, uid: str) -> QPointF:
+        face = self._face(uid)
+        if face.kind == "frame":
+            # Its title: its middle lies among the cards that it holds.
+            return QPointF(face.x + 60, face.y + 14)
+        return super().walked_to(uid)
 
     def spoken(self, uid: str) -> spoken.Spoken:
         if uid in self._figuring.shown:

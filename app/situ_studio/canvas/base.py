@@ -17,7 +17,7 @@ from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.note_editor import NoteEditor
 from situ_studio.canvas.overlay import InPlace, MiniMap, ZoomBar, name_editor
 from situ_studio.canvas.pipes import RoutedPipe
-from situ_studio.canvas.style import Look
+from situ_studio.canvas.style import FULL, Look
 from situ_studio.canvas.viewer import Viewer
 from situ_studio.edit import Place
 from situ_studio.insert import NotHere, insert
@@ -25,6 +25,8 @@ from situ_studio.theme import Theme
 
 BAR = 40.0
 """The lower edge that the zoom bar takes."""
+READABLE = 0.8
+"""The zoom at which a drawing opens that does not fit."""
 ZOOMS = (0.1, 0.15, 0.25, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0)
 
 
@@ -213,13 +215,22 @@ class Canvas(QWidget):
         self.viewer.show_area(self.extent().adjusted(-24, -24, 24, 8), below=BAR)
 
     def zoom_to_begin(self) -> None:
-        """The whole drawing where it can be read so, else its upper left corner at 80 %."""
+        """The whole drawing where it can be read so, else its upper left corner at 80 %, or what
+        it begins with where that lies elsewhere."""
         area = self.extent().adjusted(-24, -24, 24, 24)
-        size = self.viewer.viewport().size()
-        if min(size.width() / area.width(), (size.height() - BAR) / area.height()) >= 0.7:
+        size = QSizeF(self.viewer.viewport().size())
+        if min(size.width() / area.width(), (size.height() - BAR) / area.height()) >= FULL:
             self.zoom_to_fit()
-        else:
-            self.viewer.show_area(QRectF(area.topLeft(), QSizeF(size) / 0.8), 0.8)
+            return
+        room = QRectF(area.topLeft(), size / READABLE)
+        first = self._first()
+        if first is not None and not room.contains(self.card_area(first)):
+            room.moveTopLeft(self.card_area(first).topLeft() - QPointF(56, 56))
+        self.viewer.show_area(room, READABLE)
+
+    def _first(self) -> str | None:
+        """The card that the drawing begins with, if one does."""
+        return None
 
     def _area_of(self, places: Iterable[Place]) -> QRectF:
         area = QRectF()
@@ -507,8 +518,12 @@ class Canvas(QWidget):
         if not uids:
             self._go(next(iter(self.graph.cards), None))
             return
-        spots = {u: self.card_area(u).center().toTuple() for u in self.graph.cards}
+        spots = {u: self.walked_to(u).toTuple() for u in self.graph.cards}
         self._go(walk.beside(spots, uids[-1], across, down))
+
+    def walked_to(self, uid: str) -> QPointF:
+        """The spot that stands for a card when arrows lead from one to the next."""
+        return self.card_area(uid).center()
 
     def step_in_order(self, by: int) -> None:
         """Selects the next card in document order."""

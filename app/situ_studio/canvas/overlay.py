@@ -127,8 +127,14 @@ class MiniMap(QWidget):
         painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
         painter.setTransform(self._place(area), combine=True)
         active: frozenset[str] = getattr(look.live, "active", frozenset())
-        for uid, card in self._canvas.graph.cards.items():
+        # Frames lie under all others.
+        every = self._canvas.graph.cards.items()
+        for uid, card in sorted(every, key=lambda one: getattr(one[1], "kind", "") != "frame"):
             kind = getattr(card, "kind", "")
+            if kind in ("note", "frame"):
+                _, color = self._canvas.graph.nodes[uid].view.ink(look)
+                painter.fillRect(QRectF(card.x, card.y, card.width, card.height), color)
+                continue
             color = look[kind] if kind in ("start", "part") else look["far"]
             if getattr(card, "no", None) in active:
                 color = look["live"]

@@ -9,10 +9,12 @@ from PySide6.QtCore import QItemSelection, QModelIndex, QSortFilterProxyModel, Q
 from PySide6.QtGui import QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QLineEdit, QListView, QVBoxLayout, QWidget
 
+from situ.document import drawing
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.rbd import Application, State
 from situ.document.spds import Spds
+from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, NUMBER, PLACE, RowDelegate
 from situ_studio.theme import Theme
@@ -46,6 +48,24 @@ class Row(Struct, frozen=True, kw_only=True):
             (MARKS, self.marks),
             (DETAIL, self.detail),
         )
+
+
+def drawn_rows(application: Application) -> list[Row]:
+    """Notes and frames, below the states."""
+    counts = dict.fromkeys(places.DRAWN, 0)
+    rows = []
+    for value in drawing.drawn(application):
+        kind = "note" if isinstance(value, drawing.Note) else "frame"
+        row = kinds.kind(kind)
+        rows.append(
+            Row(
+                place=(kind, str(counts[kind])),
+                name=words.drawn_words(value),
+                icon=(row.icon, str(row.tint)),
+            )
+        )
+        counts[kind] += 1
+    return rows
 
 
 class Outline(QWidget):
@@ -126,8 +146,8 @@ class Outline(QWidget):
             start = document.start_no
             if document.always is not None:
                 place = ("always",)
-                words = self.tr("In every state")
-                rows.append(Row(place=place, name=words, number="∞", marks=marks(place)))
+                said = self.tr("In every state")
+                rows.append(Row(place=place, name=said, number="∞", marks=marks(place)))
 
             def row(state: State) -> Row:
                 place = ("state", state.no)
@@ -142,15 +162,16 @@ class Outline(QWidget):
                 and not unmarked
                 and before.start_no == start
                 and len(before.states) == len(document.states)
-                and len(self._rows) == first + len(document.states)
+                and (before.always is None) == (document.always is None)
             ):
                 # Rows of states that are the very same stand as they are.
-                rows += self._rows[first:]
+                rows += self._rows[first : first + len(document.states)]
                 for index, same in enumerate(map(is_, before.states, document.states)):
                     if not same:
                         rows[first + index] = row(document.states[index])
             else:
                 rows += map(row, document.states)
+            rows += drawn_rows(document)
         elif isinstance(document, Spds):
             self.search.setPlaceholderText(self.tr("Find a module"))
             applications = {a.name for a in project.applications.values()}
