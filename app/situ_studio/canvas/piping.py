@@ -7,6 +7,7 @@ from then on only where something changed.
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -22,6 +23,8 @@ from situ_studio.canvas.style import Label
 
 SLICE = 0.008
 """Seconds of routing at a time, where there are very many pipes."""
+MOMENT = 0.003
+"""Seconds of an edit that go into new routes at once."""
 
 
 class Piping(QObject):
@@ -36,6 +39,11 @@ class Piping(QObject):
         self._said: dict[PipeId, tuple[str, bool, str]] = {}
         self._at: dict[str, set[PipeId]] = {}
         self._routing: Iterator[None] = iter(())
+        self._moved: dict[str, None] = {}
+        self._changing: Iterator[None] | None = None
+        self._changes = QTimer(self)
+        self._changes.setInterval(0)
+        self._changes.timeout.connect(self._change_slice)
         self._slices = QTimer(self)
         self._slices.setInterval(0)
         self._slices.timeout.connect(self._route_slice)
@@ -43,6 +51,8 @@ class Piping(QObject):
     def route(self, picture: Picture, few: int) -> None:
         """All pipes; at once where there are few."""
         self._picture = picture
+        self._moved, self._changing = {}, None
+        self._changes.stop()
         boxes, pipes = self._boxes(picture.cards), self._all_pipes()
         if len(picture.links) <= few:
             self._slices.stop()
@@ -54,14 +64,38 @@ class Piping(QObject):
             self._graph.look.unrouted = True
             self._slices.start()
 
-    def reroute(self, picture: Picture, moved: Iterable[str]) -> None:
-        """What changes when some cards are elsewhere, other or gone."""
+    def reroute(self, picture: Picture, moved: Iterable[str], few: int = 0) -> None:
+        """What changes when some cards are elsewhere, other or gone.
+
+        At once where there are few pipes; else what takes longer than a moment follows in slices.
+        """
         if self._slices.isActive():
             # What is being routed is out of date.
             self.route(picture, 0)
             return
         self._picture = picture
-        cards, links = set(moved), picture.links
+        self._moved.update(dict.fromkeys(moved))
+        self._change_slice(MOMENT if len(picture.links) > few else math.inf)
+        if self.is_changing():
+            self._changes.start()
+
+    def is_changing(self) -> bool:
+        return self._changing is not None or bool(self._moved)
+
+    def _change_slice(self, seconds: float = SLICE) -> None:
+        deadline = time.perf_counter() + seconds
+        while self.is_changing():
+            if self._changing is None:
+                self._changing = self._change(set(self._moved))
+                self._moved = {}
+            for _ in self._changing:
+                if time.perf_counter() > deadline:
+                    return
+            self._changing = None
+        self._changes.stop()
+
+    def _change(self, cards: set[str]) -> Iterator[None]:
+        picture, links = self._picture, self._picture.links
         boxes: dict[str, Box | None] = dict.fromkeys(cards)
         boxes.update(self._boxes({u: c for u in cards if (c := picture.cards.get(u))}))
         near = {id: links[id] for uid in cards for id in self._graph.links_at(uid)}
@@ -76,7 +110,7 @@ class Piping(QObject):
         )
         pipes.update(self._pipes(in_order))
         pipes.update(self._stubs(c for u in cards if (c := picture.cards.get(u))))
-        self._show(self._router.change(boxes, pipes))
+        self._show((yield from self._router.changing(boxes, pipes)))
 
     def draw(self, picture: Picture, id: PipeId) -> None:
         """A pipe that was folded is drawn from now on."""
@@ -85,7 +119,7 @@ class Piping(QObject):
 
     def is_routing(self) -> bool:
         """Whether routes are still being looked for."""
-        return self._slices.isActive()
+        return self._slices.isActive() or self.is_changing()
 
     def _all_pipes(self) -> list[Pipe]:
         pipes = self._pipes(self._picture.links.values())
@@ -179,7 +213,7 @@ class Piping(QObject):
         for id in ids:
             item = self._graph.pipe(id)
             route = self._router.routes.get(id)
-            if item is not None and route is not None:
+            if item is not None and route is not None and id in self._said:
                 item.set_route(route, *self._said[id])
 
     def _text_width(self, text: str) -> float:

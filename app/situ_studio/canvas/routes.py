@@ -7,7 +7,7 @@ pipe is ``ways.py``'s, its label's place ``labels.py``'s.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -110,6 +110,23 @@ class Router:
         the others stay as they are, and what is folded stays folded. Returns the
         ids whose route is another one.
         """
+        steps = self.changing(boxes, pipes)
+        while True:
+            try:
+                next(steps)
+            except StopIteration as done:
+                changed: set[PipeId] = done.value
+                return changed
+
+    def changing(
+        self, boxes: Mapping[str, Box | None], pipes: Mapping[PipeId, Pipe | None]
+    ) -> Generator[None, None, set[PipeId]]:
+        """The same, a pipe at a time; to be ended before anything else is asked for."""
+        pipes = {
+            id: pipe
+            for id, pipe in pipes.items()
+            if self._pipes.get(id) != pipe or (id in self.drawn and id in self._folded)
+        }
         touched = set(pipes)
         for name, box in boxes.items():
             self._ways.space.put(name, box)
@@ -150,8 +167,10 @@ class Router:
         for pipe in trunks:
             if pipe.id not in self._folded:
                 self._put(pipe, self._ways.find(pipe))
+                yield
         for pipe in trunks:
             self._finish_ways(pipe)
+        yield
         covered: set[PipeId] = set()
         for key in keys:
             for pipe in self._groups.get(key, ()):
@@ -163,6 +182,7 @@ class Router:
             self.routes[id] = replace(self.routes[id], label=None, room=0.0)
         for pipe in [*trunks, *(self._pipes[id] for id in sorted(covered))]:
             self._finish_label(pipe)
+            yield
         now = {p.id for key in keys for p in self._groups.get(key, ())} | covered
         return {id for id in now if before.get(id) != self.routes[id]}
 
