@@ -5,10 +5,21 @@
     <name>AddTest</name>
     <message>
         <source>Add a test</source>
-        <translation type="unfinished"></translation>
+        <translation>条件を加える</translation>
     </message>
     <message>
         <source>A test</source>
+        <translation>条件</translation>
+    </message>
+</context>
+<context>
+    <name>ApplicationCanvas</name>
+    <message>
+        <source>No state yet. Drag State from the palette to here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What follows? Select the state, drag the plus at its right edge to an empty place and choose. Or drag State from the palette to here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -16,2418 +27,2684 @@
     <name>Authority</name>
     <message>
         <source>nobody</source>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>shown</source>
-        <translation type="unfinished"></translation>
+        <translation>表示中</translation>
     </message>
 </context>
 <context>
     <name>BottomPanels</name>
     <message>
         <source>Fold the panel</source>
-        <translation type="unfinished"></translation>
+        <translation>パネルを畳む</translation>
     </message>
     <message>
         <source>Unfold the panel</source>
-        <translation type="unfinished"></translation>
+        <translation>パネルを広げる</translation>
     </message>
 </context>
 <context>
     <name>Breadcrumbs</name>
     <message>
         <source>Way into the part</source>
-        <translation type="unfinished"></translation>
+        <translation>部品までの道筋</translation>
     </message>
     <message>
         <source>Back to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に戻る</translation>
     </message>
 </context>
 <context>
     <name>Choice</name>
     <message>
         <source>{0} (missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}（ありません）</translation>
     </message>
 </context>
 <context>
     <name>Commands</name>
     <message>
         <source>New project</source>
-        <translation type="unfinished"></translation>
+        <translation>新しいプロジェクト</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名前</translation>
     </message>
     <message>
         <source>Where shall its folder be?</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダーを置く場所</translation>
     </message>
     <message>
         <source>Where shall the copy of the example be?</source>
-        <translation type="unfinished"></translation>
+        <translation>例のコピーを置く場所</translation>
+    </message>
+    <message>
+        <source>A timeout has no guard: give it no target, and guard the event timeout.</source>
+        <translation>時間切れには条件を付けられません。行き先をなくし、イベント timeout に条件を付けてください。</translation>
     </message>
     <message>
         <source>Situ Studio {0}
 Draw what a robot says, shows and does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Situ Studio {0}
+ロボットが話し、見せ、行うことを描きます。</translation>
     </message>
 </context>
 <context>
     <name>ConditionEditor</name>
     <message>
         <source>Add a test</source>
-        <translation type="unfinished"></translation>
+        <translation>条件を加える</translation>
     </message>
     <message>
         <source>Change a test</source>
-        <translation type="unfinished"></translation>
+        <translation>条件を変更</translation>
     </message>
     <message>
         <source>Remove a test</source>
-        <translation type="unfinished"></translation>
+        <translation>条件を削除</translation>
     </message>
     <message>
         <source>Remove a group</source>
-        <translation type="unfinished"></translation>
+        <translation>グループを削除</translation>
     </message>
     <message>
         <source>Change a group</source>
-        <translation type="unfinished"></translation>
+        <translation>グループを変更</translation>
     </message>
 </context>
 <context>
     <name>Dialogs</name>
     <message>
         <source>Open a project: the folder with situ.toml</source>
-        <translation type="unfinished"></translation>
+        <translation>プロジェクトを開く：situ.toml のあるフォルダー</translation>
     </message>
     <message>
         <source>Add a part</source>
-        <translation type="unfinished"></translation>
+        <translation>部品を加える</translation>
     </message>
     <message>
         <source>Choose a part, or type the name of a new one</source>
-        <translation type="unfinished"></translation>
+        <translation>部品を選ぶか、新しい部品の名前を入力してください</translation>
     </message>
     <message>
         <source>Save the changes to {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} への変更を保存しますか？</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Do not save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存しない</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Another program changed {0} since it was read here.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は読み込んだ後に別のプログラムで変更されました。</translation>
     </message>
     <message>
         <source>Which one shall stay?</source>
-        <translation type="unfinished"></translation>
+        <translation>どちらを残しますか？</translation>
     </message>
     <message>
         <source>Mine</source>
-        <translation type="unfinished"></translation>
+        <translation>自分の変更</translation>
     </message>
     <message>
         <source>The one on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>ディスク上のもの</translation>
     </message>
 </context>
 <context>
     <name>DiskSide</name>
     <message>
         <source>{0} has errors, and what they name is not shown. It can not be changed here until they are mended in a text editor; then it is read anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に誤りがあり、その部分は表示されません。テキストエディターで直すまでここでは変更できません。直ると読み直します。</translation>
     </message>
     <message>
         <source>Another program changed {0}, and it has errors now: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は別のプログラムで変更され、誤りがあります：{1}</translation>
     </message>
     <message>
         <source>Keep mine</source>
-        <translation type="unfinished"></translation>
+        <translation>自分の変更を残す</translation>
     </message>
     <message>
         <source>{0} was changed by another program: read anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は別のプログラムで変更されたので、読み直しました。</translation>
     </message>
     <message>
         <source>Another program changed {0}; you have changed it too.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は別のプログラムでも、ここでも変更されています。</translation>
     </message>
     <message>
         <source>Take the one on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>ディスク上のものを使う</translation>
     </message>
 </context>
 <context>
     <name>DocumentTabs</name>
     <message>
         <source>Open documents</source>
-        <translation type="unfinished"></translation>
+        <translation>開いている文書</translation>
     </message>
     <message>
         <source>Graph</source>
-        <translation type="unfinished"></translation>
+        <translation>グラフ</translation>
     </message>
     <message>
         <source>Outline</source>
-        <translation type="unfinished"></translation>
+        <translation>アウトライン</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>表示</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じる</translation>
     </message>
 </context>
 <context>
     <name>FindAnything</name>
     <message>
         <source>Find anything, run a command</source>
-        <translation type="unfinished"></translation>
+        <translation>検索、コマンドの実行</translation>
     </message>
     <message>
         <source>What to find or run</source>
-        <translation type="unfinished"></translation>
+        <translation>探すもの、実行するもの</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>見つかったもの</translation>
     </message>
     <message>
         <source>Nothing here has that in its name or text.</source>
-        <translation type="unfinished"></translation>
+        <translation>名前にも文章にも見つかりません。</translation>
+    </message>
+</context>
+<context>
+    <name>Finding</name>
+    <message>
+        <source>States, texts, events, tags</source>
+        <translation>状態、文章、イベント、タグ</translation>
+    </message>
+    <message>
+        <source>Find in the project</source>
+        <translation>プロジェクト内を検索</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>見つかったもの</translation>
+    </message>
+    <message>
+        <source>F3 goes from one to the next</source>
+        <translation>F3 で次へ</translation>
+    </message>
+    <message>
+        <source>Nothing in this project has that.</source>
+        <translation>このプロジェクトには見つかりません。</translation>
+    </message>
+    <message>
+        <source>{0} places, the first {1} are shown</source>
+        <translation>{0} か所（最初の {1} か所を表示）</translation>
+    </message>
+    <message>
+        <source>{0} places</source>
+        <translation>{0} か所</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 か所</translation>
+    </message>
+</context>
+<context>
+    <name>FindingSide</name>
+    <message>
+        <source>Find</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Usages of what?</source>
+        <translation>何の使用箇所を探しますか？</translation>
+    </message>
+    <message>
+        <source>Rename what?</source>
+        <translation>何の名前を変えますか？</translation>
+    </message>
+    <message>
+        <source>Rename everywhere</source>
+        <translation>すべての箇所で名前を変更</translation>
+    </message>
+    <message>
+        <source>Another name for the {0} {1}</source>
+        <translation>{0}「{1}」の新しい名前</translation>
+    </message>
+    <message>
+        <source>Rename {0} {1} to {2}</source>
+        <translation>{0}「{1}」を「{2}」に名前変更</translation>
+    </message>
+    <message>
+        <source>A document with errors mentions {0}: mend it first.</source>
+        <translation>誤りのある文書が {0} を使っています。先に直してください。</translation>
+    </message>
+    <message>
+        <source>{0} places follow.</source>
+        <translation>{0} か所も変わります。</translation>
+    </message>
+    <message>
+        <source>1 place follows.</source>
+        <translation>1 か所も変わります。</translation>
+    </message>
+    <message>
+        <source>Not here: {0}.</source>
+        <translation>ここでは変わりません：{0}</translation>
+    </message>
+    <message>
+        <source>Look at the patterns of clear too.</source>
+        <translation>「消す」のパターンも確かめてください。</translation>
     </message>
 </context>
 <context>
     <name>Follower</name>
     <message>
         <source>, same as the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>（ロボットと同じ）</translation>
     </message>
     <message>
         <source>, differs here</source>
-        <translation type="unfinished"></translation>
+        <translation>（ロボットと異なる）</translation>
     </message>
 </context>
 <context>
     <name>Form</name>
     <message>
         <source>nothing, it stays</source>
-        <translation type="unfinished"></translation>
+        <translation>なし（そのまま）</translation>
     </message>
     <message>
         <source>This can not be left empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>空にはできません。</translation>
     </message>
     <message>
         <source>Change timeout of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の時間切れを変更</translation>
     </message>
     <message>
         <source>{0} of {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} の{0}</translation>
     </message>
 </context>
 <context>
     <name>Frame</name>
     <message>
         <source>Situ Studio</source>
-        <translation type="unfinished"></translation>
+        <translation>Situ Studio</translation>
     </message>
     <message>
         <source>This project has no document that can be shown. The problems below say why.</source>
-        <translation type="unfinished"></translation>
+        <translation>表示できる文書がありません。理由は下の問題をご覧ください。</translation>
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>問題</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>プロジェクト</translation>
     </message>
     <message>
         <source>Outline</source>
-        <translation type="unfinished"></translation>
+        <translation>アウトライン</translation>
     </message>
     <message>
         <source>Palette</source>
-        <translation type="unfinished"></translation>
+        <translation>パレット</translation>
     </message>
     <message>
         <source>drag onto the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスへドラッグ</translation>
     </message>
     <message>
         <source>Find in the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>アウトライン内を検索</translation>
     </message>
     <message>
         <source>Inspector</source>
-        <translation type="unfinished"></translation>
+        <translation>インスペクター</translation>
     </message>
     <message>
         <source>Problems and more</source>
-        <translation type="unfinished"></translation>
+        <translation>問題など</translation>
     </message>
     <message>
         <source>Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>パネル</translation>
     </message>
     <message>
         <source>Toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールバー</translation>
     </message>
     <message>
         <source>Find anything, run a command</source>
-        <translation type="unfinished"></translation>
+        <translation>検索、コマンドの実行</translation>
     </message>
 </context>
 <context>
     <name>GroupBox</name>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>グループ</translation>
     </message>
     <message>
         <source>Remove this group</source>
-        <translation type="unfinished"></translation>
+        <translation>このグループを削除</translation>
     </message>
 </context>
 <context>
     <name>Inspector</name>
     <message>
         <source>Inspector</source>
-        <translation type="unfinished"></translation>
+        <translation>インスペクター</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>戻る</translation>
     </message>
     <message>
         <source>Nothing is selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>何も選ばれていません。</translation>
     </message>
     <message>
         <source>Select one of them to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>変更するには一つだけ選んでください。</translation>
     </message>
     <message>
         <source>{0} selected</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 個を選択中</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
         <source>Situ Studio</source>
-        <translation type="unfinished"></translation>
+        <translation>Situ Studio</translation>
     </message>
     <message>
         <source>{0} has errors: it can be read, not changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} には誤りがあります。見ることはできますが、変更はできません。</translation>
     </message>
     <message>
         <source>Undo: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻す：{0}</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻す</translation>
     </message>
     <message>
         <source>Redo: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>やり直す：{0}</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>やり直す</translation>
     </message>
     <message>
         <source>This has changed meanwhile: there is nothing to mend there now.</source>
-        <translation type="unfinished"></translation>
+        <translation>その間に変わったので、もう直すところはありません。</translation>
     </message>
     <message>
         <source>Outline</source>
-        <translation type="unfinished"></translation>
+        <translation>アウトライン</translation>
     </message>
     <message>
         <source>Modules</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュール</translation>
     </message>
     <message>
         <source>Nothing is selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>何も選ばれていません。</translation>
     </message>
     <message>
         <source>{0}{1} — Situ Studio</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}{1} — Situ Studio</translation>
     </message>
 </context>
 <context>
     <name>Number</name>
     <message>
         <source>Write a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>整数を入力してください。</translation>
     </message>
     <message>
         <source>Write a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>数を入力してください。</translation>
     </message>
     <message>
         <source>Write a number above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>0 より大きい数を入力してください。</translation>
     </message>
 </context>
 <context>
     <name>Outline</name>
     <message>
         <source>Find a state</source>
-        <translation type="unfinished"></translation>
+        <translation>状態を検索</translation>
     </message>
     <message>
         <source>Find in the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>アウトライン内を検索</translation>
     </message>
     <message>
         <source>Outline</source>
-        <translation type="unfinished"></translation>
+        <translation>アウトライン</translation>
     </message>
     <message>
         <source>In every state</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての状態</translation>
     </message>
     <message>
         <source>Find a module</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュールを検索</translation>
     </message>
     <message>
         <source>no module information</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュール情報なし</translation>
     </message>
     <message>
         <source>an application of this project</source>
-        <translation type="unfinished"></translation>
+        <translation>このプロジェクトのアプリケーション</translation>
     </message>
 </context>
 <context>
     <name>PairsEditor</name>
     <message>
         <source>Add a {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}を加える</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>削除</translation>
     </message>
     <message>
         <source>Change a {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}を変更</translation>
     </message>
     <message>
         <source>Remove a {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}を削除</translation>
     </message>
 </context>
 <context>
     <name>PartsSide</name>
     <message>
         <source>{0} is not in this project.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} はこのプロジェクトにありません。</translation>
     </message>
     <message>
         <source>Make a part</source>
-        <translation type="unfinished"></translation>
+        <translation>部品にする</translation>
     </message>
     <message>
         <source>Name of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>部品の名前</translation>
     </message>
     <message>
         <source>{0} has {1} states and {2} ways out: double-click it to look inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} には状態が {1} 個、出口が {2} 個あります。ダブルクリックすると中を見られます。</translation>
     </message>
     <message>
         <source>{0} runs this application: it can not be a part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} はこのアプリケーションを動かしているので、その部品にはできません。</translation>
     </message>
     <message>
         <source>{0} has errors: it can be read, not changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} には誤りがあります。見ることはできますが、変更はできません。</translation>
     </message>
 </context>
 <context>
     <name>PrioritiesEditor</name>
     <message>
         <source>Add a priority for {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の優先度を加える</translation>
     </message>
     <message>
         <source>Module</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュール</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>Priority</source>
-        <translation type="unfinished"></translation>
+        <translation>優先度</translation>
     </message>
     <message>
         <source>The higher wins; empty: taken away here.</source>
-        <translation type="unfinished"></translation>
+        <translation>大きいほうが優先。空にすると、ここでは取り上げます。</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>削除</translation>
     </message>
     <message>
         <source>taken over</source>
-        <translation type="unfinished"></translation>
+        <translation>引き継ぎ</translation>
     </message>
     <message>
         <source>Change the priority of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の優先度を変更</translation>
     </message>
     <message>
         <source>Remove the priority of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の優先度を削除</translation>
     </message>
 </context>
 <context>
     <name>Problems</name>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>問題</translation>
     </message>
     <message>
         <source>No problems.</source>
-        <translation type="unfinished"></translation>
+        <translation>問題はありません。</translation>
     </message>
     <message>
         <source>Ctrl+Enter: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Enter：{0}</translation>
     </message>
 </context>
 <context>
     <name>ProjectTree</name>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>プロジェクト</translation>
     </message>
     <message>
         <source>media</source>
-        <translation type="unfinished"></translation>
+        <translation>メディア</translation>
     </message>
     <message>
         <source>scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>シナリオ</translation>
     </message>
 </context>
 <context>
     <name>Recovery</name>
     <message>
         <source>There are changes to {0} of {1} that were not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} の {0} に、保存されなかった変更があります。</translation>
     </message>
     <message>
         <source>Bring them back</source>
-        <translation type="unfinished"></translation>
+        <translation>復元する</translation>
     </message>
     <message>
         <source>Forget them</source>
-        <translation type="unfinished"></translation>
+        <translation>破棄する</translation>
     </message>
     <message>
         <source>Bring back unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>保存されなかった変更を復元</translation>
     </message>
 </context>
 <context>
     <name>RobotSide</name>
     <message>
         <source>Blackboard</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラックボード</translation>
     </message>
     <message>
         <source>Authority</source>
-        <translation type="unfinished"></translation>
+        <translation>実行権</translation>
     </message>
     <message>
         <source>Trace</source>
-        <translation type="unfinished"></translation>
+        <translation>トレース</translation>
     </message>
     <message>
         <source>Connect to a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットに接続</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>アドレス</translation>
     </message>
 </context>
 <context>
     <name>RowWidget</name>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>削除</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>開く</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>上へ</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>下へ</translation>
     </message>
 </context>
 <context>
     <name>ScreenPreview</name>
     <message>
         <source>Picture of the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>画面の絵</translation>
     </message>
     <message>
         <source>keeps what was shown before</source>
-        <translation type="unfinished"></translation>
+        <translation>前の表示のまま</translation>
     </message>
 </context>
 <context>
     <name>SectionEditor</name>
     <message>
         <source>Open the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>画面を開く</translation>
     </message>
     <message>
         <source>Keep what was shown before</source>
-        <translation type="unfinished"></translation>
+        <translation>前の表示のままにする</translation>
     </message>
     <message>
         <source>Remove screen</source>
-        <translation type="unfinished"></translation>
+        <translation>画面を削除</translation>
     </message>
     <message>
         <source>Add a priority</source>
-        <translation type="unfinished"></translation>
+        <translation>優先度を加える</translation>
     </message>
     <message>
         <source>Add a {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}を加える</translation>
     </message>
     <message>
         <source>Add an event</source>
-        <translation type="unfinished"></translation>
+        <translation>イベントを加える</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>追加</translation>
     </message>
     <message>
         <source>Add {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}を追加</translation>
     </message>
     <message>
         <source>Remove {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}を削除</translation>
     </message>
     <message>
         <source>Move {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}を移動</translation>
     </message>
     <message>
         <source>Add screen</source>
-        <translation type="unfinished"></translation>
+        <translation>画面を追加</translation>
     </message>
 </context>
 <context>
     <name>Session</name>
     <message>
         <source>Take {0} from disk</source>
-        <translation type="unfinished"></translation>
+        <translation>ディスク上の {0} を使う</translation>
+    </message>
+</context>
+<context>
+    <name>Shortcuts</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>やりたいことを入力</translation>
+    </message>
+    <message>
+        <source>What to look for</source>
+        <translation>探すもの</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>操作</translation>
     </message>
 </context>
 <context>
     <name>Status</name>
     <message>
         <source>no robot</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットなし</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>エラー</translation>
     </message>
     <message>
         <source>errors</source>
-        <translation type="unfinished"></translation>
+        <translation>エラー</translation>
     </message>
     <message>
         <source>warning</source>
-        <translation type="unfinished"></translation>
+        <translation>警告</translation>
     </message>
     <message>
         <source>warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>警告</translation>
     </message>
     <message>
         <source>“In every state” selected</source>
-        <translation type="unfinished"></translation>
+        <translation>「すべての状態」を選択中</translation>
     </message>
     <message>
         <source>thing</source>
-        <translation type="unfinished"></translation>
+        <translation>件</translation>
     </message>
     <message>
         <source>priorities</source>
-        <translation type="unfinished"></translation>
+        <translation>優先度</translation>
     </message>
     <message>
         <source>{0} selected</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 個を選択中</translation>
     </message>
     <message>
         <source>state</source>
-        <translation type="unfinished"></translation>
+        <translation>状態</translation>
     </message>
     <message>
         <source>states</source>
-        <translation type="unfinished"></translation>
+        <translation>状態</translation>
     </message>
     <message>
         <source>transition</source>
-        <translation type="unfinished"></translation>
+        <translation>遷移</translation>
     </message>
     <message>
         <source>transitions</source>
-        <translation type="unfinished"></translation>
+        <translation>遷移</translation>
     </message>
     <message>
         <source>situation</source>
-        <translation type="unfinished"></translation>
+        <translation>状況</translation>
     </message>
     <message>
         <source>situations</source>
-        <translation type="unfinished"></translation>
+        <translation>状況</translation>
     </message>
     <message>
         <source>module</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュール</translation>
     </message>
     <message>
         <source>modules</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュール</translation>
     </message>
     <message>
         <source>resource</source>
-        <translation type="unfinished"></translation>
+        <translation>リソース</translation>
     </message>
     <message>
         <source>resources</source>
-        <translation type="unfinished"></translation>
+        <translation>リソース</translation>
     </message>
     <message>
         <source>{0} not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} が未保存</translation>
     </message>
     <message>
         <source>document</source>
-        <translation type="unfinished"></translation>
+        <translation>文書</translation>
     </message>
     <message>
         <source>documents</source>
-        <translation type="unfinished"></translation>
+        <translation>文書</translation>
     </message>
     <message>
         <source>Saved {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に保存</translation>
     </message>
     <message>
         <source>No changes</source>
-        <translation type="unfinished"></translation>
+        <translation>変更なし</translation>
     </message>
 </context>
 <context>
     <name>TestBox</name>
     <message>
         <source>Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>タグ</translation>
     </message>
     <message>
         <source>Remove this test</source>
-        <translation type="unfinished"></translation>
+        <translation>この条件を削除</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>比べ方</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>値</translation>
     </message>
     <message>
         <source>within</source>
-        <translation type="unfinished"></translation>
+        <translation>以内</translation>
     </message>
     <message>
         <source>The tag was set less than so many seconds ago.</source>
-        <translation type="unfinished"></translation>
+        <translation>タグに書き込まれてから、この秒数より経っていない。</translation>
     </message>
     <message>
         <source>for</source>
-        <translation type="unfinished"></translation>
+        <translation>継続</translation>
     </message>
     <message>
         <source>It has held without a break for so many seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>この秒数の間、途切れずに成り立っている。</translation>
     </message>
 </context>
 <context>
     <name>TimeoutRows</name>
     <message>
         <source>Timeout</source>
-        <translation type="unfinished"></translation>
+        <translation>時間切れ</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>After so many seconds without an event the state is left.</source>
-        <translation type="unfinished"></translation>
+        <translation>この秒数イベントがなければ、状態を離れます。</translation>
     </message>
     <message>
         <source>then to</source>
-        <translation type="unfinished"></translation>
+        <translation>行き先</translation>
     </message>
     <message>
         <source>The timeout leads to</source>
-        <translation type="unfinished"></translation>
+        <translation>時間切れの行き先</translation>
     </message>
     <message>
         <source>only when idle</source>
-        <translation type="unfinished"></translation>
+        <translation>操作のない間だけ</translation>
     </message>
     <message>
         <source>Counted anew after each touch and speech; still while the robot speaks.</source>
-        <translation type="unfinished"></translation>
+        <translation>触れるか話すたびに数え直します。ロボットが話している間は止まります。</translation>
     </message>
     <message>
         <source>raises the event timeout</source>
-        <translation type="unfinished"></translation>
+        <translation>イベント timeout を起こす</translation>
     </message>
     <message>
         <source>the same state, anew</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ状態をもう一度</translation>
     </message>
     <message>
         <source>back to where it came from</source>
-        <translation type="unfinished"></translation>
+        <translation>元の状態に戻る</translation>
     </message>
 </context>
 <context>
     <name>Twin</name>
     <message>
         <source>Outline of the document</source>
-        <translation type="unfinished"></translation>
+        <translation>文書のアウトライン</translation>
     </message>
     <message>
         <source>Delete {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を削除</translation>
     </message>
     <message>
         <source>Delete {0} things</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 件を削除</translation>
     </message>
     <message>
         <source>Move {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}を移動</translation>
     </message>
     <message>
         <source>Add state {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>状態 {0} を追加</translation>
     </message>
     <message>
         <source>This can not be left empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>空にはできません。</translation>
     </message>
 </context>
 <context>
     <name>TwinDelegate</name>
     <message>
         <source>nothing, it stays</source>
-        <translation type="unfinished"></translation>
+        <translation>なし（そのまま）</translation>
     </message>
     <message>
         <source>the same state, anew</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ状態をもう一度</translation>
     </message>
     <message>
         <source>back to where it came from</source>
-        <translation type="unfinished"></translation>
+        <translation>元の状態に戻る</translation>
     </message>
 </context>
 <context>
     <name>TwinModel</name>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状態</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名前</translation>
     </message>
     <message>
         <source>Leads to</source>
-        <translation type="unfinished"></translation>
+        <translation>行き先</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>内容</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>操作</translation>
     </message>
     <message>
         <source>Takes over</source>
-        <translation type="unfinished"></translation>
+        <translation>引き継ぐ</translation>
     </message>
     <message>
         <source>Resources</source>
-        <translation type="unfinished"></translation>
+        <translation>リソース</translation>
     </message>
 </context>
 <context>
     <name>Welcome</name>
     <message>
         <source>Welcome</source>
-        <translation type="unfinished"></translation>
+        <translation>ようこそ</translation>
     </message>
     <message>
         <source>Like the system</source>
-        <translation type="unfinished"></translation>
+        <translation>システムに合わせる</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>ライト</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>ダーク</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>配色</translation>
     </message>
     <message>
         <source>Welcome to Situ Studio</source>
-        <translation type="unfinished"></translation>
+        <translation>Situ Studio へようこそ</translation>
     </message>
     <message>
         <source>Draw what a robot says, shows and does, and watch it live.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが話し、見せ、行うことを描き、その動きを見守ります。</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>始める</translation>
     </message>
     <message>
         <source>New project</source>
-        <translation type="unfinished"></translation>
+        <translation>新しいプロジェクト</translation>
     </message>
     <message>
         <source>An empty one to start from</source>
-        <translation type="unfinished"></translation>
+        <translation>空の状態から始めます</translation>
     </message>
     <message>
         <source>Open a project</source>
-        <translation type="unfinished"></translation>
+        <translation>プロジェクトを開く</translation>
     </message>
     <message>
         <source>A folder with situ.toml</source>
-        <translation type="unfinished"></translation>
+        <translation>situ.toml のあるフォルダー</translation>
     </message>
     <message>
         <source>Connect to a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットに接続</translation>
     </message>
     <message>
         <source>By its address</source>
-        <translation type="unfinished"></translation>
+        <translation>アドレスを指定</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>最近のプロジェクト</translation>
     </message>
     <message>
         <source>Open an example</source>
-        <translation type="unfinished"></translation>
+        <translation>例を開く</translation>
     </message>
     <message>
         <source>a copy is made, so try anything</source>
-        <translation type="unfinished"></translation>
+        <translation>コピーが作られるので、自由に試せます</translation>
     </message>
     <message>
         <source>New from a template</source>
-        <translation type="unfinished"></translation>
+        <translation>ひな形から作る</translation>
     </message>
     <message>
         <source>Question and answers</source>
-        <translation type="unfinished"></translation>
+        <translation>質問と答え</translation>
     </message>
     <message>
         <source>Screens, a way home, a timeout</source>
-        <translation type="unfinished"></translation>
+        <translation>画面、最初への戻り道、時間切れ</translation>
     </message>
     <message>
         <source>Modules that share a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットを分け合うモジュール</translation>
     </message>
     <message>
         <source>Situations, priorities, a stop</source>
-        <translation type="unfinished"></translation>
+        <translation>状況、優先度、停止</translation>
     </message>
     <message>
         <source>Open a copy of the example {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>例 {0} のコピーを開く</translation>
     </message>
     <message>
         <source>Back to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に戻る</translation>
     </message>
     <message>
         <source>It is still open</source>
-        <translation type="unfinished"></translation>
+        <translation>まだ開いています</translation>
     </message>
     <message>
         <source>Projects that you open will be listed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>開いたプロジェクトがここに並びます。</translation>
     </message>
 </context>
 <context>
     <name>actions</name>
     <message>
         <source>A few words for those who draw; the robot does not see them.</source>
-        <translation type="unfinished"></translation>
+        <translation>描く人のための覚え書き。ロボットには見えません。</translation>
+    </message>
+    <message>
+        <source>A new transition of the selected state, or another target of the selected one.</source>
+        <translation>選んだ状態の新しい遷移、または選んだ遷移の別の行き先。</translation>
     </message>
     <message>
         <source>A program that moves the robot when it has the authority.</source>
-        <translation type="unfinished"></translation>
+        <translation>実行権を持つときにロボットを動かすプログラム。</translation>
     </message>
     <message>
         <source>A state that runs another application until that ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>別のアプリケーションを、終わるまで動かす状態。</translation>
     </message>
     <message>
         <source>A value on the blackboard that situations look at.</source>
-        <translation type="unfinished"></translation>
+        <translation>状況が見る、ブラックボード上の値。</translation>
     </message>
     <message>
         <source>About Situ Studio</source>
-        <translation type="unfinished"></translation>
+        <translation>Situ Studio について</translation>
     </message>
     <message>
         <source>Actual size</source>
-        <translation type="unfinished"></translation>
+        <translation>実際の大きさ</translation>
     </message>
     <message>
         <source>Add to</source>
-        <translation type="unfinished"></translation>
+        <translation>足す</translation>
     </message>
     <message>
         <source>Adds a number to the number at a tag; a missing one counts 0.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Align left edges</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Align upper edges</source>
-        <translation type="unfinished"></translation>
+        <translation>タグの数に数を足します。なければ 0 とみなします。</translation>
     </message>
     <message>
         <source>Append</source>
-        <translation type="unfinished"></translation>
+        <translation>末尾に加える</translation>
     </message>
     <message>
         <source>Arrange</source>
-        <translation type="unfinished"></translation>
+        <translation>配置</translation>
     </message>
     <message>
         <source>Arrange by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>自動配置</translation>
     </message>
     <message>
         <source>Asks a web service, a module or a file, and keeps the answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>ウェブサービス、モジュール、ファイルに尋ね、答えを保持します。</translation>
     </message>
     <message>
         <source>Back out of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>部品から出る</translation>
     </message>
     <message>
         <source>Button</source>
-        <translation type="unfinished"></translation>
+        <translation>ボタン</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>消す</translation>
     </message>
     <message>
         <source>Close tab</source>
-        <translation type="unfinished"></translation>
+        <translation>タブを閉じる</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>配色</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>接続</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>コピー</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切り取り</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>ダーク</translation>
     </message>
     <message>
         <source>Data</source>
-        <translation type="unfinished"></translation>
+        <translation>データ</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>削除</translation>
     </message>
     <message>
         <source>Deletes the tags that fit a pattern: user.** is everything below user.</source>
-        <translation type="unfinished"></translation>
+        <translation>パターンに合うタグを消します。user.** は user の下すべてです。</translation>
     </message>
     <message>
         <source>Disconnect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Distribute evenly</source>
-        <translation type="unfinished"></translation>
+        <translation>切断</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>複製</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>編集</translation>
     </message>
     <message>
         <source>Event</source>
-        <translation type="unfinished"></translation>
+        <translation>イベント</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル</translation>
     </message>
     <message>
         <source>Find anything, run a command…</source>
-        <translation type="unfinished"></translation>
+        <translation>検索、コマンドの実行…</translation>
     </message>
     <message>
-        <source>Find in the outline</source>
-        <translation type="unfinished"></translation>
+        <source>Adds the states that lead to the selected ones.</source>
+        <translation>選んだ状態へ向かう状態も選びます。</translation>
+    </message>
+    <message>
+        <source>Adds the states to which the selected ones lead.</source>
+        <translation>選んだ状態の行き先も選びます。</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>揃える</translation>
+    </message>
+    <message>
+        <source>An event, tag or module gets another name in every document of the project.</source>
+        <translation>イベント、タグ、モジュールの名前を、プロジェクトのすべての文書で変えます。</translation>
+    </message>
+    <message>
+        <source>Connect one after the other</source>
+        <translation>順につなぐ</translation>
+    </message>
+    <message>
+        <source>Document before</source>
+        <translation>前の文書</translation>
+    </message>
+    <message>
+        <source>Evenly one above the other</source>
+        <translation>縦に等間隔</translation>
+    </message>
+    <message>
+        <source>Evenly side by side</source>
+        <translation>横に等間隔</translation>
+    </message>
+    <message>
+        <source>Every place that mentions the selected event, tag, state, module or file.</source>
+        <translation>選んだイベント、タグ、状態、モジュール、ファイルを使うすべての箇所。</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Filter the outline</source>
+        <translation>アウトラインを絞り込む</translation>
+    </message>
+    <message>
+        <source>Find in the project…</source>
+        <translation>プロジェクト内を検索…</translation>
+    </message>
+    <message>
+        <source>Find usages…</source>
+        <translation>使用箇所を検索…</translation>
     </message>
     <message>
         <source>Follow a robot live.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットの動きをその場で見ます。</translation>
+    </message>
+    <message>
+        <source>Found before</source>
+        <translation>前の検索結果</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>枠</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>移動</translation>
     </message>
     <message>
         <source>Goes round states that belong together, and moves with them.</source>
-        <translation type="unfinished"></translation>
+        <translation>まとまりのある状態を囲み、一緒に動きます。</translation>
     </message>
     <message>
         <source>Graph</source>
-        <translation type="unfinished"></translation>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Guard</source>
+        <translation>条件</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>ヘルプ</translation>
     </message>
     <message>
         <source>Image</source>
-        <translation type="unfinished"></translation>
+        <translation>画像</translation>
     </message>
     <message>
         <source>Input</source>
-        <translation type="unfinished"></translation>
+        <translation>入力欄</translation>
     </message>
     <message>
         <source>Insert</source>
-        <translation type="unfinished"></translation>
+        <translation>挿入</translation>
     </message>
     <message>
         <source>Into the part</source>
-        <translation type="unfinished"></translation>
+        <translation>部品の中へ</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>キーボードショートカット</translation>
     </message>
     <message>
         <source>Launch</source>
-        <translation type="unfinished"></translation>
+        <translation>起動</translation>
+    </message>
+    <message>
+        <source>Lead to…</source>
+        <translation>行き先…</translation>
+    </message>
+    <message>
+        <source>Left edges</source>
+        <translation>左端</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>ライト</translation>
     </message>
     <message>
         <source>Like the system</source>
-        <translation type="unfinished"></translation>
+        <translation>システムに合わせる</translation>
     </message>
     <message>
         <source>List</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧</translation>
+    </message>
+    <message>
+        <source>Lower edges</source>
+        <translation>下端</translation>
     </message>
     <message>
         <source>Make a part…</source>
-        <translation type="unfinished"></translation>
+        <translation>部品にする…</translation>
     </message>
     <message>
         <source>Message</source>
-        <translation type="unfinished"></translation>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Middles, one above the other</source>
+        <translation>中央（縦並び）</translation>
+    </message>
+    <message>
+        <source>Middles, side by side</source>
+        <translation>中央（横並び）</translation>
     </message>
     <message>
         <source>Module</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュール</translation>
     </message>
     <message>
         <source>Moves every card to a place where the arrows are easy to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印をたどりやすい位置にすべてのカードを動かします。</translation>
     </message>
     <message>
         <source>Moves one entry of a list to a tag.</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧の一項目をタグに移します。</translation>
     </message>
     <message>
         <source>Movie</source>
-        <translation type="unfinished"></translation>
+        <translation>動画</translation>
     </message>
     <message>
         <source>New project…</source>
-        <translation type="unfinished"></translation>
+        <translation>新しいプロジェクト…</translation>
+    </message>
+    <message>
+        <source>Next document</source>
+        <translation>次の文書</translation>
+    </message>
+    <message>
+        <source>Next found</source>
+        <translation>次の検索結果</translation>
     </message>
     <message>
         <source>Next panel</source>
-        <translation type="unfinished"></translation>
+        <translation>次のパネル</translation>
+    </message>
+    <message>
+        <source>Next problem</source>
+        <translation>次の問題</translation>
+    </message>
+    <message>
+        <source>Next transition of the state</source>
+        <translation>状態の次の遷移</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>メモ</translation>
     </message>
     <message>
         <source>One test of a value on the blackboard; a situation holds while all of its tests do.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラックボード上の値を調べます。すべてが成り立つ間、状況は成り立ちます。</translation>
     </message>
     <message>
         <source>Open a project…</source>
-        <translation type="unfinished"></translation>
+        <translation>プロジェクトを開く…</translation>
     </message>
     <message>
         <source>Outline</source>
-        <translation type="unfinished"></translation>
+        <translation>アウトライン</translation>
     </message>
     <message>
         <source>Panel before</source>
-        <translation type="unfinished"></translation>
+        <translation>前のパネル</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>部品</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>貼り付け</translation>
     </message>
     <message>
         <source>Plays a sound of the media folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>メディアフォルダーの音を鳴らします。</translation>
+    </message>
+    <message>
+        <source>Problem before</source>
+        <translation>前の問題</translation>
+    </message>
+    <message>
+        <source>Put on the grid</source>
+        <translation>グリッドに揃える</translation>
     </message>
     <message>
         <source>Puts a value at the end of the list at a tag.</source>
-        <translation type="unfinished"></translation>
+        <translation>タグの一覧の末尾に値を加えます。</translation>
     </message>
     <message>
         <source>Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>終了</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>やり直す</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>名前の変更</translation>
+    </message>
+    <message>
+        <source>Rename everywhere…</source>
+        <translation>すべての箇所で名前を変更…</translation>
+    </message>
+    <message>
+        <source>Right edges</source>
+        <translation>右端</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボット</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存</translation>
     </message>
     <message>
-        <source>Select all</source>
-        <translation type="unfinished"></translation>
+        <source>Select</source>
+        <translation>選択</translation>
     </message>
     <message>
         <source>Sends a message to whoever listens to its topic.</source>
-        <translation type="unfinished"></translation>
+        <translation>トピックを聞いているものにメッセージを送ります。</translation>
     </message>
     <message>
         <source>Service</source>
-        <translation type="unfinished"></translation>
+        <translation>サービス</translation>
     </message>
     <message>
         <source>Set value</source>
-        <translation type="unfinished"></translation>
+        <translation>値の設定</translation>
     </message>
     <message>
         <source>Show everything</source>
-        <translation type="unfinished"></translation>
+        <translation>全体を表示</translation>
     </message>
     <message>
         <source>Show the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲を表示</translation>
     </message>
     <message>
         <source>Shows the application that the selected state runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>選んだ状態が動かすアプリケーションを表示します。</translation>
     </message>
     <message>
         <source>Situation</source>
-        <translation type="unfinished"></translation>
+        <translation>状況</translation>
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished"></translation>
+        <translation>音</translation>
     </message>
     <message>
         <source>Speech</source>
-        <translation type="unfinished"></translation>
+        <translation>発話</translation>
+    </message>
+    <message>
+        <source>Start here</source>
+        <translation>ここから始める</translation>
     </message>
     <message>
         <source>Starts a program that the robot allows.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが許すプログラムを起動します。</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>States, texts, events and tags in every document.</source>
+        <translation>すべての文書の状態、文章、イベント、タグ。</translation>
     </message>
     <message>
         <source>Take from</source>
-        <translation type="unfinished"></translation>
+        <translation>取り出す</translation>
     </message>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>文字</translation>
     </message>
     <message>
         <source>The robot moves: one of its resources gets a command.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが動きます。リソースの一つに指令を送ります。</translation>
     </message>
     <message>
         <source>The robot says something.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが話します。</translation>
+    </message>
+    <message>
+        <source>The selected cards, or all, to the nearest points of the grid.</source>
+        <translation>選んだカード（なければすべて）を最も近い格子点へ。</translation>
     </message>
     <message>
         <source>The selected states become an application of their own, which one state runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>選んだ状態を独立したアプリケーションにし、一つの状態がそれを動かします。</translation>
+    </message>
+    <message>
+        <source>The start</source>
+        <translation>開始状態</translation>
     </message>
     <message>
         <source>Timeout</source>
-        <translation type="unfinished"></translation>
+        <translation>時間切れ</translation>
+    </message>
+    <message>
+        <source>Transition before</source>
+        <translation>前の遷移</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Upper edges</source>
+        <translation>上端</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>表示</translation>
     </message>
     <message>
         <source>Welcome page</source>
-        <translation type="unfinished"></translation>
+        <translation>ようこそページ</translation>
+    </message>
+    <message>
+        <source>What can be done with the selection</source>
+        <translation>選んだものにできること</translation>
+    </message>
+    <message>
+        <source>What follows too</source>
+        <translation>後に続くものも</translation>
     </message>
     <message>
         <source>What happens when nothing happens.</source>
-        <translation type="unfinished"></translation>
+        <translation>何も起こらないときにどうなるか。</translation>
     </message>
     <message>
         <source>What is going on, and who may use the robot then.</source>
-        <translation type="unfinished"></translation>
+        <translation>何が起きているか、そのとき誰がロボットを使えるか。</translation>
     </message>
     <message>
         <source>What its developer says of a module.</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュールについての開発者の説明。</translation>
+    </message>
+    <message>
+        <source>What leads here too</source>
+        <translation>前にあるものも</translation>
     </message>
     <message>
         <source>What the robot shows, says and waits for.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが見せ、話し、待つもの。</translation>
     </message>
     <message>
         <source>What the state waits for, and where it leads.</source>
-        <translation type="unfinished"></translation>
+        <translation>状態が待つものと、その行き先。</translation>
+    </message>
+    <message>
+        <source>When the selected transition may be taken.</source>
+        <translation>選んだ遷移が起こってよい条件。</translation>
+    </message>
+    <message>
+        <source>Where it leads</source>
+        <translation>行き先</translation>
     </message>
     <message>
         <source>Writes a value on the blackboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラックボードに値を書き込みます。</translation>
     </message>
     <message>
         <source>Zoom in</source>
-        <translation type="unfinished"></translation>
+        <translation>拡大</translation>
     </message>
     <message>
         <source>Zoom out</source>
-        <translation type="unfinished"></translation>
+        <translation>縮小</translation>
+    </message>
+    <message>
+        <source>On the canvas</source>
+        <translation>キャンバス上</translation>
     </message>
 </context>
 <context>
     <name>fields</name>
     <message>
         <source>the same state, anew</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ状態をもう一度</translation>
     </message>
     <message>
         <source>back to where it came from</source>
-        <translation type="unfinished"></translation>
+        <translation>元の状態に戻る</translation>
     </message>
 </context>
 <context>
     <name>kinds</name>
     <message>
         <source>%</source>
-        <translation type="unfinished"></translation>
+        <translation>%</translation>
     </message>
     <message>
         <source>A few words for those who draw; the robot does not see them.</source>
-        <translation type="unfinished"></translation>
+        <translation>描く人のための覚え書き。ロボットには見えません。</translation>
     </message>
     <message>
         <source>A program that moves the robot when it has the authority.</source>
-        <translation type="unfinished"></translation>
+        <translation>実行権を持つときにロボットを動かすプログラム。</translation>
     </message>
     <message>
         <source>A state that runs another application until that ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>別のアプリケーションを、終わるまで動かす状態。</translation>
     </message>
     <message>
         <source>A state; nothing: the state stays, only the actions are done.</source>
-        <translation type="unfinished"></translation>
+        <translation>状態。なければそのままで、動作だけを行います。</translation>
     </message>
     <message>
         <source>A tag that a touch sets, if any.</source>
-        <translation type="unfinished"></translation>
+        <translation>タッチで書き込むタグ（あれば）。</translation>
     </message>
     <message>
         <source>A value on the blackboard that situations look at.</source>
-        <translation type="unfinished"></translation>
+        <translation>状況が見る、ブラックボード上の値。</translation>
     </message>
     <message>
         <source>Actions on entry</source>
-        <translation type="unfinished"></translation>
+        <translation>入ったときの動作</translation>
     </message>
     <message>
         <source>Actions on the way</source>
-        <translation type="unfinished"></translation>
+        <translation>移るときの動作</translation>
     </message>
     <message>
         <source>Add to</source>
-        <translation type="unfinished"></translation>
+        <translation>足す</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>アドレス</translation>
     </message>
     <message>
         <source>Adds a number to the number at a tag; a missing one counts 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>タグの数に数を足します。なければ 0 とみなします。</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>待ち時間</translation>
     </message>
     <message>
         <source>After so many seconds without an event the state is left.</source>
-        <translation type="unfinished"></translation>
+        <translation>この秒数イベントがなければ、状態を離れます。</translation>
     </message>
     <message>
         <source>Align</source>
-        <translation type="unfinished"></translation>
+        <translation>揃える</translation>
     </message>
     <message>
         <source>An image of the media folder, or a colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>メディアフォルダーの画像、または色。</translation>
     </message>
     <message>
         <source>Append</source>
-        <translation type="unfinished"></translation>
+        <translation>末尾に加える</translation>
     </message>
     <message>
         <source>Application</source>
-        <translation type="unfinished"></translation>
+        <translation>アプリケーション</translation>
     </message>
     <message>
         <source>As in every state</source>
-        <translation type="unfinished"></translation>
+        <translation>共通のものを使う</translation>
     </message>
     <message>
         <source>Asks a web service, a module or a file, and keeps the answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>ウェブサービス、モジュール、ファイルに尋ね、答えを保持します。</translation>
     </message>
     <message>
         <source>Background</source>
-        <translation type="unfinished"></translation>
+        <translation>背景</translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>青</translation>
     </message>
     <message>
         <source>Button</source>
-        <translation type="unfinished"></translation>
+        <translation>ボタン</translation>
     </message>
     <message>
         <source>Choice to</source>
-        <translation type="unfinished"></translation>
+        <translation>選択の書き込み先</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>消す</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>色</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>指令</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>Counted anew after each touch and speech; still while the robot speaks.</source>
-        <translation type="unfinished"></translation>
+        <translation>触れるか話すたびに数え直します。ロボットが話している間は止まります。</translation>
     </message>
     <message>
         <source>DELETE</source>
-        <translation type="unfinished"></translation>
+        <translation>DELETE</translation>
     </message>
     <message>
         <source>Data</source>
-        <translation type="unfinished"></translation>
+        <translation>データ</translation>
     </message>
     <message>
         <source>Deletes the tags that fit a pattern: user.** is everything below user.</source>
-        <translation type="unfinished"></translation>
+        <translation>パターンに合うタグを消します。user.** は user の下すべてです。</translation>
     </message>
     <message>
         <source>Does</source>
-        <translation type="unfinished"></translation>
+        <translation>動作</translation>
     </message>
     <message>
         <source>Each as</source>
-        <translation type="unfinished"></translation>
+        <translation>項目の見せ方</translation>
     </message>
     <message>
         <source>Empty: taken as soon as its condition holds.</source>
-        <translation type="unfinished"></translation>
+        <translation>空：条件が成り立つとすぐに起こります。</translation>
     </message>
     <message>
         <source>Ending</source>
-        <translation type="unfinished"></translation>
+        <translation>終わり方</translation>
     </message>
     <message>
         <source>Ends</source>
-        <translation type="unfinished"></translation>
+        <translation>終わり</translation>
     </message>
     <message>
         <source>Event</source>
-        <translation type="unfinished"></translation>
+        <translation>イベント</translation>
     </message>
     <message>
         <source>Expected events</source>
-        <translation type="unfinished"></translation>
+        <translation>待つイベント</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>塗り</translation>
     </message>
     <message>
         <source>For</source>
-        <translation type="unfinished"></translation>
+        <translation>継続</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>枠</translation>
     </message>
     <message>
         <source>From list</source>
-        <translation type="unfinished"></translation>
+        <translation>元の一覧</translation>
     </message>
     <message>
         <source>GET</source>
-        <translation type="unfinished"></translation>
+        <translation>GET</translation>
     </message>
     <message>
         <source>Goes round states that belong together, and moves with them.</source>
-        <translation type="unfinished"></translation>
+        <translation>まとまりのある状態を囲み、一緒に動きます。</translation>
     </message>
     <message>
         <source>Green</source>
-        <translation type="unfinished"></translation>
+        <translation>緑</translation>
     </message>
     <message>
         <source>Grey</source>
-        <translation type="unfinished"></translation>
+        <translation>灰</translation>
     </message>
     <message>
         <source>H</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Holds when</source>
-        <translation type="unfinished"></translation>
+        <translation>成り立つ条件</translation>
     </message>
     <message>
         <source>How an entry is shown: {item.name}, room {item.room}</source>
-        <translation type="unfinished"></translation>
+        <translation>項目の見せ方：{item.name}、{item.room} 号室</translation>
     </message>
     <message>
         <source>How traces and results call it.</source>
-        <translation type="unfinished"></translation>
+        <translation>トレースや結果での呼び名。</translation>
     </message>
     <message>
         <source>Id</source>
-        <translation type="unfinished"></translation>
+        <translation>ID</translation>
     </message>
     <message>
         <source>If it fails</source>
-        <translation type="unfinished"></translation>
+        <translation>失敗したら</translation>
     </message>
     <message>
         <source>Image</source>
-        <translation type="unfinished"></translation>
+        <translation>画像</translation>
     </message>
     <message>
         <source>In every state</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての状態</translation>
     </message>
     <message>
         <source>In words</source>
-        <translation type="unfinished"></translation>
+        <translation>言葉で</translation>
     </message>
     <message>
         <source>Input</source>
-        <translation type="unfinished"></translation>
+        <translation>入力欄</translation>
     </message>
     <message>
         <source>It has held without a break for so many seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>この秒数の間、途切れずに成り立っている。</translation>
     </message>
     <message>
         <source>It may end here</source>
-        <translation type="unfinished"></translation>
+        <translation>ここで終わってよい</translation>
     </message>
     <message>
         <source>It runs on when the state is left.</source>
-        <translation type="unfinished"></translation>
+        <translation>状態を離れても続きます。</translation>
     </message>
     <message>
         <source>Its name in traces and scenarios; unique on the screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>トレースとシナリオでの名前。画面の中で一つだけ。</translation>
     </message>
     <message>
         <source>Its name on the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットでの名前。</translation>
     </message>
     <message>
         <source>Keep running</source>
-        <translation type="unfinished"></translation>
+        <translation>続ける</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>言語</translation>
     </message>
     <message>
         <source>Launch</source>
-        <translation type="unfinished"></translation>
+        <translation>起動</translation>
     </message>
     <message>
         <source>Leads to</source>
-        <translation type="unfinished"></translation>
+        <translation>行き先</translation>
     </message>
     <message>
         <source>List</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧</translation>
     </message>
     <message>
         <source>Longest</source>
-        <translation type="unfinished"></translation>
+        <translation>最長</translation>
     </message>
     <message>
         <source>Looks</source>
-        <translation type="unfinished"></translation>
+        <translation>見た目</translation>
     </message>
     <message>
         <source>May be cut in</source>
-        <translation type="unfinished"></translation>
+        <translation>割り込み可</translation>
     </message>
     <message>
         <source>Message</source>
-        <translation type="unfinished"></translation>
+        <translation>メッセージ</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>メソッド</translation>
     </message>
     <message>
         <source>Module</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュール</translation>
     </message>
     <message>
         <source>Modules</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュール</translation>
     </message>
     <message>
         <source>More</source>
-        <translation type="unfinished"></translation>
+        <translation>その他</translation>
     </message>
     <message>
         <source>Moves one entry of a list to a tag.</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧の一項目をタグに移します。</translation>
     </message>
     <message>
         <source>Movie</source>
-        <translation type="unfinished"></translation>
+        <translation>動画</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名前</translation>
     </message>
     <message>
         <source>Name and value of each; {tag} stands for a value on the blackboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>それぞれの名前と値。{tag} はブラックボード上の値になります。</translation>
     </message>
     <message>
         <source>Needs</source>
-        <translation type="unfinished"></translation>
+        <translation>必要なもの</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>メモ</translation>
     </message>
     <message>
         <source>Nothing here: it always holds. The last situation must have nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>なし：いつも成り立ちます。最後の状況は空でなければなりません。</translation>
     </message>
     <message>
         <source>Nothing leads out of this state, and that is meant.</source>
-        <translation type="unfinished"></translation>
+        <translation>この状態から出る道がないのは、そのつもりです。</translation>
     </message>
     <message>
         <source>Nothing: it raises the event timeout, which can be expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>なし：イベント timeout を起こし、それを待てます。</translation>
     </message>
     <message>
         <source>Nothing: the first state.</source>
-        <translation type="unfinished"></translation>
+        <translation>なし：最初の状態。</translation>
     </message>
     <message>
         <source>Number</source>
-        <translation type="unfinished"></translation>
+        <translation>番号</translation>
     </message>
     <message>
         <source>Of exists: true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>「ある」の場合：true か false。</translation>
     </message>
     <message>
         <source>On the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>画面の上</translation>
     </message>
     <message>
         <source>On touch</source>
-        <translation type="unfinished"></translation>
+        <translation>タッチで</translation>
     </message>
     <message>
         <source>Once current it ends then at the latest.</source>
-        <translation type="unfinished"></translation>
+        <translation>この状況になると、遅くともこの時間で終わります。</translation>
     </message>
     <message>
         <source>Once current it holds at least so long.</source>
-        <translation type="unfinished"></translation>
+        <translation>この状況になると、少なくともこの時間は続きます。</translation>
     </message>
     <message>
         <source>Once current it holds until this does.</source>
-        <translation type="unfinished"></translation>
+        <translation>この状況になると、これが成り立つまで続きます。</translation>
     </message>
     <message>
         <source>One test of a value on the blackboard; a situation holds while all of its tests do.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラックボード上の値を調べます。すべてが成り立つ間、状況は成り立ちます。</translation>
     </message>
     <message>
         <source>Only if</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>Only when idle</source>
-        <translation type="unfinished"></translation>
+        <translation>操作のない間だけ</translation>
     </message>
     <message>
         <source>Optional</source>
-        <translation type="unfinished"></translation>
+        <translation>なくてもよいもの</translation>
     </message>
     <message>
         <source>PATCH</source>
-        <translation type="unfinished"></translation>
+        <translation>PATCH</translation>
     </message>
     <message>
         <source>POST</source>
-        <translation type="unfinished"></translation>
+        <translation>POST</translation>
     </message>
     <message>
         <source>PUT</source>
-        <translation type="unfinished"></translation>
+        <translation>PUT</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>部品</translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>パターン</translation>
     </message>
     <message>
         <source>People may answer while the robot still speaks.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが話している間でも答えられます。</translation>
     </message>
     <message>
         <source>Place and size</source>
-        <translation type="unfinished"></translation>
+        <translation>位置と大きさ</translation>
     </message>
     <message>
         <source>Plays a sound of the media folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>メディアフォルダーの音を鳴らします。</translation>
     </message>
     <message>
         <source>Plum</source>
-        <translation type="unfinished"></translation>
+        <translation>赤紫</translation>
     </message>
     <message>
         <source>Priorities</source>
-        <translation type="unfinished"></translation>
+        <translation>優先度</translation>
     </message>
     <message>
         <source>Priority</source>
-        <translation type="unfinished"></translation>
+        <translation>優先度</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>プログラム</translation>
     </message>
     <message>
         <source>Provides</source>
-        <translation type="unfinished"></translation>
+        <translation>提供するもの</translation>
     </message>
     <message>
         <source>Puts a value at the end of the list at a tag.</source>
-        <translation type="unfinished"></translation>
+        <translation>タグの一覧の末尾に値を加えます。</translation>
     </message>
     <message>
         <source>Resource</source>
-        <translation type="unfinished"></translation>
+        <translation>リソース</translation>
     </message>
     <message>
         <source>Resources</source>
-        <translation type="unfinished"></translation>
+        <translation>リソース</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>結果</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボット</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>動かすもの</translation>
     </message>
     <message>
         <source>Rust</source>
-        <translation type="unfinished"></translation>
+        <translation>赤茶</translation>
     </message>
     <message>
         <source>Said as</source>
-        <translation type="unfinished"></translation>
+        <translation>言い方</translation>
     </message>
     <message>
         <source>Say again</source>
-        <translation type="unfinished"></translation>
+        <translation>言い直す</translation>
     </message>
     <message>
         <source>Says</source>
-        <translation type="unfinished"></translation>
+        <translation>話すこと</translation>
     </message>
     <message>
         <source>Says the state&apos;s speech once more; only in an event that leads nowhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>状態の発話をもう一度言います。行き先のないイベントでだけ使えます。</translation>
     </message>
     <message>
         <source>Screen</source>
-        <translation type="unfinished"></translation>
+        <translation>画面</translation>
     </message>
     <message>
         <source>Script</source>
-        <translation type="unfinished"></translation>
+        <translation>スクリプト</translation>
     </message>
     <message>
         <source>Sends</source>
-        <translation type="unfinished"></translation>
+        <translation>送るもの</translation>
     </message>
     <message>
         <source>Sends a message to whoever listens to its topic.</source>
-        <translation type="unfinished"></translation>
+        <translation>トピックを聞いているものにメッセージを送ります。</translation>
     </message>
     <message>
         <source>Sent where there are no values.</source>
-        <translation type="unfinished"></translation>
+        <translation>送る値がないときに送られます。</translation>
     </message>
     <message>
         <source>Service</source>
-        <translation type="unfinished"></translation>
+        <translation>サービス</translation>
     </message>
     <message>
         <source>Set value</source>
-        <translation type="unfinished"></translation>
+        <translation>値の設定</translation>
     </message>
     <message>
         <source>Sets</source>
-        <translation type="unfinished"></translation>
+        <translation>書き込むもの</translation>
     </message>
     <message>
         <source>Shows</source>
-        <translation type="unfinished"></translation>
+        <translation>見せるもの</translation>
     </message>
     <message>
         <source>Situation</source>
-        <translation type="unfinished"></translation>
+        <translation>状況</translation>
     </message>
     <message>
         <source>Situations in their order, and the modules&apos; priorities in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>順に並んだ状況と、それぞれでのモジュールの優先度。</translation>
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished"></translation>
+        <translation>音</translation>
     </message>
     <message>
         <source>Speech</source>
-        <translation type="unfinished"></translation>
+        <translation>発話</translation>
     </message>
     <message>
         <source>Starts a program that the robot allows.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが許すプログラムを起動します。</translation>
     </message>
     <message>
         <source>Starts with</source>
-        <translation type="unfinished"></translation>
+        <translation>開始状態</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状態</translation>
     </message>
     <message>
         <source>States and what leads from one to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>状態と、次へ進むきっかけ。</translation>
     </message>
     <message>
         <source>Stays</source>
-        <translation type="unfinished"></translation>
+        <translation>最低継続</translation>
     </message>
     <message>
         <source>Such as deg or m.</source>
-        <translation type="unfinished"></translation>
+        <translation>deg や m など。</translation>
     </message>
     <message>
         <source>Such as en or ja; empty: the language that the tag language names.</source>
-        <translation type="unfinished"></translation>
+        <translation>en や ja など。空：タグ language の言語。</translation>
     </message>
     <message>
         <source>Such as nurse/call.</source>
-        <translation type="unfinished"></translation>
+        <translation>nurse/call など。</translation>
     </message>
     <message>
         <source>Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>タグ</translation>
     </message>
     <message>
         <source>Take from</source>
-        <translation type="unfinished"></translation>
+        <translation>取り出す</translation>
     </message>
     <message>
         <source>Takes over</source>
-        <translation type="unfinished"></translation>
+        <translation>引き継ぐ</translation>
     </message>
     <message>
         <source>Teal</source>
-        <translation type="unfinished"></translation>
+        <translation>青緑</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>比べ方</translation>
     </message>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>文字</translation>
     </message>
     <message>
         <source>Text size</source>
-        <translation type="unfinished"></translation>
+        <translation>文字の大きさ</translation>
     </message>
     <message>
         <source>Text, a number, true or false, a list as JSON; {tag} stands for a value.</source>
-        <translation type="unfinished"></translation>
+        <translation>文字列、数、true か false、JSON の一覧。{tag} は値になります。</translation>
     </message>
     <message>
         <source>The actions after this one start when it has ended, well or badly.</source>
-        <translation type="unfinished"></translation>
+        <translation>続く動作は、これが（成功でも失敗でも）終わってから始まります。</translation>
     </message>
     <message>
         <source>The application&apos;s file. Its ends are the events done.NUMBER, else done.</source>
-        <translation type="unfinished"></translation>
+        <translation>アプリケーションのファイル。終わりはイベント done.番号、または done。</translation>
     </message>
     <message>
         <source>The event at Enter, or when it is full.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter を押すか、いっぱいになったときのイベント。</translation>
     </message>
     <message>
         <source>The event is taken only while this holds.</source>
-        <translation type="unfinished"></translation>
+        <translation>これが成り立つ間だけイベントが起こります。</translation>
     </message>
     <message>
         <source>The event of a touch on no component.</source>
-        <translation type="unfinished"></translation>
+        <translation>何もないところへのタッチのイベント。</translation>
     </message>
     <message>
         <source>The event that a touch raises.</source>
-        <translation type="unfinished"></translation>
+        <translation>タッチで起こるイベント。</translation>
     </message>
     <message>
         <source>The event that is raised when it has ended badly.</source>
-        <translation type="unfinished"></translation>
+        <translation>失敗して終わったときに起こるイベント。</translation>
     </message>
     <message>
         <source>The event that is raised when it has ended well.</source>
-        <translation type="unfinished"></translation>
+        <translation>成功して終わったときに起こるイベント。</translation>
     </message>
     <message>
         <source>The higher wins; empty: taken away in this situation.</source>
-        <translation type="unfinished"></translation>
+        <translation>大きいほうが優先。空にすると、この状況では取り上げます。</translation>
     </message>
     <message>
         <source>The robot moves: one of its resources gets a command.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが動きます。リソースの一つに指令を送ります。</translation>
     </message>
     <message>
         <source>The robot says something.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが話します。</translation>
     </message>
     <message>
         <source>The situation whose priorities also count here.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここでも優先度を使う、もとの状況。</translation>
     </message>
     <message>
         <source>The state goes on without it where its resource is taken by another module.</source>
-        <translation type="unfinished"></translation>
+        <translation>リソースを別のモジュールが使っていれば、これなしで進みます。</translation>
     </message>
     <message>
         <source>The tag at which the list stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧のあるタグ。</translation>
     </message>
     <message>
         <source>The tag that gets the entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>項目を受け取るタグ。</translation>
     </message>
     <message>
         <source>The tag that gets what is typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>入力を受け取るタグ。</translation>
     </message>
     <message>
         <source>The tag was set less than so many seconds ago.</source>
-        <translation type="unfinished"></translation>
+        <translation>タグに書き込まれてから、この秒数より経っていない。</translation>
     </message>
     <message>
         <source>The text&apos;s height in percent of the screen&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>文字の高さ（画面の高さに対する %）。</translation>
     </message>
     <message>
         <source>The usual</source>
-        <translation type="unfinished"></translation>
+        <translation>いつもの</translation>
     </message>
     <message>
         <source>The value that the tag gets.</source>
-        <translation type="unfinished"></translation>
+        <translation>タグが受け取る値。</translation>
     </message>
     <message>
         <source>Timeout</source>
-        <translation type="unfinished"></translation>
+        <translation>時間切れ</translation>
     </message>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>題名</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>行き先</translation>
     </message>
     <message>
         <source>Topic</source>
-        <translation type="unfinished"></translation>
+        <translation>トピック</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>種類</translation>
     </message>
     <message>
         <source>Unique; transitions lead to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>重複しない番号。遷移の行き先になります。</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>単位</translation>
     </message>
     <message>
         <source>Until</source>
-        <translation type="unfinished"></translation>
+        <translation>終了条件</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>値</translation>
     </message>
     <message>
         <source>Values sent</source>
-        <translation type="unfinished"></translation>
+        <translation>送る値</translation>
     </message>
     <message>
         <source>Violet</source>
-        <translation type="unfinished"></translation>
+        <translation>紫</translation>
     </message>
     <message>
         <source>W</source>
-        <translation type="unfinished"></translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Wait for it</source>
-        <translation type="unfinished"></translation>
+        <translation>終わるまで待つ</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>操作</translation>
     </message>
     <message>
         <source>What happens when nothing happens.</source>
-        <translation type="unfinished"></translation>
+        <translation>何も起こらないときにどうなるか。</translation>
     </message>
     <message>
         <source>What is going on, and who may use the robot then.</source>
-        <translation type="unfinished"></translation>
+        <translation>何が起きているか、そのとき誰がロボットを使えるか。</translation>
     </message>
     <message>
         <source>What is part of every state.</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての状態に共通のもの。</translation>
     </message>
     <message>
         <source>What it may ask for, such as: head base</source>
-        <translation type="unfinished"></translation>
+        <translation>求めてよいもの（例：head base）</translation>
     </message>
     <message>
         <source>What its developer says of a module.</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュールについての開発者の説明。</translation>
     </message>
     <message>
         <source>What moves: base, head …</source>
-        <translation type="unfinished"></translation>
+        <translation>動くもの：base、head など</translation>
     </message>
     <message>
         <source>What people may say instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>代わりに人が言える言葉。</translation>
     </message>
     <message>
         <source>What the developers of the modules say of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>モジュールについての開発者の説明。</translation>
     </message>
     <message>
         <source>What the robot shows, says and waits for.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが見せ、話し、待つもの。</translation>
     </message>
     <message>
         <source>What the robot&apos;s adapter knows, such as goto.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットのアダプターが知る指令（goto など）。</translation>
     </message>
     <message>
         <source>What the state waits for, and where it leads.</source>
-        <translation type="unfinished"></translation>
+        <translation>状態が待つものと、その行き先。</translation>
     </message>
     <message>
         <source>What “In every state” adds is part of this one too.</source>
-        <translation type="unfinished"></translation>
+        <translation>「すべての状態」のものがここにも加わります。</translation>
     </message>
     <message>
         <source>When done</source>
-        <translation type="unfinished"></translation>
+        <translation>完了したら</translation>
     </message>
     <message>
         <source>Where the value stands on the blackboard, such as user.name.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラックボード上で値のある場所（user.name など）。</translation>
     </message>
     <message>
         <source>Which</source>
-        <translation type="unfinished"></translation>
+        <translation>どれを</translation>
     </message>
     <message>
         <source>Which part of the answer goes to which tag.</source>
-        <translation type="unfinished"></translation>
+        <translation>答えのどの部分をどのタグに書き込むか。</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Within</source>
-        <translation type="unfinished"></translation>
+        <translation>以内</translation>
     </message>
     <message>
         <source>Writes a value on the blackboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラックボードに値を書き込みます。</translation>
     </message>
     <message>
         <source>Writes to</source>
-        <translation type="unfinished"></translation>
+        <translation>書き込み先</translation>
     </message>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>黄</translation>
     </message>
     <message>
         <source>a PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>暗証番号</translation>
     </message>
     <message>
         <source>a date</source>
-        <translation type="unfinished"></translation>
+        <translation>日付</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>数</translation>
     </message>
     <message>
         <source>a random one</source>
-        <translation type="unfinished"></translation>
+        <translation>無作為に一つ</translation>
     </message>
     <message>
         <source>above</source>
-        <translation type="unfinished"></translation>
+        <translation>より大きい</translation>
     </message>
     <message>
         <source>all of these</source>
-        <translation type="unfinished"></translation>
+        <translation>すべて成り立つ</translation>
     </message>
     <message>
         <source>any of these</source>
-        <translation type="unfinished"></translation>
+        <translation>どれかが成り立つ</translation>
     </message>
     <message>
         <source>as set</source>
-        <translation type="unfinished"></translation>
+        <translation>設定のまま</translation>
     </message>
     <message>
         <source>at least</source>
-        <translation type="unfinished">以上</translation>
+        <translation>以上</translation>
     </message>
     <message>
         <source>at most</source>
-        <translation type="unfinished">以下</translation>
+        <translation>以下</translation>
     </message>
     <message>
         <source>back to front</source>
-        <translation type="unfinished"></translation>
+        <translation>奥から手前へ</translation>
     </message>
     <message>
         <source>below</source>
-        <translation type="unfinished"></translation>
+        <translation>より小さい</translation>
     </message>
     <message>
         <source>by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>自動</translation>
     </message>
     <message>
         <source>centre</source>
-        <translation type="unfinished"></translation>
+        <translation>中央</translation>
     </message>
     <message>
         <source>characters</source>
-        <translation type="unfinished"></translation>
+        <translation>文字</translation>
     </message>
     <message>
         <source>exists</source>
-        <translation type="unfinished"></translation>
+        <translation>ある</translation>
     </message>
     <message>
         <source>http://…, board:module/request, or media:file.json</source>
-        <translation type="unfinished"></translation>
+        <translation>http://…、board:モジュール/要求、media:ファイル.json</translation>
     </message>
     <message>
         <source>is</source>
-        <translation type="unfinished"></translation>
+        <translation>である</translation>
     </message>
     <message>
         <source>is not</source>
-        <translation type="unfinished">ではない</translation>
+        <translation>ではない</translation>
     </message>
     <message>
         <source>is one of</source>
-        <translation type="unfinished">のどれか</translation>
+        <translation>のどれか</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished"></translation>
+        <translation>左</translation>
     </message>
     <message>
         <source>list</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>none of these</source>
-        <translation type="unfinished"></translation>
+        <translation>どれも成り立たない</translation>
     </message>
     <message>
         <source>not said</source>
-        <translation type="unfinished"></translation>
+        <translation>指定なし</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished"></translation>
+        <translation>数</translation>
     </message>
     <message>
         <source>object</source>
-        <translation type="unfinished"></translation>
+        <translation>オブジェクト</translation>
     </message>
     <message>
         <source>plain</source>
-        <translation type="unfinished"></translation>
+        <translation>無地</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished"></translation>
+        <translation>右</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>秒</translation>
     </message>
     <message>
         <source>s at least</source>
-        <translation type="unfinished"></translation>
+        <translation>秒以上</translation>
     </message>
     <message>
         <source>s at most</source>
-        <translation type="unfinished"></translation>
+        <translation>秒以内</translation>
     </message>
     <message>
         <source>text</source>
-        <translation type="unfinished"></translation>
+        <translation>文字列</translation>
     </message>
     <message>
         <source>the first</source>
-        <translation type="unfinished"></translation>
+        <translation>最初</translation>
     </message>
     <message>
         <source>the first state</source>
-        <translation type="unfinished"></translation>
+        <translation>最初の状態</translation>
     </message>
     <message>
         <source>the first that fits</source>
-        <translation type="unfinished"></translation>
+        <translation>最初に合うもの</translation>
     </message>
     <message>
         <source>yes or no</source>
-        <translation type="unfinished"></translation>
+        <translation>はい／いいえ</translation>
     </message>
     <message>
         <source>{tag} stands for a value on the blackboard and follows its changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>{tag} はブラックボード上の値になり、変わると追従します。</translation>
     </message>
     <message>
         <source>{tag} stands for a value on the blackboard: Hello {user.name}</source>
-        <translation type="unfinished"></translation>
+        <translation>{tag} はブラックボード上の値になります：こんにちは、{user.name}さん</translation>
     </message>
 </context>
 <context>
