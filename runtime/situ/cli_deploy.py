@@ -99,7 +99,7 @@ def _deploy(args: argparse.Namespace) -> int:
             print(line)
         size = sum(map(len, files.values()))
         print(
-            f"{len(files)} file{'s' * (len(files) != 1)}, {size / 1e6:.1f} MB", flush=True
+            f"{len(files)} file{'s' * (len(files) != 1)}, {size / 1000:,.0f} kB", flush=True
         )
         begun = board.deploy(files, main, force_after=args.force_after)
         return _follow(board, begun, args.wait)

@@ -112,9 +112,11 @@ class Staging:
     def fill(self, project: Project) -> dict[str, Sent]:
         """Puts what else belongs to the project beside what has come; what that is."""
         found = {}
-        for path, data in deployable(project).items():
+        for path in deployable(project):
             if path in self.files:
                 continue
+            # As it lies there: nothing of it has changed.
+            data = Path(project.root, path).read_bytes()
             file = self.folder / path
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(data)
