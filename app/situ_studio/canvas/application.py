@@ -10,6 +10,7 @@ from PySide6.QtCore import QMimeData, QPointF, QRectF, Signal
 from PySide6.QtGui import QCursor, QGuiApplication, Qt
 from PySide6.QtWidgets import QWidget
 
+from situ.document.drawing import drawn
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places
@@ -74,8 +75,8 @@ class ApplicationCanvas(CommandedCanvas):
         # Cards without a place in the file keep the one that they get while they are shown.
         self._lay_out_new()
         self._picture = self._projector.picture(self.document, self._problems, self._laid)
-        drawn = self._figuring.show(self.document)
-        self._show({**self._picture.cards, **drawn}, self._picture.links)
+        beside = self._figuring.show(self.document)
+        self._show({**self._picture.cards, **beside}, self._picture.links)
 
     def _lay_out_new(self) -> None:
         values = dict(identified(self.document))
@@ -93,9 +94,9 @@ class ApplicationCanvas(CommandedCanvas):
         if moved is None:
             self._piping.route(self._picture, self.few)
         else:
-            drawn = self._figuring.shown
+            beside = self._figuring.shown
             self._piping.reroute(
-                self._picture, [uid for uid in moved if uid not in drawn], self.few
+                self._picture, [uid for uid in moved if uid not in beside], self.few
             )
 
     def _follow_cards(self) -> None:
@@ -313,38 +314,54 @@ class ApplicationCanvas(CommandedCanvas):
         self.select([place])
         self.rename()
 
+    def _advise(self) -> str:
+        if not self.document.states:
+            return self.tr("No state yet. Drag State from the palette to here.")
+        if len(self.document.states) == 1 and not self._picture.links:
+            return self.tr(
+                "What follows? Select the state, drag the plus at its right edge to an empty "
+                "place and choose. Or drag State from the palette to here."
+            )
+        return ""
+
     def _first(self) -> str | None:
         return self._picture.uids.get(("state", self.document.start_no or ""))
 
     def delete_selection(self) -> None:
         self._edit(*gestures.delete(self.document, self.selection()))
 
+    def _things(self) -> list[Place]:
+        """What can be copied of the selection: states, notes and frames."""
+        places = (self._face(uid).place for uid in self.selected_uids())
+        return [place for place in places if place != (ALWAYS,)]
+
     def duplicate(self) -> None:
-        numbers = self._numbers()
-        if numbers:
-            after, text, new = gestures.duplicate(self._pinned(), numbers)
-            self._edit(after, text)
-            self.select([("state", no) for no in new])
+        after, text, new = gestures.duplicate(self._pinned(), self._things())
+        self._edit(after, text)
+        if new:
+            self.select(new)
 
     def copy(self) -> None:
-        """The selected states to the clipboard, as XML that any text editor takes too."""
-        numbers = self._numbers()
-        if not numbers:
+        """The selected states, notes and frames to the clipboard, as XML that any text editor
+        takes too."""
+        chosen = self._things()
+        if not chosen:
             return
         from situ.document import codec
 
-        data = codec.write(gestures.fragment(self._pinned(), numbers))
+        data = codec.write(gestures.fragment(self._pinned(), chosen))
         mime = QMimeData()
         mime.setData(MIME, data)
         mime.setText(data.decode())
         QGuiApplication.clipboard().setMimeData(mime)
-        self.status.emit(f"{len(numbers)} states copied" if len(numbers) > 1 else "1 state copied")
+        one = chosen[0][0] if len({place[0] for place in chosen}) == 1 else "thing"
+        self.status.emit(f"{len(chosen)} {one}s copied" if len(chosen) > 1 else f"1 {one} copied")
 
     def cut(self) -> None:
-        numbers = self._numbers()
-        if numbers:
+        chosen = self._things()
+        if chosen:
             self.copy()
-            after, text = gestures.delete(self.document, [("state", no) for no in numbers])
+            after, text = gestures.delete(self.document, chosen)
             self._edit(after, text.replace("Delete", "Cut", 1))
 
     def paste(self) -> None:
@@ -354,7 +371,7 @@ class ApplicationCanvas(CommandedCanvas):
         from situ.document import codec
 
         copied, _ = codec.read(data, "clipboard") if data.strip() else (None, [])
-        if not isinstance(copied, Application) or not copied.states:
+        if not isinstance(copied, Application) or not (copied.states or drawn(copied)):
             self.status.emit("There are no states on the clipboard")
             return
         pointer = self.viewer.viewport().mapFromGlobal(QCursor.pos())
@@ -365,7 +382,7 @@ class ApplicationCanvas(CommandedCanvas):
             x, y = self.free_spot().toTuple()
         after, text, new = gestures.paste(self._pinned(), copied, x, y)
         self._edit(after, text)
-        self.select([("state", no) for no in new])
+        self.select(new)
 
     def align(self, edge: str) -> None:
         """edge: left, center, right, top, middle, bottom; or across, down: spaced evenly."""
@@ -445,8 +462,8 @@ class ApplicationCanvas(CommandedCanvas):
         root = place[:1] if place[:1] == (ALWAYS,) else place[:2]
         uid = self._picture.uids.get(root)
         if uid is None:
-            drawn = " ".join(place)
-            return (drawn, None) if drawn in self._figuring.shown else (None, None)
+            uid = " ".join(place)
+            return (uid, None) if uid in self._figuring.shown else (None, None)
         exit = exit_of(place)
         if exit is not None and self._picture.cards[uid].exit(exit) is None:
             exit = None

@@ -15,7 +15,7 @@ from situ_studio.canvas import accessible, spoken, walk
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.note_editor import NoteEditor
-from situ_studio.canvas.overlay import InPlace, MiniMap, ZoomBar, name_editor
+from situ_studio.canvas.overlay import Advice, InPlace, MiniMap, ZoomBar, name_editor
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.style import FULL, Look
 from situ_studio.canvas.viewer import Viewer
@@ -76,6 +76,8 @@ class Canvas(QWidget):
         self.zoom_bar.fitted.connect(self.zoom_to_fit)
         self.zoom_bar.set_theme(theme)
         self.minimap = MiniMap(self.viewer, self.look, self)
+        self.advice = Advice(self)
+        self.advice.set_theme(theme)
         self._moved_timer = QTimer(self)
         self._moved_timer.setSingleShot(True)
         self._moved_timer.setInterval(0)
@@ -121,6 +123,10 @@ class Canvas(QWidget):
     def delete_selection(self) -> None:
         raise NotImplementedError
 
+    def _advise(self) -> str:
+        """What to do first on a drawing that has next to nothing yet; "" on others."""
+        return ""
+
     # -- showing -----------------------------------------------------------------------
 
     def _show(self, cards: dict[str, Any], links: dict[tuple[str, ...], Any]) -> None:
@@ -147,6 +153,7 @@ class Canvas(QWidget):
         self._route(None if few else changed)
         self.minimap.redraw()
         self._show_minimap()
+        self.advice.say(self._advise())
         self._on_selection()
         if not self._fitted and cards and self.isVisible():
             self._fitted = True
@@ -162,6 +169,7 @@ class Canvas(QWidget):
         for node in self.graph.nodes.values():
             node.view.prepare()
         self.zoom_bar.set_theme(theme)
+        self.advice.set_theme(theme)
         self.viewer.viewport().update()
         self.minimap.redraw()
 
@@ -178,6 +186,7 @@ class Canvas(QWidget):
             self.width() - self.minimap.width() - 8, self.height() - self.minimap.height() - 8
         )
         self._show_minimap()
+        self.advice.place()
 
     def _show_minimap(self) -> None:
         """Where there is room, and something out of sight."""

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidget
 
 from situ_studio import icons
-from situ_studio.theme import LABEL, Theme, font
+from situ_studio.theme import BODY, LABEL, Theme, font
 
 if TYPE_CHECKING:
     from situ_studio.canvas.style import Look
@@ -75,6 +75,34 @@ class ZoomBar(QFrame):
         )
         for button, name in ((self._less, "minus"), (self._more, "plus"), (self._fit, "fit")):
             button.setIcon(icons.icon(name, theme.text2))
+
+
+class Advice(QLabel):
+    """What to do first, in words, at the lower edge of a canvas that has next to nothing yet."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setFont(font(BODY))
+        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setWordWrap(True)
+        # What lies under it is dropped on and pressed as if it were not there.
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.hide()
+
+    def set_theme(self, theme: Theme) -> None:
+        self.setStyleSheet(f"color: {theme.text2}; background: transparent;")
+
+    def say(self, text: str) -> None:
+        if text != self.text():
+            self.setText(text)
+            self.place()
+        self.setVisible(bool(text))
+
+    def place(self) -> None:
+        room = self.parentWidget().size()
+        wide = min(440, room.width() - 32)
+        high = self.heightForWidth(wide)
+        self.setGeometry((room.width() - wide) // 2, room.height() - high - 48, wide, high)
 
 
 class MiniMap(QWidget):

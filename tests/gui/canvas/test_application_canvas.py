@@ -615,6 +615,23 @@ def test_a_state_dropped_on_a_pipe_is_inserted(made: Any, check: Check) -> None:
     check(made)
 
 
+def test_a_drawing_with_next_to_nothing_says_what_to_do_first(desk: Make) -> None:
+    made = desk(Application(name="new"))
+    advice = made.canvas.advice
+    assert advice.isVisible()
+    assert "Drag State" in advice.text()
+    # What lies under the words is dropped on as if they were not there.
+    drop(made, "state", made.canvas.viewer.mapToScene(advice.geometry().center()))
+    assert made.edits == ["Add state 1"]
+    assert "drag the plus" in advice.text()
+    assert not advice.geometry().intersects(made.canvas.zoom_bar.geometry())
+    made.hand.drag(made.hand.exit("1", "new"), QPointF(200, 100))
+    QTest.keyClick(made.canvas.menu.field, Qt.Key.Key_Return)
+    made.hand.settle()
+    assert len(made.document.states) == 2
+    assert not advice.isVisible()
+
+
 def test_an_action_dropped_on_a_card_is_its(made: Any, check: Check) -> None:
     drop(made, "speech", made.hand.body("5"))
     assert isinstance(made.document.states[4].actions[0], Speech)
