@@ -15,12 +15,13 @@ from tests.rehearse.recorded_robot import LAB, Recorded, Replay, lines, recorder
 
 from situ.decide import inputs
 from situ.decide.step import SECOND
+from situ.document import deployed
 from situ.document.folder import sources
 from situ.engine import record
 from situ.engine.record import OneFile, RingFiles
 from situ.errors import UsageError
 from situ.rehearse import recorded
-from situ.rehearse.recorded import Taken
+from situ.rehearse.recorded import Document, Heading, Taken
 
 # -- what is recorded ----------------------------------------------------------------
 
@@ -148,6 +149,32 @@ def test_the_ring_is_divided_by_time_and_each_file_is_decided_alone(
     assert b"".join(map(lines, files)) == run.trace
     for file in files:
         assert recorded.again(recorded.read(file), "ring") is None
+
+
+def test_a_deploy_begins_the_next_file_of_the_ring_with_its_documents(tmp_path: Path) -> None:
+    run = Recorded(LAB, ring(tmp_path / "ring"))
+    run.at(1 * SECOND, inputs.Set({"watched.x": 1}, "nod"))
+    texts = sources(run.project)
+    texts["situ.toml"] += '\n[privacy]\nprivate = ["watched.**"]\n'
+    project, problems = deployed.read(texts)
+    assert project is not None
+    assert not [one for one in problems if one.severity == "error"]
+    # The engine tells it from inside of the step.
+    run.recorder.turn_to(project, 1, texts)
+    run.at(2 * SECOND, inputs.Deploy(1, texts, "operator:ann", 0.0))
+    assert run.robot.version == 1
+    run.at(3 * SECOND, inputs.Set({"watched.x": 2}, "nod"))
+    run.recorder.close()
+    first, second = map(recorded.read, RingFiles(tmp_path / "ring").found())
+    headings, documents = [], []
+    for file in RingFiles(tmp_path / "ring").found():
+        parts = list(recorded.read(file))
+        headings += [one for one in parts if isinstance(one, Heading)]
+        documents.append({p.path: p.data.decode() for p in parts if isinstance(p, Document)})
+    assert [(one.deployed, one.private) for one in headings] == [(0, ()), (1, ("watched.**",))]
+    assert documents == [sources(run.project), texts]
+    assert recorded.again(first, "first") is None
+    assert recorded.again(second, "second") is None
 
 
 def test_the_ring_is_bounded_in_files_and_bytes(

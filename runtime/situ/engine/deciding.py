@@ -243,7 +243,7 @@ class Deciding:
         if self._recovery is not None:
             self._recovery.turn_to(project)
         for recorder in self._recorders:
-            recorder.turn_to(project, texts)
+            recorder.turn_to(project, self._robot.version, texts)
         self._turned(project)
 
     def _make_core(self, project: Project, addresses: Addresses, seq: int) -> None:
@@ -404,7 +404,7 @@ class Deciding:
         if not self._recorders:
             return
         runtime = self._sessions.runtime if kept is None else kept.sessions.runtime
-        run = Run(runtime, project)
+        run = Run(runtime, project, self._robot.version)
         state = None if kept is None else kept.robot
         for recorder in self._recorders:
             recorder.begin(run, self._robot, self._wall(), state=state)

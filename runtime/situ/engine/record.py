@@ -57,10 +57,11 @@ class Snapshots(Protocol):
 
 
 class Run(Struct, frozen=True):
-    """What is recorded. project: as it runs."""
+    """What is recorded. project: as it runs; version: as which it was deployed."""
 
     runtime: str
     project: Project
+    version: int = 0
 
     def heading(self, documents: Iterable[str]) -> Heading:
         from situ.rehearse.recorded import Heading
@@ -73,6 +74,7 @@ class Run(Struct, frozen=True):
             main_file(documents),
             project.tags,
             project.private,
+            deployed=self.version,
         )
 
 
@@ -102,6 +104,7 @@ class Recorder:
         self._since = 0.0
         self._us = 0
         self._again = math.inf
+        self._divides = False
         self._wanted = False
 
     def begin(
@@ -113,10 +116,14 @@ class Recorder:
         self._waiting = [] if state is None else [("/snapshot", moment, state)]
         self._wanted = True
 
-    def turn_to(self, project: Project, documents: Mapping[str, str]) -> None:
-        """Another version runs: what is recorded into the next file begins with these."""
+    def turn_to(self, project: Project, version: int, documents: Mapping[str, str]) -> None:
+        """Another version runs, from the step on that is taken next: the next file begins with
+        these, and where there may be several it begins after that step, for what is private may
+        be another."""
         if self._run is not None:
-            self._next = replace(self._run, project=project), documents
+            if self._files.span < math.inf:
+                self._divides, self._flush_at = True, -math.inf
+            self._next = replace(self._run, project=project, version=version), documents
 
     def step(
         self, us: int, given: AnyInput | None, events: list[TraceEvent], moment: float
@@ -176,7 +183,8 @@ class Recorder:
         if self._file is None:
             return
         self._file.flush()
-        if now - self._since >= self._files.span or self._file.grown >= self._files.size:
+        old = now - self._since >= self._files.span
+        if old or self._divides or self._file.grown >= self._files.size:
             self._file.finish()
             self._file = None
             self._head()
@@ -184,6 +192,7 @@ class Recorder:
     def _head(self) -> None:
         """What the next file begins with: the robot as it is now, and what it runs."""
         self._state = self._robot.snapshot()
+        self._divides = False
         if self._next is not None:
             (self._run, self._documents), self._next = self._next, None
 
