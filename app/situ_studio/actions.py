@@ -12,6 +12,7 @@ from typing import Any, Literal
 from msgspec import Struct
 
 from situ_studio import kinds
+from situ_studio.language import LANGUAGES, SYSTEM
 
 
 class Command(Struct, frozen=True, kw_only=True):
@@ -78,6 +79,13 @@ _INSERT = tuple(
 
 COMMANDS: tuple[Command, ...] = (
     _c("new", "New project…", "new_project", icon="plus", shortcut="Ctrl+N", menu="File"),
+    _c(
+        "new_window",
+        "New window",
+        "new_window",
+        shortcut="Ctrl+Shift+N",
+        menu="File",
+    ),
     _c("open", "Open a project…", "open_project", icon="folder", shortcut="Ctrl+O", menu="File"),
     _c("welcome", "Welcome page", "show_welcome", menu="File"),
     _c(
@@ -485,6 +493,18 @@ COMMANDS: tuple[Command, ...] = (
         menu="View/Colours",
         choice="theme",
         checked="has_theme",
+    ),
+    *(
+        _c(
+            f"language.{code}",
+            name,
+            "choose_language",
+            argument=code,
+            menu="View/Language",
+            choice="language",
+            checked="has_language",
+        )
+        for code, name in ((SYSTEM, "Like the system"), *LANGUAGES.items())
     ),
     _c(
         "next_panel",

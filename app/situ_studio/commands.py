@@ -179,6 +179,10 @@ class Commands(QObject):
         view = self._window.current_view
         return view is not None and view.mode == mode
 
+    def has_language(self, choice: str) -> bool:
+        windows = self._window.windows
+        return windows is not None and windows.language == choice
+
     def has_theme(self, choice: str) -> bool:
         return self._window.theme_choice == choice
 
@@ -352,6 +356,14 @@ class Commands(QObject):
 
     def next_panel(self, way: int) -> None:
         self._window.next_panel(way)
+
+    def choose_language(self, choice: str) -> None:
+        if self._window.windows is not None:
+            self._window.windows.choose_language(choice)
+
+    def new_window(self) -> None:
+        if self._window.windows is not None:
+            self._window.windows.new_window()
 
     def choose_theme(self, choice: str) -> None:
         self._window.choose_theme(choice)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 
-from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QObject, QTranslator
 
 from situ.resources import resource
 from situ_studio.runtime_words import RuntimeWords, templates
@@ -48,7 +48,7 @@ def language_of(choice: str, wanted: list[str] | None = None) -> str:
     return "en"
 
 
-class Speaking:
+class Speaking(QObject):
     """What makes the application speak a language: the translators that are installed.
 
     One for the application; ``use`` says which language new texts are in. Whoever shows texts
@@ -56,6 +56,7 @@ class Speaking:
     """
 
     def __init__(self, application: QCoreApplication) -> None:
+        super().__init__(application)
         self._application = application
         self._translators: list[QTranslator] = []
         self.code = "en"

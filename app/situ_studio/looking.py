@@ -35,8 +35,8 @@ class FindingSide(QObject):
         self.panel.asked.connect(self._find)
         self.panel.chosen.connect(self._go)
         self.panel.left.connect(self._leave)
-        window.session.changed.connect(lambda _: self._again())
-        window.session.opened.connect(lambda: self.panel.field.clear())
+        window.session.changed.connect(self._again)
+        window.session.opened.connect(self.panel.field.clear)
 
     def set_theme(self, theme: object) -> None:
         self.panel.set_theme(theme)  # type: ignore[arg-type]

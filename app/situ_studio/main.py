@@ -22,11 +22,12 @@ from PySide6.QtWidgets import QApplication
 from situ.document import folder
 from situ.errors import SituError, UsageError
 from situ.resources import examples, resource
+from situ_studio.language import LANGUAGES, Speaking
 from situ_studio.panels.project_tree import stem
-from situ_studio.session import Session
 from situ_studio.theme import load_fonts
 from situ_studio.welcome import Example
 from situ_studio.window import MainWindow
+from situ_studio.windows import Windows
 
 _log = logging.getLogger("situ.studio")
 
@@ -65,24 +66,19 @@ def create_window(
     path: str | Path | None = None,
     settings: QSettings | None = None,
     theme: str | None = None,
+    language: str | None = None,
 ) -> MainWindow:
     """A window with the project at ``path`` open, or with the welcome page; not shown yet.
 
     settings: where geometry, theme and recent projects are kept; the user's own unless given.
-    theme: ``light``, ``dark`` or ``system``, in place of the one kept.
+    theme: ``light``, ``dark`` or ``system``, language: a code of ``LANGUAGES`` or ``system``, in
+    place of those kept.
     Raises UsageError, with one line, where ``path`` is no project that can be read.
     """
-    application()
-    window = MainWindow(
-        Session(), settings or QSettings(), shipped_examples, theme, path is not None
-    )
-    if path is not None:
-        try:
-            window.open_project(Path(path))
-        except SituError:
-            window.deleteLater()
-            raise
-    return window
+    qt = application()
+    speaking = qt.findChild(Speaking) or Speaking(qt)
+    windows = Windows(settings or QSettings(), speaking, shipped_examples, theme, language)
+    return windows.open_window(None if path is None else Path(path))
 
 
 def shipped_examples() -> list[Example]:
@@ -125,6 +121,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("--connect", metavar="ENDPOINT")
     made.add_argument("--at", type=float, default=0.0, metavar="SECONDS")
     made.add_argument("--theme", choices=("light", "dark"))
+    made.add_argument("--language", choices=tuple(LANGUAGES))
     made.add_argument("--log-level", choices=("debug", "info", "warning", "error"))
     return made
 
@@ -202,7 +199,7 @@ def choose_platform(picture: bool) -> None:
 def _window(options: argparse.Namespace, settings: QSettings) -> MainWindow:
     """The window that the command line asks for."""
     project = None if options.view == WELCOME else options.project
-    window = create_window(project, settings, options.theme)
+    window = create_window(project, settings, options.theme, options.language)
     if options.size is not None:
         window.resize(*options.size)
     if options.view is not None:

@@ -43,13 +43,18 @@ class PartsSide(QObject):
         tab = self._window.tabs.chosen_file
         return self._ways.get(tab, (tab,)) if tab is not None else ()
 
-    def _on_tab(self, file: str) -> None:
-        way = self._ways.get(file, (file,))
+    def way_of(self, tab: str) -> tuple[str, ...]:
+        """The files from that tab's own to the one that is shown in it."""
+        way = self._ways.get(tab, (tab,))
         while len(way) > 1 and self._session.document(way[-1]) is None:
             way = way[:-1]
-        self._show(way)
+        return way
 
-    def _show(self, way: tuple[str, ...]) -> None:
+    def _on_tab(self, file: str) -> None:
+        self.show_way(self.way_of(file))
+
+    def show_way(self, way: tuple[str, ...]) -> None:
+        """Shows the last file of a way, whose first one is that of the chosen tab."""
         self._ways[way[0]] = way
         self._window.show_file(way[-1])
         self._window.crumbs.show_way(tuple(stem(file) for file in way))
@@ -59,7 +64,7 @@ class PartsSide(QObject):
         way = self.way
         if file not in way:
             return False
-        self._show(way[: way.index(file) + 1])
+        self.show_way(way[: way.index(file) + 1])
         return True
 
     def forget(self, file: str) -> None:
@@ -86,7 +91,7 @@ class PartsSide(QObject):
             self._window.say(self.tr("{0} is not in this project.").format(flow))
             return
         if not self.reach(flow):
-            self._show((*self.way, flow))
+            self.show_way((*self.way, flow))
         self._focus()
 
     def can_leave(self) -> bool:
@@ -95,11 +100,11 @@ class PartsSide(QObject):
     def leave(self) -> None:
         """Shows the application around the part that is shown."""
         if self.can_leave():
-            self._show(self.way[:-1])
+            self.show_way(self.way[:-1])
             self._focus()
 
     def _on_asked(self, level: int) -> None:
-        self._show(self.way[: level + 1])
+        self.show_way(self.way[: level + 1])
         self._focus()
 
     def _focus(self) -> None:

@@ -26,10 +26,11 @@ USUAL = "tcp://127.0.0.1:5570"
 class RobotSide(QObject):
     """One window's link to a robot; ``link`` is there from the start, connected or not."""
 
-    def __init__(self, window: MainWindow) -> None:
+    def __init__(self, window: MainWindow, link: RobotLink | None = None) -> None:
         super().__init__(window)
         self._window = window
-        self.link = RobotLink(self)
+        self.link = link or RobotLink()
+        self.link.setParent(self)
         theme = window.theme
         self.blackboard, self.authority, self.trace = (
             Blackboard(theme),
@@ -41,8 +42,8 @@ class RobotSide(QObject):
             window.bottom.add(name, title, panel)
             window.bottom.set_shown(name, False)
         self.follower = Follower(self, self.link, self.blackboard, self.authority, self.trace, self)
-        self.link.state_changed.connect(self._on_state)
-        window.session.changed.connect(lambda _: self.follower.compare())
+        self.link.state_changed.connect(self.settle)
+        window.session.changed.connect(self._on_changed)
         window.session.opened.connect(self.follower.compare)
 
     @property
@@ -95,7 +96,11 @@ class RobotSide(QObject):
         icon = "unlink" if kind in ("none", "refused") else "link"
         self._window.status.show_link(icon, words, live)
 
-    def _on_state(self) -> None:
+    def _on_changed(self, _: str) -> None:
+        self.follower.compare()
+
+    def settle(self) -> None:
+        """The robot's panels are there while there is a link."""
         for name in PANELS:
             self._window.bottom.set_shown(name, self.connected)
         self._window.actions_.refresh()

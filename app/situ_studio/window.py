@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QSettings, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -24,6 +24,7 @@ from situ_studio.disk import DiskSide
 from situ_studio.document_view import DocumentView
 from situ_studio.edit import Document, Place
 from situ_studio.frame import Frame
+from situ_studio.live.link import RobotLink
 from situ_studio.looking import FindingSide
 from situ_studio.menus import Actions
 from situ_studio.panels.fields import Line, Paragraph
@@ -36,6 +37,9 @@ from situ_studio.theme import Theme
 from situ_studio.vocabulary import Lexicon
 from situ_studio.welcome import Example
 
+if TYPE_CHECKING:
+    from situ_studio.windows import Windows
+
 RECENT = 8
 
 
@@ -43,8 +47,12 @@ class MainWindow(Frame):
     """One window with one session.
 
     settings: where it was and what it showed; examples: what the welcome page offers;
-    opening: a project is opened at once, before anything is seen.
+    opening: a project is opened at once, before anything is seen. link: to a robot, taken over
+    from the window before.
     """
+
+    closed = Signal(object)
+    """The window itself, once nothing in it is left to save."""
 
     def __init__(
         self,
@@ -53,8 +61,10 @@ class MainWindow(Frame):
         examples: Callable[[], list[Example]],
         theme: str | None = None,
         opening: bool = False,
+        link: RobotLink | None = None,
     ) -> None:
         super().__init__(settings, theme)
+        self.windows: Windows | None = None
         self.session = session
         session.setParent(self)
         self._list_examples = examples
@@ -67,7 +77,7 @@ class MainWindow(Frame):
         home = Path(settings.fileName()).parent / "recovery"
         self.recovery = Recovery(session, home, self.recovered)
         self.commands = Commands(self)
-        self.robot = RobotSide(self)
+        self.robot = RobotSide(self, link)
         self.disk = DiskSide(self)
         self.parts = PartsSide(self)
         self.finding = FindingSide(self)
@@ -153,6 +163,16 @@ class MainWindow(Frame):
         shown_view = self.current_view
         if shown_view is not None:
             shown_view.current_view().setFocus()
+
+    def take_over(self) -> None:
+        """Shows a session that was open in a window before this one."""
+        if self.session.project is not None:
+            self._on_opened()
+            self._on_problems()
+        self._on_stack()
+        self.recovery.keep()
+        self.robot.follower.compare()
+        self.robot.settle()
 
     def _add_tab(self, file: str) -> None:
         document = self.session.document(file)
@@ -280,7 +300,13 @@ class MainWindow(Frame):
         view, document = self.current_view, self.current_document
         if view is None or document is None:
             return
-        chosen = (places.nearest(document, place),) if place else ()
+        self.select_all((places.nearest(document, place),) if place else ())
+
+    def select_all(self, chosen: tuple[Place, ...]) -> None:
+        """Selects places of the current document, which are there."""
+        view = self.current_view
+        if view is None:
+            return
         view.select(chosen)
         view.selected = chosen
         self._settle_selection()
@@ -548,6 +574,7 @@ class MainWindow(Frame):
         self.recovery.forget()
         self.disconnect_robot()
         super().closeEvent(event)
+        self.closed.emit(self)
 
     # -- the robot -------------------------------------------------------------------------------
 

@@ -14,6 +14,7 @@ from situ import system_libraries
 from situ.errors import UsageError
 
 THEMES = ("light", "dark")
+LANGUAGES = ("en", "ja")
 
 
 def add(commands: Any) -> None:
@@ -44,6 +45,9 @@ def add(commands: Any) -> None:
         help="with --connect: the picture waits until the robot's time has come so far",
     )
     studio.add_argument("--theme", choices=THEMES, help="the colours; the desktop's unless given")
+    studio.add_argument(
+        "--language", choices=LANGUAGES, help="of the window; the desktop's unless given"
+    )
     studio.set_defaults(run=run)
 
 
@@ -61,7 +65,7 @@ def command(arguments: argparse.Namespace) -> list[str]:
     line = [sys.executable, "-m", "situ_studio"]
     if arguments.project is not None:
         line.append(arguments.project)
-    for name in ("screenshot", "size", "view", "connect", "at", "theme", "log-level"):
+    for name in ("screenshot", "size", "view", "connect", "at", "theme", "language", "log-level"):
         value = getattr(arguments, name.replace("-", "_"), None)
         if value is not None:
             line += [f"--{name}", value]
