@@ -27,7 +27,7 @@ Make = Callable[..., Any]
 Check = Callable[[Any], None]
 FRAME = Frame(x=-24, y=184, width=480, height=240, title="Nobody")
 """Round states 4 and 5 of ``small``."""
-NOTE = Note(x=480, y=300, width=160, height=80, text="From the pilot study")
+NOTE = Note(x=480, y=304, width=160, height=80, text="From the pilot study")
 
 
 @pytest.fixture
@@ -322,3 +322,34 @@ def _key(key: Qt.Key, held: Qt.KeyboardModifier = NONE) -> Any:
     from PySide6.QtGui import QKeyEvent
 
     return QKeyEvent(QEvent.Type.KeyPress, key, held)
+
+
+def test_notes_and_frames_are_copied_with_states_and_pasted_as_they_lay(
+    made: Any, check: Check
+) -> None:
+    canvas = made.canvas
+    canvas.select([("state", "4"), ("note", "0"), ("frame", "0")])
+    canvas.copy()
+    made.hand.click(QPointF(900, 600))
+    canvas.paste()
+    assert made.edits == ["Paste 3 things"]
+    _, _, frame, note = values(made)
+    state = made.document.states[-1]
+    assert (frame.title, note.text) == (FRAME.title, NOTE.text)
+    assert (note.x - frame.x, note.y - frame.y) == (NOTE.x - FRAME.x, NOTE.y - FRAME.y)
+    x, y = state.aside.position
+    assert (x - frame.x, y - frame.y) == (0 - FRAME.x, 228 - FRAME.y)
+    assert canvas.selection() == (("state", state.no), ("frame", "1"), ("note", "1"))
+    check(made)
+
+
+def test_a_note_alone_is_duplicated_and_cut(made: Any, check: Check) -> None:
+    made.hand.click(ON_NOTE)
+    made.canvas.duplicate()
+    assert made.edits == ["Duplicate a note"]
+    assert values(made)[2] == replace(NOTE, x=NOTE.x + 32, y=NOTE.y + 32)
+    assert made.canvas.selection() == (("note", "1"),)
+    made.canvas.cut()
+    assert values(made) == (FRAME, NOTE)
+    assert made.edits[-1] == "Cut a note"
+    check(made)
