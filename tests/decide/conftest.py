@@ -171,6 +171,7 @@ _TOLD: dict[str, Callable[[Event], str]] = {
     "cancelled": lambda e: f"{e['application']} {e['action']} {_dash(e['name'])}",
     "suspend": lambda e: f"{e['application']} {_set(e['missing'])}",
     "resume": lambda e: f"{e['application']} {_set(e['missing'])}",
+    "deployed": lambda e: f"v{e['version']} {_set(e['files'])} {e['writer']}",
     "warning": lambda e: e["message"],
     "error": lambda e: e["message"],
 }

@@ -113,8 +113,6 @@ class Deploying:
         """What runs now and what waits for what."""
         state = self.state
         pending, former = state.pending, state.former
-        if former is not None and self._step.now >= state.until:
-            former = None
         return Deployment(
             version=state.running.number,
             pending=None if pending is None else pending.version.number,
@@ -167,18 +165,20 @@ class Deploying:
 
     def look(self) -> bool:
         """The end of a step: a version that waits for nothing any longer is to take over next;
-        one that has failed goes back, which is the answer.
+        one that has failed has gone back, which is the answer.
         """
         state, step = self.state, self._step
+        goes_back = False
         if state.former is not None:
+            failed = self._failure()
             if step.now >= state.until:
                 state.former = None
-            elif (failed := self._failure()) is not None:
+            elif failed is not None:
                 self._go_back(failed)
-                return True
-        if state.pending is not None and not self._waits():
+                goes_back = True
+        if state.pending is not None and (goes_back or not self._waits()):
             step.at(step.now, DEPLOY, "deploy:", state.pending.token)
-        return False
+        return goes_back
 
     # ------------------------------------------------------------------------
 

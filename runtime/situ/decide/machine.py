@@ -440,6 +440,8 @@ class Machine:
         missing = self.missing()
         if missing and not state.suspended:
             self._suspend(missing, cause if asked is None else asked)
+        elif asked is not None and not missing:
+            state.granted = asked
         self._publish(cause)
         if not state.begun:
             return

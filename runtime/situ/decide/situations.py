@@ -154,9 +154,8 @@ class Situations:
         self.state.stale |= {moved[n]: told for n, told in old.state.stale.items() if n in moved}
         self.state.untils |= {moved[n]: told for n, told in old.state.untils.items() if n in moved}
         at = old.state.current
-        if at is not None:
-            self.state.current = moved.get(at)
-            self._gone = None if at in moved else old._sources[at].name
+        self.state.current = None if at is None else moved.get(at)
+        self._gone = None if at is None or at in moved else old._sources[at].name
         for number, seen in enumerate(self.state.observations):
             seen.listed = self._holds(number)
             if seen.listed:
