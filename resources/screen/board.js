@@ -56,6 +56,7 @@ export class Board {
   #delay = FIRST_WAIT;
   #again = 0;
   #echo = null;
+  #masked = ""; // begins the topics where private values are hidden from us
 
   constructor(user, patterns, on) {
     this.user = user;
@@ -125,8 +126,9 @@ export class Board {
     }
     // From here on requests keep the lease.
     this.#beat = setInterval(() => this.#live(), BEAT);
+    this.#masked = welcome.masked ? "masked:" : "";
     for (const pattern of this.patterns) {
-      this.#socket.send(`+t:${pattern.includes("*") ? pattern.replace(/\.?\*.*$/, "") : `${pattern}\n`}`);
+      this.#socket.send(`+${this.#masked}t:${pattern.includes("*") ? pattern.replace(/\.?\*.*$/, "") : `${pattern}\n`}`);
     }
     // The first echo says that the connection stands, the second that all is heard.
     await this.#hears();
@@ -191,7 +193,7 @@ export class Board {
       this.#socket.send(`-${topic}\n`);
       this.#echo.resolve();
       this.#echo = null;
-    } else if (topic.startsWith("t:")) {
+    } else if (topic.startsWith(`${this.#masked}t:`)) {
       const change = JSON.parse(data.slice(at + 1));
       if (this.#enters(change.tag, change)) this.#heard += 1;
     }

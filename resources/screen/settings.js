@@ -35,7 +35,7 @@ const cards = new Map(); // tag -> card
 const visit = new Visit({
   words: WORDS,
   user: "settings",
-  begin(settings) {
+  begin({ settings }) {
     cards.clear();
     for (const [number, form] of settings.entries()) cards.set(form.tag, card(form, number));
     document.getElementById("settings").replaceChildren(...[...cards.values()].map((one) => one.node));

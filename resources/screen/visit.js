@@ -24,7 +24,7 @@ const LANGUAGE = "language";
 const node = (name) => document.getElementById(name);
 
 // words: the page's own, by language, with its title. user: who writes, where there are no keys.
-// begin(settings) gives the patterns to watch; entry(tag, entry): what stands there now;
+// begin({settings, data, states}) gives the patterns to watch; entry(tag, entry): what stands there now;
 // speak(): the language is another one; show(): so is what may be done; empty(): a word for a
 // page with nothing on it, or null.
 export class Visit {
@@ -74,7 +74,7 @@ export class Visit {
     node("enter").hidden = this.#known;
     node("leave").hidden = !this.#known || !token();
     this.connected = null;
-    const patterns = this.page.begin(told?.settings ?? []);
+    const patterns = this.page.begin(told ?? { settings: [], data: [], states: {} });
     this.#speak(this.#language);
     if (!this.#known) {
       node("token").focus();

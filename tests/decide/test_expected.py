@@ -85,3 +85,15 @@ def test_who_is_paused_by_the_debugger_is_told_so(build: Any) -> None:
     robot = begun(build)
     robot.step(Pause("operator:ann"), 1)
     assert robot.expected()["app"].paused
+
+
+def test_what_the_state_says_is_told_filled_in_and_translated(build: Any) -> None:
+    state = (
+        '<state no="1"><backgroundactions><speech>Hello {user.name}</speech><set tag="x">1</set>'
+        '<speech lang="ja">Hello {user.name}</speech><speech>Hello {user.name}</speech>'
+        "</backgroundactions></state>"
+    )
+    robot = Robot(build(state, texts={"ja": {"Hello {user.name}": "{user.name}さん"}}))
+    robot.step(Start(), 0)
+    robot.step(Set({"user.name": "Ann"}, "ann"), 1)
+    assert robot.expected()["app"].speeches == ("Hello Ann", "Annさん")

@@ -51,7 +51,7 @@ class Guard:
 
     def done(self, who: Identity, role: protocol.Role, request: protocol.Request) -> None:
         """What people change is written down."""
-        if role == "operator" and isinstance(request, _CHANGING):
+        if role == "operator" and isinstance(request, (*_CHANGING, protocol.Command)):
             self._audit.tell("changed", name=who.name, do=_do(request), what=_what(request))
 
     def refused(self, who: Identity | None, request: protocol.Request, no: No) -> None:
@@ -78,6 +78,8 @@ def _what(request: protocol.Request) -> str:
         return ",".join(request.tags)
     if isinstance(request, protocol.Publish):
         return request.event
+    if isinstance(request, protocol.Command):
+        return request.resource
     if isinstance(request, protocol.Break):
         at = (request.application, request.state, request.source, request.to, request.situation)
         return ",".join(one for one in at if one is not None)

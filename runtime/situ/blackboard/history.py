@@ -49,13 +49,17 @@ class Performing(SessionEvent, frozen=True):
     """A service is told what to carry out from here on."""
 
 
+class Acting(SessionEvent, frozen=True):
+    """An operator asks for authority."""
+
+
 class Told(SessionEvent, frozen=True):
     """A module disclosed more of itself."""
 
     disclosed: Disclosed
 
 
-AnySessionEvent = Opened | Ended | Watched | Unwatched | Traced | Performing | Told
+AnySessionEvent = Opened | Ended | Watched | Unwatched | Traced | Performing | Acting | Told
 
 Past = tuple[int, AnyInput | AnySessionEvent | None]
 """The robot's moment, and what happened then; None: time alone brought something about."""
@@ -72,6 +76,7 @@ class Standing(Struct):
     tracing: bool
     services: tuple[str, ...] = ()
     performing: bool = False
+    acts: bool = False
 
 
 class SessionsState(Struct):

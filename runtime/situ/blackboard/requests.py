@@ -10,7 +10,7 @@ from msgspec import UNSET, Raw, Struct
 from situ.blackboard import masked, presence, protocol
 from situ.blackboard.asking import one_line
 from situ.blackboard.core import Core
-from situ.blackboard.history import Performing, Told, Traced, Unwatched, Watched
+from situ.blackboard.history import Acting, Performing, Told, Traced, Unwatched, Watched
 from situ.blackboard.identity import Identity
 from situ.blackboard.services import carried_by
 from situ.blackboard.watching import Watching
@@ -24,6 +24,8 @@ PAGE = 500
 """Trace events in one reply."""
 TAGS = 100_000
 """Tags on the board, deleted ones too, for their versions count on."""
+OPERATOR = "operator"
+"""The module for which operators may ask for authority, where the script knows it."""
 PATTERNS = 1_000
 """Patterns that one session watches."""
 
@@ -33,7 +35,7 @@ class Session(Struct):
     services are to carry out; heeded: whether its answers count, which they do not where a
     scenario says what ends and what is measured. http: where its screen is. identity: by whose
     key it came, None without keys. masked: whether it is not shown what is private: a viewer
-    nowhere, a module not in the trace."""
+    nowhere, a module not in the trace. acts: whether this operator has asked for authority."""
 
     id: str
     peer: Hashable
@@ -49,6 +51,7 @@ class Session(Struct):
     http: str | None = None
     identity: Identity | None = None
     masked: bool = False
+    acts: bool = False
 
     @property
     def is_blind(self) -> bool:
@@ -191,13 +194,13 @@ def _publish(core: Core, session: Session, request: protocol.Publish) -> protoco
 
 
 def _acquire(core: Core, session: Session, request: protocol.Acquire) -> protocol.Reply:
-    module = _acting(session, request.module)
+    module = _acting(core, session, request.module)
     _do(core, inputs.Acquire(module, request.resources, request.optional))
     return _granted(core, request.id, module)
 
 
 def _abandon(core: Core, session: Session, request: protocol.Abandon) -> protocol.Reply:
-    module = _acting(session, request.module)
+    module = _acting(core, session, request.module)
     _do(core, inputs.Abandon(module, request.resources))
     return _granted(core, request.id, module)
 
@@ -208,7 +211,7 @@ def _granted(core: Core, number: int, module: str) -> protocol.Reply:
 
 
 def _command(core: Core, session: Session, request: protocol.Command) -> protocol.Reply:
-    module = _acting(session, request.module)
+    module = _acting(core, session, request.module)
     if request.valid is not None and request.valid <= 0:
         raise No("invalid", "a command is good for a number of seconds above 0")
     _do(core, inputs.Command(module, request.resource, request.value, request.valid))
@@ -420,12 +423,19 @@ def _writer(core: Core, session: Session, request: protocol.Set) -> str:
     return request.writer
 
 
-def _acting(session: Session, named: str | None) -> str:
+def _acting(core: Core, session: Session, named: str | None) -> str:
     """The module that a request is for."""
     if session.role == "scenario":
         if named is None:
             raise No("role", "a scenario names the module that it plays")
         return named
+    if named == OPERATOR and session.role == "operator":
+        if OPERATOR in core.modules:
+            raise No("name", f"a module {OPERATOR} is connected: it speaks for itself")
+        if not session.acts:
+            session.acts = True
+            core.remember(Acting(session.id))
+        return OPERATOR
     if named is not None:
         raise No("role", "only a scenario speaks for other modules: leave out module")
     if session.module is None:

@@ -51,6 +51,10 @@ ALLOWED: dict[protocol.Role, frozenset[type[Request]]] = {
         protocol.Touch,
         protocol.Attend,
         protocol.Finish,
+        # For the module operator.
+        protocol.Acquire,
+        protocol.Abandon,
+        protocol.Command,
         *get_args(protocol.Debugging),
         *get_args(protocol.Deploying),
     },

@@ -16,6 +16,7 @@ from situ.blackboard import protocol, topics, wire
 from situ.blackboard.core import Core, Outgoing
 from situ.blackboard.guard import Guard
 from situ.blackboard.history import (
+    Acting,
     Ended,
     Opened,
     Past,
@@ -30,7 +31,7 @@ from situ.blackboard.history import (
 )
 from situ.blackboard.identity import Identity
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses
-from situ.blackboard.requests import No, Session, answer
+from situ.blackboard.requests import OPERATOR, No, Session, answer
 from situ.blackboard.rights import Rights
 from situ.blackboard.services import SERVICES, carried_by, may_repeat
 from situ.blackboard.wire import Malformed
@@ -187,6 +188,7 @@ class Sessions:
                     s.tracing,
                     s.services,
                     s.performing,
+                    s.acts,
                 )
                 for s in self._sessions.values()
             ],
@@ -237,6 +239,7 @@ class Sessions:
             tracing=one.tracing,
             services=one.services,
             performing=one.performing,
+            acts=one.acts,
         )
         self._hide(session)
         session.watch(one.patterns, self._core.watching)
@@ -281,6 +284,9 @@ class Sessions:
         session = self._find(event.session)
         session.performing = True
         self._core.performing.update(session.services)
+
+    def _acting(self, event: Acting) -> None:
+        self._find(event.session).acts = True
 
     def _told(self, event: Told) -> None:
         module = self._find(event.session).module
@@ -477,6 +483,8 @@ class Sessions:
         if session.module is not None:
             self._core.asking.lost(session.module, self._core.now)
             self._core.step(inputs.Lost(session.module))
+        if session.acts and not any(one.acts for one in self._sessions.values()):
+            self._core.step(inputs.Abandon(OPERATOR, ()))
         if session.performing and "engine" in session.services:
             for effect in self._core.outstanding():
                 if isinstance(effect, Begin) and carried_by(effect) and not may_repeat(effect):
@@ -512,5 +520,6 @@ _AGAIN: dict[type[SessionEvent], Callable[[Sessions, Any], None]] = {
     Unwatched: Sessions._unwatched,
     Traced: Sessions._traced,
     Performing: Sessions._performing,
+    Acting: Sessions._acting,
     Told: Sessions._told,
 }

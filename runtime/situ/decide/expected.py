@@ -9,8 +9,11 @@ from msgspec import Struct
 from situ.decide.hearing import said
 from situ.decide.machine import Machine
 from situ.decide.program import Candidate
+from situ.decide.texts import translator
+from situ.decide.values import template
 from situ.decide.world import World
 from situ.document import words
+from situ.document.rbd import Action, Speech
 
 
 class ExpectedEvent(Struct, frozen=True):
@@ -31,6 +34,7 @@ class Expectation(Struct, frozen=True):
 
     time: µs, when what stands at ``application/<name>`` last changed. suspended: it takes
     nothing until it holds its resources again. paused: by the debugger; what comes waits.
+    speeches: what the state says, in the robot's language, filled in.
     """
 
     state: str
@@ -39,6 +43,7 @@ class Expectation(Struct, frozen=True):
     suspended: bool
     paused: bool
     events: tuple[ExpectedEvent, ...]
+    speeches: tuple[str, ...] = ()
 
 
 def expected(world: World, machines: Sequence[Machine]) -> dict[str, Expectation]:
@@ -53,6 +58,14 @@ def expected(world: World, machines: Sequence[Machine]) -> dict[str, Expectation
         holds = machine.first(candidates) is not None
         return ExpectedEvent(name, tuple(phrases), holds, tuple(dict.fromkeys(conditions)))
 
+    def speeches(actions: Sequence[Action]) -> tuple[str, ...]:
+        texts = (
+            template(translator(world.project, world.board, one.lang)(one.text, None))
+            for one in actions
+            if isinstance(one, Speech)
+        )
+        return tuple(dict.fromkeys(text.text(world.board.look) for text in texts))
+
     told = {}
     for machine in machines:
         here, entry = machine.here, world.board.get(f"application/{machine.name}")
@@ -63,5 +76,6 @@ def expected(world: World, machines: Sequence[Machine]) -> dict[str, Expectation
             suspended=machine.state.suspended,
             paused=machine.paused,
             events=tuple(event(machine, *named) for named in here.named.items()),
+            speeches=speeches(here.source.actions),
         )
     return told

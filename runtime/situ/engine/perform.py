@@ -30,6 +30,7 @@ from situ.engine.actions.speech import Speaker
 from situ.engine.clock import Clock
 from situ.engine.media import MediaFolder
 from situ.engine.robots import Adapter, Surroundings, find
+from situ.engine.screen.forms import forms
 from situ.engine.screen.server import ScreenServer
 from situ.engine.secrets import Secrets
 from situ.engine.voices import Voice
@@ -122,7 +123,7 @@ class Performer:
                 self._movie_ended,
                 self._log,
                 token=self._key(),
-                settings=self._project.settings,
+                forms=forms(self._project),
             )
             await server.start(*self._address)
             self._screen = server
@@ -148,7 +149,7 @@ class Performer:
         robot itself is, its adapter and the places that it knows, stays."""
         self._media.turn_to(project)
         if self._screen is not None:
-            self._screen.turn_to(project.settings)
+            self._screen.turn_to(forms(project))
 
     def open_door(self, addresses: Addresses, keys: KeysOf | None = None) -> None:
         """The core is there: the screen's server leads to it at ``/board``."""

@@ -6,32 +6,32 @@ blackboard's WebSocket door, with the rights of whoever has opened it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
 import msgspec
 from aiohttp import web
 
-from situ.document.project import Setting
+from situ.engine.screen.forms import Forms
 
 
 class Pages:
     """The pages of one robot.
 
-    settings: the forms, in the project's order. admit: whether a request shows a token that
+    forms: of the project that runs. admit: whether a request shows a token that
     opens the door. keyed: whether everybody has a token of his own. headers: a page's.
     """
 
     def __init__(
         self,
         folder: Path,
-        settings: Sequence[Setting],
+        forms: Forms,
         admit: Callable[[web.Request], bool],
         keyed: Callable[[], bool],
         headers: dict[str, str],
     ) -> None:
         self._folder = folder
-        self.settings = tuple(settings)
+        self.forms = forms
         self._admit = admit
         self._keyed = keyed
         self._headers = headers
@@ -47,10 +47,10 @@ class Pages:
         )
 
     async def _on_settings(self, request: web.Request) -> web.StreamResponse:
-        """The forms: ``settings``, a list of {tag, label, type, choices}, and ``keyed``."""
+        """``Forms``, and ``keyed``."""
         if not self._admit(request):
             return web.Response(status=403, text=_REFUSED)
-        told = {"settings": self.settings, "keyed": self._keyed()}
+        told = {**msgspec.structs.asdict(self.forms), "keyed": self._keyed()}
         return web.Response(body=msgspec.json.encode(told), content_type="application/json")
 
 

@@ -21,10 +21,10 @@ from aiohttp import WSCloseCode, WSMsgType, web
 from msgspec import UNSET, Struct, UnsetType
 
 from situ.decide.inputs import AnyInput, Set, Touch, Use
-from situ.document.project import Setting
 from situ.engine.media import MediaFolder
 from situ.engine.screen.content import Content, Shown, content
 from situ.engine.screen.door import Door
+from situ.engine.screen.forms import Forms
 from situ.engine.screen.pages import Pages
 from situ.errors import UsageError
 from situ.resources import resource
@@ -106,8 +106,8 @@ class ScreenServer:
     """Serves one screen to any number of pages; all show the same.
 
     use: gets what people do. ended(action, error): a movie's end. token: 32 random
-    characters unless given. door: leads to the blackboard once it is opened. settings:
-    the forms of the page ``/settings``.
+    characters unless given. door: leads to the blackboard once it is opened. forms: what the
+    pages ``/settings`` and ``/operate`` show.
     """
 
     def __init__(
@@ -118,7 +118,7 @@ class ScreenServer:
         log: logging.Logger,
         *,
         token: str | None = None,
-        settings: Sequence[Setting] = (),
+        forms: Forms | None = None,
     ) -> None:
         self._media = media
         self._use = use
@@ -130,7 +130,7 @@ class ScreenServer:
         self._fonts = resource("fonts")
         self._beside = Pages(
             self._folder,
-            settings,
+            forms or Forms(),
             self._admits,
             lambda: self.door.keyed,
             {"Content-Security-Policy": POLICY},
@@ -192,9 +192,9 @@ class ScreenServer:
             await self._runner.cleanup()
             self._runner = None
 
-    def turn_to(self, settings: Sequence[Setting]) -> None:
+    def turn_to(self, forms: Forms) -> None:
         """Other media stand in the folder, and these forms: open pages are to look anew."""
-        self._beside.settings = tuple(settings)
+        self._beside.forms = forms
         self._tell()
 
     # -- what is shown -----------------------------------------------------------
