@@ -115,7 +115,9 @@ class ApplicationCanvas(CommandedCanvas):
         }
         for uid, card in self._picture.cards.items():
             if switched or card.no in changed:
-                self.graph.nodes[uid].view.update()
+                node = self.graph.nodes.get(uid)
+                if node is not None:
+                    node.view.update()
         exits = {(t.state, t.exit) for t in (*old.taken, *new.taken)}
         ways = {**old.transitions, **new.transitions}
         exits |= {way for way in ways if _differ(old.transitions, new.transitions, way)}

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from situ.document.problem import Problem
 from situ_studio import kinds
 from situ_studio.canvas import accessible, spoken, walk
+from situ_studio.canvas.filling import Filling
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.note_editor import NoteEditor
@@ -57,6 +58,8 @@ class Canvas(QWidget):
         self.viewer = Viewer(self.look, self)
         self.graph = Graph(self.viewer, self.look, self._item_kind)
         self.viewer.straight_lines = self.graph.lines
+        self.filling = Filling(self.graph, self.viewer, self)
+        self.filling.filled.connect(self._on_filled)
         self.viewer.on_key = self._key
         self.viewer.speaker = self
         self.document: Any = None
@@ -130,6 +133,7 @@ class Canvas(QWidget):
     # -- showing -----------------------------------------------------------------------
 
     def _show(self, cards: dict[str, Any], links: dict[tuple[str, ...], Any]) -> None:
+        cards, links = self.filling.take(cards, links)
         chosen = [p.link.id for p in self.viewer.selected_pipes() if p.link is not None]
         self._quiet += 1
         try:
@@ -150,7 +154,7 @@ class Canvas(QWidget):
             self.viewer.spoken_as.on_shown()
         self._moved_timer.stop()
         few = len(links) <= self.few or first or 3 * len(changed) > len(cards)
-        self._route(None if few else changed)
+        self._route(None if few and not self.filling.is_filling else changed)
         self.minimap.redraw()
         self._show_minimap()
         self.advice.say(self._advise())
@@ -158,6 +162,11 @@ class Canvas(QWidget):
         if not self._fitted and cards and self.isVisible():
             self._fitted = True
             self.zoom_to_begin()
+
+    def _on_filled(self) -> None:
+        """The last of many cards is there."""
+        self.render_document()
+        self._route()
 
     def _follow_cards(self) -> None:
         """Cards are being dragged: the pipes follow."""
@@ -304,7 +313,7 @@ class Canvas(QWidget):
     def extent(self) -> QRectF:
         """What the drawing takes, pipes included."""
         area = QRectF()
-        for uid in self.graph.cards:
+        for uid in self.filling.cards:
             area = area.united(self.card_area(uid))
         for id in self.graph.links:
             pipe = self.graph.pipe(id)
@@ -313,7 +322,11 @@ class Canvas(QWidget):
         return area
 
     def card_area(self, uid: str) -> QRectF:
-        view = self.graph.nodes[uid].view
+        node = self.graph.nodes.get(uid)
+        if node is None:
+            card = self.filling.cards[uid]
+            return QRectF(card.x, card.y, card.width, card.height)
+        view = node.view
         return QRectF(view.x(), view.y(), view.width, view.height)
 
     # -- selection -----------------------------------------------------------------------
@@ -346,6 +359,7 @@ class Canvas(QWidget):
                 uid, exit = self._find(place)
                 if uid is None:
                     continue
+                self.filling.need([uid])
                 pipes = []
                 if exit is not None:
                     pipes = [
@@ -363,6 +377,7 @@ class Canvas(QWidget):
         self._on_selection()
 
     def select_all(self) -> None:
+        self.filling.finish()
         self._quiet += 1
         try:
             for node in self.graph.nodes.values():

@@ -12,7 +12,7 @@ from itertools import compress
 from operator import is_not
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QLineF, QPointF
+from PySide6.QtCore import QLineF
 from PySide6.QtGui import QUndoStack
 
 from situ_studio.canvas.library import NodeGraph, PortConnectedCmd, PortDisconnectedCmd
@@ -37,6 +37,8 @@ class Graph(NodeGraph):
         self.connections: list[tuple[list[Any], list[Any]]] = []
         self.slices: list[list[Any]] = []
         self._lines: tuple[Any, list[QLineF], list[QLineF]] | None = None
+        self.folds: Callable[[LinkId], bool] = lambda id: False
+        """Whether a link ends in a chip: far out it would only cross the drawing."""
         # A throw-away stack: the library wants one, nothing is ever pushed.
         super().__init__(viewer=viewer, undo_stack=QUndoStack())
         self.set_acyclic(False)
@@ -114,6 +116,21 @@ class Graph(NodeGraph):
         self.set_acyclic(False)
         viewer.forget()
         return {*fresh, *gone}
+
+    def extend(self, card: Any, links: Mapping[LinkId, Any]) -> None:
+        """One more card, and of these links those whose cards are both there."""
+        self._put(card)
+        self.cards[card.uid] = card
+        touched = set(self._viewer.touched)
+        for id, link in links.items():
+            if id not in self.links and link.source in self.nodes and link.target in self.nodes:
+                self._connect(link, False)
+                self.links[id] = link
+                line = self._line(link)
+                if self._lines is not None and line is not None:
+                    self._lines[1].append(line)
+        # Nobody's gesture touched anything.
+        self._viewer.touched = touched
 
     def _put(self, card: Any) -> None:
         node = self.nodes.get(card.uid)
@@ -239,26 +256,35 @@ class Graph(NodeGraph):
         return found
 
     def lines(self) -> tuple[list[QLineF], list[QLineF]]:
-        """Every link as a straight line between its cards, and those that the robot just took."""
+        """Every link as a straight line between its cards, without those that ``folds`` names,
+        and those that the robot just took."""
         live = getattr(self.look.live, "taken", ())
         if self._lines is not None and self._lines[0] is live:
             return self._lines[1], self._lines[2]
         hot = {(t.state, t.exit) for t in live}
         plain, taken = [], []
-        for link in self.links.values():
-            source, target = self.cards.get(link.source), self.cards.get(link.target)
-            if source is None or target is None or source is target:
+        for id, link in self.links.items():
+            line = self._line(link)
+            if line is None:
                 continue
-            ax, ay = source.port(link.exit)
-            bx, by = target.port(link.entry)
-            line = QLineF(
-                QPointF(source.x + ax, source.y + ay), QPointF(target.x + bx, target.y + by)
-            )
-            plain.append(line)
+            if not self.folds(id):
+                plain.append(line)
             if (link.source, link.exit) in hot:
                 taken.append(line)
         self._lines = live, plain, taken
         return plain, taken
+
+    def forget_lines(self) -> None:
+        """``folds`` says something else now."""
+        self._lines = None
+
+    def _line(self, link: Any) -> QLineF | None:
+        source, target = self.cards.get(link.source), self.cards.get(link.target)
+        if source is None or target is None or source is target:
+            return None
+        ax, ay = source.port(link.exit)
+        bx, by = target.port(link.entry)
+        return QLineF(source.x + ax, source.y + ay, target.x + bx, target.y + by)
 
 
 def differing(before: Mapping[K, Any], now: Mapping[K, Any]) -> tuple[list[K], list[K]]:
