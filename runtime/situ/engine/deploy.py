@@ -262,7 +262,7 @@ class Deployer:
             stands="running" if wish is None else wish.stands,
             waits=waits if state.pending is not None else (),
             forced=None if state.forced is None else max(0.0, (state.forced - now) / 1e6),
-            minute=None if state.until is None else max(0.0, (state.until - now) / 1e6),
+            minute=None if (left := self._minute()) <= 0 else left,
             problems=() if wish is None else wish.problems,
             restart=() if wish is None else wish.restart,
         )
@@ -391,7 +391,7 @@ class Deployer:
         """Does what is due; when to be called next, None: after a swap."""
         if self._confirm is not None and now >= self._confirm:
             self._confirm = None
-            if self._robot.deployment().former is None:
+            if self._minute() <= 0:
                 self._choose(replace(self._versions.current, former=None, starts=0))
             else:
                 self._confirm = now + SLACK
@@ -431,9 +431,12 @@ class Deployer:
             _log.error("which version runs could not be kept (%s): it runs until the end", error)
         self._confirm = None
         if current.former is not None:
-            until = self._robot.deployment().until
-            left = 60.0 if until is None else (until - self._moment()) / 1e6
-            self._confirm = self._clock() + left + SLACK
+            self._confirm = self._clock() + self._minute() + SLACK
+
+    def _minute(self) -> float:
+        """Seconds of its first minute that the version which runs has left."""
+        until = self._robot.deployment().until
+        return 0.0 if until is None else (until - self._moment()) / 1e6
 
     def _note(
         self, version: int, who: str, did: Any, why: str = "", changed: tuple[str, ...] = ()
