@@ -11,12 +11,16 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from situ.cli import main
+from situ.decide import inputs
+from situ.decide.trace import TraceEvent, to_fields
+from situ.document import deployed
 from situ.document.modules import Module, Modules
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse.reason import Answer, lines
 from situ.rehearse.recording import Recording
 from situ.rehearse.recording import record as record_run
+from situ.rehearse.simulate import Rehearsal
 from situ.rehearse.telling import Teller
 from situ.rehearse.why import chain, why_not
 
@@ -982,3 +986,22 @@ def test_a_part_begun_anew_is_entered_at_its_start(visit: Project, visited: Reco
 def test_a_state_that_there_is_not_is_told_so(visit: Project, visited: Recording) -> None:
     with pytest.raises(UsageError, match="visit has no state 2/c"):
         _ask(visit, visited, 2, "enter", state="2/c")
+
+
+def test_a_state_left_because_a_deploy_lacks_it_is_left() -> None:
+    """Why not is asked of where the application is then, not of where it was before as well."""
+    flow = '<application name="app"><state no="{}"><expectedevents><event name="go" next="2"/>'
+    flow += '</expectedevents></state><state no="2"/></application>'
+    before, after = ({"a.rbd.xml": flow.format(no)} for no in ("1", "7"))
+    events: list[TraceEvent] = []
+    project, new = (deployed.read(files)[0] for files in (before, after))
+    assert project is not None
+    assert new is not None
+    rehearsal = Rehearsal(project, events.extend)
+    rehearsal.give(inputs.Deploy(1, after, "operator:ann"), 2_000_000)
+    answer = why_not(
+        new, Recording.of(list(map(to_fields, events))), {"kind": "enter", "state": "2"}, 9
+    )
+    assert [reason.text for reason in answer.reasons] == [
+        "event go did not come while app was in 7, since 2 s"
+    ]

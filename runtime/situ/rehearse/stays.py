@@ -39,7 +39,8 @@ class Attempt(Struct, frozen=True):
 
 
 class Stay(Struct):
-    """A stay in an innermost state, from ``entered`` to the transition ``left``.
+    """A stay in an innermost state, from ``entered`` to the transition ``left``, or where a deploy
+    let the application start again to what it entered then.
 
     unnamed: its unnamed events as they were in the end. suspended: in the end, by that
     event. resumed: the last resume in it. back: where ``#back`` went, by way.
@@ -92,8 +93,11 @@ def _look(past: Past, found: list[Stay], event: Fields) -> None:
     """An event of the application, seen just before the past takes it."""
     name, kind = event["application"], event["kind"]
     if kind == "enter":
-        if found and found[-1].left is None and event["state"].startswith(f"{found[-1].state}/"):
-            found.pop()  # it holds the part that is entered with it
+        if found and found[-1].left is None:
+            if event["state"].startswith(f"{found[-1].state}/"):
+                found.pop()  # it holds the part that is entered with it
+            else:
+                found[-1].left = event  # another version was deployed that lacks it
         found.append(Stay(name, event["state"], event))
         return
     if not found:
