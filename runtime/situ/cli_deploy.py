@@ -98,9 +98,7 @@ def _deploy(args: argparse.Namespace) -> int:
         for line in _changes(board, files):
             print(line)
         size = sum(map(len, files.values()))
-        print(
-            f"{len(files)} file{'s' * (len(files) != 1)}, {size / 1000:,.0f} kB", flush=True
-        )
+        print(f"{len(files)} file{'s' * (len(files) != 1)}, {size / 1000:,.0f} kB", flush=True)
         begun = board.deploy(files, main, force_after=args.force_after)
         return _follow(board, begun, args.wait)
 

@@ -97,11 +97,6 @@ class Desk:
         assert isinstance(found, protocol.Deployment)
         return found
 
-    @property
-    def left(self) -> float | None:
-        """Seconds of the version's first minute."""
-        return self.progress.minute
-
     def files(self, seconds: int) -> dict[str, bytes]:
         found = deployable(load_ready(DESK))
         found[FLOW] = found[FLOW].replace(b">3000<", b">%d<" % seconds)
@@ -115,11 +110,12 @@ def desk(tmp_path: Path) -> Desk:
 
 def test_after_its_first_minute_a_version_counts(desk: Desk, tmp_path: Path) -> None:
     desk.deploy(desk.files(4000))
-    assert desk.left == 60.0
+    assert desk.progress.minute == 60.0
     desk.later(59)
     assert desk.versions.current.former == 0
     desk.later(3)
-    assert desk.left is None
+    after = desk.progress
+    assert after.minute is None
     assert desk.versions.current == Current(1, fingerprint(desk.versions.given))
     assert Desk(tmp_path).robot.version == 1
 
