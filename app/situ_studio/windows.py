@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QPoint, QSettings, QTimer
+from PySide6.QtCore import QEvent, QObject, QPoint, QSettings, QTimer
+from PySide6.QtWidgets import QApplication
 
 from situ.errors import SituError
 from situ_studio.language import SYSTEM, Speaking, language_of
@@ -114,6 +115,8 @@ class Windows(QObject):
         new.setGeometry(old.geometry())
         new.setVisible(visible)
         if old.session.project is not None:
+            # Where a canvas looks hangs on its size, which it has once it is laid out.
+            QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
             show_again(new, shown)
         old.hide()
         old.deleteLater()

@@ -202,11 +202,9 @@ def settings(tmp_path: Path) -> QSettings:
 @pytest.fixture
 def studio(qt: QApplication, settings: QSettings) -> Iterator[Callable[..., Studio]]:
     """``studio(path)``: a shown window of 1280 × 800, light, with that project."""
-    windows: list[MainWindow] = []
 
     def start(path: Path | None = None, theme: str = "light") -> Studio:
         window = main.create_window(path, settings, theme)
-        windows.append(window)
         window.resize(1280, 800)
         window.show()
         window.activateWindow()
@@ -216,7 +214,8 @@ def studio(qt: QApplication, settings: QSettings) -> Iterator[Callable[..., Stud
         return made
 
     yield start
-    for window in windows:
+    # A window may have been made anew, or have opened another.
+    for window in [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)]:
         window.may_leave = lambda: True  # type: ignore[method-assign]
         window.close()
         window.deleteLater()

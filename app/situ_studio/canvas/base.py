@@ -67,7 +67,7 @@ class Canvas(QWidget):
         self._told: tuple[Place, ...] = ()
         self._row: tuple[str, str] | None = None
         self._quiet = 0
-        self._fitted = False
+        self._fitted = self._begins = False
         self._editor: InPlace | NoteEditor | None = None
         self.pointed: QPointF | None = None
         layout = QVBoxLayout(self)
@@ -185,8 +185,13 @@ class Canvas(QWidget):
     def showEvent(self, event: Any) -> None:
         super().showEvent(event)
         if not self._fitted and self.graph.cards:
-            self._fitted = True
-            QTimer.singleShot(0, self, self.zoom_to_begin)
+            self._fitted = self._begins = True
+            QTimer.singleShot(0, self, self._begin)
+
+    def _begin(self) -> None:
+        """Unless somebody has said meanwhile where to look."""
+        if self._begins:
+            self.zoom_to_begin()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -224,6 +229,7 @@ class Canvas(QWidget):
 
     def look_at(self, looking: tuple[float, float, float]) -> None:
         """Looks where ``looking`` said."""
+        self._fitted, self._begins = True, False
         zoom, left, top = looking
         size = QSizeF(self.viewer.viewport().size()) / zoom
         self.viewer.show_area(QRectF(QPointF(left, top), size), zoom)

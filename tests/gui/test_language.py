@@ -1,0 +1,123 @@
+"""The language of the studio, chosen while it runs: nothing that is open is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QInputMethodEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from tests.gui.conftest import Studio
+
+from situ_studio.language import Speaking, language_of
+
+
+@pytest.fixture(autouse=True)
+def english(qt: QApplication) -> object:
+    """Whatever a test chose, the next one begins in English."""
+    yield
+    speaking = qt.findChild(Speaking)
+    if speaking is not None:
+        speaking.use("en")
+
+
+def choose(studio: Studio, language: str) -> Studio:
+    """The window that is there after the language was typed into the palette and chosen."""
+    before, windows = studio.window, studio.window.windows
+    assert windows is not None
+    studio.key(Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
+    # As an input method does, which Japanese letters come by.
+    typed = QInputMethodEvent()
+    typed.setCommitString(language)
+    QApplication.sendEvent(QApplication.focusWidget(), typed)
+    studio.settle()
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Return)
+    while before in windows.windows:
+        QApplication.processEvents()
+    (window,) = windows.windows
+    made = Studio(window)
+    made.settle()
+    return made
+
+
+def test_the_window_speaks_the_language_that_was_chosen(
+    studio: Callable[..., Studio], project: Callable[[str], Path]
+) -> None:
+    english = studio(project("reception"))
+    assert english.window.headers["outline"].title.text() == "Outline"
+    japanese = choose(english, "日本語")
+    assert japanese.window.headers["outline"].title.text() == "アウトライン"
+    assert japanese.window.menuBar().actions()[0].text().startswith("ファイル")
+    assert choose(japanese, "English").window.headers["outline"].title.text() == "Outline"
+
+
+def test_nothing_that_is_open_is_lost_with_the_language(
+    studio: Callable[..., Studio], project: Callable[[str], Path]
+) -> None:
+    one = studio(project("reception"))
+    one.window.open_file("register.rbd.xml")
+    one.select("state", "2")
+    one.fill(one.window.inspector.form.field("name"), "another name")
+    session, changed = one.session, one.session.document("register.rbd.xml")
+    one.window.show_mode("outline")
+    other = choose(one, "日本語").window
+    assert other.session is session
+    assert session.document("register.rbd.xml") is changed
+    assert (other.current_file, other.current_view.mode) == ("register.rbd.xml", "outline")
+    assert other.current_view.selected == (("state", "2"),)
+    assert other.tabs.files() == ["reception.rbd.xml", "register.rbd.xml"]
+    made = Studio(other)
+    made.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert session.document("register.rbd.xml") is not changed
+    assert not session.dirty
+
+
+def test_the_canvas_looks_where_it_looked(
+    studio: Callable[..., Studio], project: Callable[[str], Path]
+) -> None:
+    one = studio(project("reception"))
+    one.key(Qt.Key.Key_Plus, Qt.KeyboardModifier.ControlModifier)
+    looking = one.window.current_view.call("looking")
+    other = choose(one, "日本語").window
+    assert other.current_view.call("looking") == pytest.approx(looking, abs=2)
+
+
+def test_the_language_is_kept_for_the_next_start(
+    studio: Callable[..., Studio],
+) -> None:
+    choose(studio(), "日本語").window.close()
+    assert studio().window.menuBar().actions()[0].text().startswith("ファイル")
+
+
+@pytest.mark.parametrize(
+    ("choice", "wanted", "spoken"),
+    [
+        ("ja", ["en-GB"], "ja"),
+        ("system", ["fr-FR", "ja-JP", "en-US"], "ja"),
+        ("system", ["fr-FR"], "en"),
+        ("unknown", ["ja"], "ja"),
+    ],
+)
+def test_the_system_s_language_is_spoken_where_none_was_chosen(
+    choice: str, wanted: list[str], spoken: str
+) -> None:
+    assert language_of(choice, wanted) == spoken
+
+
+def test_each_window_has_a_project_of_its_own(
+    studio: Callable[..., Studio], project: Callable[[str], Path]
+) -> None:
+    first = studio(project("reception"))
+    first.key(Qt.Key.Key_N, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
+    windows = first.window.windows
+    assert windows is not None
+    _, second = windows.windows
+    second.open_project(project("conversation"))
+    assert first.session.project.name == "reception"
+    assert second.session.project.name == "conversation"
+    second.close()
+    first.settle()
+    assert windows.windows == [first.window]
