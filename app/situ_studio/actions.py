@@ -54,6 +54,9 @@ def _c(id: str, text: str, handler: str, **rest: Any) -> Command:
 
 _CONTEXTS = {
     "state": "ground",
+    "part": "ground",
+    "note": "ground",
+    "frame": "ground states",
     "event": "state always",
     "timeout": "state always",
 }
@@ -136,7 +139,7 @@ COMMANDS: tuple[Command, ...] = (
         "cut",
         shortcut="Ctrl+X",
         menu="Edit",
-        when="can_cut",
+        when="can_copy",
         rule=True,
         contexts="state states",
     ),
@@ -153,8 +156,7 @@ COMMANDS: tuple[Command, ...] = (
     _c(
         "paste",
         "Paste",
-        "on_view",
-        argument="paste",
+        "paste",
         shortcut="Ctrl+V",
         menu="Edit",
         when="can_paste",
@@ -167,7 +169,7 @@ COMMANDS: tuple[Command, ...] = (
         argument="duplicate",
         shortcut="Ctrl+D",
         menu="Edit",
-        when="can_duplicate",
+        when="can_copy",
         contexts="state states",
     ),
     _c(
@@ -671,6 +673,7 @@ COMMANDS: tuple[Command, ...] = (
 )
 
 MENUS = ("File", "Edit", "View", "Go", "Insert", "Arrange", "Robot", "Help")
+"""In this order; Alt and the first letter opens one."""
 
 
 def command(id: str) -> Command:

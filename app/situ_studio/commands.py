@@ -12,11 +12,13 @@ from PySide6.QtWidgets import QApplication
 import situ
 from situ.document.beginning import project_name
 from situ.document.rbd import Application
+from situ.document.words import listed
 from situ.errors import SituError
 from situ_studio import kinds, places, projects
 from situ_studio.context_menus import context_of
 from situ_studio.find import Find, places_of
 from situ_studio.insert import NotHere, insert
+from situ_studio.lacking import lacking
 from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
 from situ_studio.shortcuts import Shortcuts
@@ -105,17 +107,11 @@ class Commands(QObject):
     def can_rename_everywhere(self) -> bool:
         return self._window.finding.can_rename()
 
-    def can_cut(self) -> bool:
-        return self._can("cut")
-
     def can_copy(self) -> bool:
-        return self._can("copy")
+        return self.has_selection() and isinstance(self._window.current_document, Application)
 
     def can_paste(self) -> bool:
-        return self._can("paste", selected=False)
-
-    def can_duplicate(self) -> bool:
-        return self._can("duplicate")
+        return isinstance(self._window.current_document, Application)
 
     def can_auto_layout(self) -> bool:
         return self._can("auto_layout", selected=False)
@@ -264,6 +260,23 @@ class Commands(QObject):
 
     def cut(self) -> None:
         self._unless_in_form("cut")
+
+    def paste(self) -> None:
+        """Says too what the pasted states need and this project does not have."""
+        view, before = self._window.current_view, self._window.current_document
+        if view is None:
+            return
+        view.call("paste")
+        after, project = self._window.current_document, self._session.project
+        if after is before or project is None or not isinstance(after, Application):
+            return
+        missing = lacking(project, self._window.media, after, view.selected)
+        if missing:
+            self._window.say(
+                self.tr("Pasted. This project does not have {0}: copy the files too.").format(
+                    listed(missing)
+                )
+            )
 
     def delete(self) -> None:
         self._unless_in_form("delete_selection")

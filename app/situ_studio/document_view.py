@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ.document.spds import Spds
+from situ_studio.copying import Copying
 from situ_studio.edit import Document, Place
 from situ_studio.panels.twin import Twin
 from situ_studio.theme import Theme
@@ -42,9 +43,13 @@ class DocumentView(QStackedWidget):
     part_asked = Signal(object, tuple)
     """A part was dropped: where its card's corner shall be, and the exit into whose pipe."""
 
+    origin: str
+    """The path of the file, for what is copied from here."""
+
     def __init__(self, theme: Theme, file: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.file = file
+        self.origin = ""
         self.selected: tuple[Place, ...] = ()
         self._theme = theme
         self._document: Document | None = None
@@ -130,6 +135,8 @@ class DocumentView(QStackedWidget):
         return self._twin
 
     def _add(self, view: Any) -> None:
+        if isinstance(view, Copying):
+            view.origin = self.origin
         view.edited.connect(self.edited)
         view.selection_changed.connect(self._on_selection)
         view.activated.connect(self.activated)

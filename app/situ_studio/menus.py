@@ -105,7 +105,9 @@ class Actions(QObject):
             if before and head != before:
                 menu.addSeparator()
             before = head
-            if tail and context != "ground" and tail not in below:
+            if command.handler == "insert":
+                tail = head
+            if tail and tail not in below:
                 below[tail] = menu.addMenu(translated(tail))
             below.get(tail, menu).addAction(action)
         return menu
@@ -121,7 +123,7 @@ class Actions(QObject):
         parent: QMenuBar | QMenu = self._menu(head, bar) if head else bar
         if head:
             parent.addSeparator()
-        menu = parent.addMenu(translated(tail))
+        menu = parent.addMenu(("" if head else "&") + translated(tail))
         menu.setToolTipsVisible(True)
         self._menus[title] = menu
         return menu

@@ -123,4 +123,5 @@ def _where(document: Document, mention: Mention) -> str:
     fields = (*kind.fields, *sections) if kind is not None else ()
     label = next((f.label for f in fields if f.attribute == mention.attribute), "")
     shown = ", ".join(w for w in (outer, inner) if w)
-    return f"{shown}: {label.lower()}" if label and mention.attribute != "no" else shown
+    plain = mention.attribute in ("no", "name", "text") or not label
+    return shown if plain else f"{shown}: {label.lower()}"

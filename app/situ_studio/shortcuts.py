@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QLineEdit, QTreeWidget, QTreeWidgetItem, 
 
 from situ_studio.actions import COMMANDS
 from situ_studio.menus import translated
+from situ_studio.theme import font
 
 CANVAS: tuple[tuple[str, str], ...] = (
     ("Arrows", "The next card in that direction"),
@@ -65,6 +66,7 @@ class Shortcuts(QDialog):
         for head, keys, text in rows():
             if head not in heads:
                 heads[head] = QTreeWidgetItem(self.tree, [head])
+                heads[head].setFont(0, font(13, 600))
             QTreeWidgetItem(heads[head], [text, keys])
         self.tree.expandAll()
 

@@ -213,6 +213,7 @@ class MainWindow(Frame):
 
     def _make_view(self, file: str) -> DocumentView:
         view = DocumentView(self.theme, file)
+        view.origin = str((self.session.root / file).resolve())
         view.edited.connect(lambda after, text: self.commit(after, text, file))
         view.selection_changed.connect(self._on_selection)
         view.activated.connect(self._on_activated)
@@ -316,6 +317,14 @@ class MainWindow(Frame):
         self.select(place)
         if self.inspector.form is not None and self.inspector.place == place:
             self.inspector.form.begin(attribute)
+
+    @property
+    def media(self) -> tuple[str, ...]:
+        """The files of the project's media folder."""
+        project, document = self.session.project, self.current_document
+        if project is None or document is None:
+            return ()
+        return self._lexicon.vocabulary(project, document).media
 
     def go_to(self, file: str, place: Place) -> None:
         """Shows a document and a place in it."""

@@ -63,6 +63,20 @@ def test_menus_toolbar_palette_and_help_show_the_table(studio: Start, project: C
     assert {actions[i].text().rstrip("…") for i in can if i != "find"} <= palette
 
 
+def test_alt_and_a_letter_open_a_menu(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    letters = [m.title() for m in used.window.menuBar().findChildren(QMenu) if "&" in m.title()]
+    assert letters == [f"&{title}" for title in MENUS]
+    assert len({title[1] for title in letters}) == len(MENUS)
+    used.key(Qt.Key.Key_G, ALT)
+    shown = QApplication.activePopupWidget()
+    assert isinstance(shown, QMenu)
+    assert shown.title() == "&Go"
+    shown.close()
+    used.window.menuBar().setActiveAction(QAction())
+    used.settle()
+
+
 def test_the_list_of_shortcuts_has_every_key_and_is_filtered(studio: Start) -> None:
     used = studio()
     used.key(Qt.Key.Key_F1, SHIFT)
@@ -176,8 +190,10 @@ def test_a_state_added_from_the_menu_of_the_ground_stands_there(
     used.select("state", "2")
     spot = canvas.viewer.mapToScene(QPoint(80, 120))
     right_click(used, canvas, spot)
-    QTest.keyClick(used.window.context_menus.shown, Qt.Key.Key_Down)
-    menu = used.window.context_menus.shown
+    shown = used.window.context_menus.shown
+    insert = next(a for a in shown.actions() if a.text() == "Insert")
+    shown.setActiveAction(insert)
+    menu = insert.menu()
     menu.setActiveAction(used.window.actions_.actions["insert.state"])
     QTest.keyClick(menu, Qt.Key.Key_Return)
     used.settle()

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import Qt
 
-from situ_studio.panels.lists import COUNT
+from situ_studio.panels.lists import PLACE
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -22,7 +22,7 @@ def rows(used: Studio) -> list[tuple[str, str]]:
     """Text and place of every row of the panel."""
     model = used.window.finding.panel.list.model()
     indices = [model.index(row, 0) for row in range(model.rowCount())]
-    return [(i.data(), i.data(COUNT)) for i in indices]
+    return [(i.data(PLACE).text, i.data(PLACE).where) for i in indices]
 
 
 def test_a_text_is_found_in_every_document_and_enter_goes_there(
@@ -90,7 +90,7 @@ def test_usages_of_an_event_are_where_it_is_raised_and_expected(
     assert used.window.finding.panel.query == "event: userNameSelected"
     assert rows(used) == [
         ("userNameSelected", "reception: state 8 names, list names: sends"),
-        ("userNameSelected", "reception: state 8 names, event userNameSelected: event"),
+        ("userNameSelected", "reception: state 8 names, event userNameSelected"),
     ]
 
 

@@ -6,11 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from PySide6.QtCore import QMimeData, QPointF, QRectF, Signal
-from PySide6.QtGui import QCursor, QGuiApplication, Qt
+from PySide6.QtCore import QPointF, QRectF, Signal
+from PySide6.QtGui import QCursor, Qt
 from PySide6.QtWidgets import QWidget
 
-from situ.document.drawing import drawn
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places
@@ -37,15 +36,13 @@ from situ_studio.canvas.projection import (
     identified,
     place_of,
 )
+from situ_studio.copying import Copying
 from situ_studio.edit import Place
 from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 
-MIME = "application/x-situ-states+xml"
-"""Copied states on the clipboard: an application of their own, as a file has it."""
 
-
-class ApplicationCanvas(CommandedCanvas):
+class ApplicationCanvas(CommandedCanvas, Copying):
     """Shows an application; gestures become ``edited`` (canvas.md)."""
 
     part_asked = Signal(object, tuple)
@@ -332,59 +329,21 @@ class ApplicationCanvas(CommandedCanvas):
     def delete_selection(self) -> None:
         self._edit(*gestures.delete(self.document, self.selection()))
 
-    def _things(self) -> list[Place]:
-        """What can be copied of the selection: states, notes and frames."""
-        places = (self._face(uid).place for uid in self.selected_uids())
-        return [place for place in places if place != (ALWAYS,)]
+    # -- copies ---------------------------------------------------------------------------
 
-    def duplicate(self) -> None:
-        after, text, new = gestures.duplicate(self._pinned(), self._things())
-        self._edit(after, text)
-        if new:
-            self.select(new)
+    def copied_document(self) -> Application | None:
+        return self._pinned()
 
-    def copy(self) -> None:
-        """The selected states, notes and frames to the clipboard, as XML that any text editor
-        takes too."""
-        chosen = self._things()
-        if not chosen:
-            return
-        from situ.document import codec
-
-        data = codec.write(gestures.fragment(self._pinned(), chosen))
-        mime = QMimeData()
-        mime.setData(MIME, data)
-        mime.setText(data.decode())
-        QGuiApplication.clipboard().setMimeData(mime)
-        one = chosen[0][0] if len({place[0] for place in chosen}) == 1 else "thing"
-        self.status.emit(f"{len(chosen)} {one}s copied" if len(chosen) > 1 else f"1 {one} copied")
-
-    def cut(self) -> None:
-        chosen = self._things()
-        if chosen:
-            self.copy()
-            after, text = gestures.delete(self.document, chosen)
-            self._edit(after, text.replace("Delete", "Cut", 1))
-
-    def paste(self) -> None:
-        """States from the clipboard, under new numbers; says so where there are none."""
-        mime = QGuiApplication.clipboard().mimeData()
-        data = bytes(mime.data(MIME).data()) if mime.hasFormat(MIME) else mime.text().encode()
-        from situ.document import codec
-
-        copied, _ = codec.read(data, "clipboard") if data.strip() else (None, [])
-        if not isinstance(copied, Application) or not (copied.states or drawn(copied)):
-            self.status.emit("There are no states on the clipboard")
-            return
+    def paste_corner(self) -> tuple[float, float] | None:
+        """At the context menu, else at the mouse, else at a free place."""
         pointer = self.viewer.viewport().mapFromGlobal(QCursor.pos())
-        if self.viewer.viewport().rect().contains(pointer):
-            at = self.viewer.mapToScene(pointer)
-            x, y = at.x(), at.y()
-        else:
-            x, y = self.free_spot().toTuple()
-        after, text, new = gestures.paste(self._pinned(), copied, x, y)
-        self._edit(after, text)
-        self.select(new)
+        if self.pointed is None and self.viewer.viewport().rect().contains(pointer):
+            spot = self.viewer.mapToScene(pointer)
+            return gestures.snap(spot.x()), gestures.snap(spot.y())
+        spot = self.free_spot()
+        return spot.x(), spot.y()
+
+    # -- order ----------------------------------------------------------------------------
 
     def align(self, edge: str) -> None:
         """edge: left, center, right, top, middle, bottom; or across, down: spaced evenly."""

@@ -13,9 +13,9 @@ from collections.abc import Iterable, Mapping
 from msgspec import Struct
 from msgspec.structs import replace
 
-from situ.document import drawing, rbd
+from situ.document import rbd
 from situ.document.aside import NOTHING
-from situ.document.rbd import Application, Event, State, Timeout
+from situ.document.rbd import Application, Event, State
 from situ_studio import changes, places, words
 from situ_studio.canvas import figures
 from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, exit_of, targets
@@ -312,92 +312,6 @@ def snap_all(application: Application, shown: Mapping[Place, tuple[float, float]
     after, text = move(application, moved) if moved else (application, "")
     count = "1 card" if len(moved) == 1 else f"{len(moved)} cards"
     return after, f"Put {count} on the grid" if text else ""
-
-
-# -- copies --------------------------------------------------------------------
-
-
-def fragment(application: Application, chosen: Iterable[Place]) -> Application:
-    """Some states, notes and frames as an application of their own, for the clipboard; what leads
-    out of the states is kept."""
-    wanted = list(chosen)
-    numbers = {place[1] for place in wanted if place[0] == "state"}
-    states = tuple(s for s in application.states if s.no in numbers)
-    copied = Application(name=application.name, states=states)
-    for value in figures.copied(application, wanted):
-        copied = drawing.add(copied, value)
-    return copied
-
-
-def paste(
-    application: Application,
-    copied: Application,
-    x: float,
-    y: float,
-    verb: str = "Paste",
-    same: bool = False,
-) -> tuple[Application, str, tuple[Place, ...]]:
-    """The copied states under new numbers, with notes and frames, their upper left corner at x, y.
-
-    What led from one copied state to another leads between the copies; what led
-    elsewhere is kept where ``same`` (the document it was copied from), else cut,
-    unless a state of that number is here.
-    Returns the document, the edit's name and the places of the copies in document order.
-    """
-    drawn = drawing.drawn(copied)
-    if not copied.states and not drawn:
-        return application, "", ()
-    spots = [s.aside.position or (i * 230.0, 0.0) for i, s in enumerate(copied.states)]
-    corners = [*spots, *((one.x, one.y) for one in drawn)]
-    left, top = min(p[0] for p in corners), min(p[1] for p in corners)
-    across, down = snap(x) - left, snap(y) - top
-    first = int(changes.free_number(application))
-    numbers = {s.no: str(first + i) for i, s in enumerate(copied.states)}
-    here = {s.no for s in application.states}
-
-    def goal(target: str | None) -> str | None:
-        if target is None or target.startswith("#"):
-            return target
-        return numbers.get(target) or (target if same or target in here else None)
-
-    states: list[State] = []
-    for state, (at_x, at_y) in zip(copied.states, spots, strict=True):
-        kept = [replace(e, next=goal(e.next)) for e in state.events]
-        events = tuple(e for e in kept if e.name is not None or e.next is not None)
-        timeout: Timeout | None = state.timeout
-        if timeout is not None:
-            timeout = replace(timeout, next=goal(timeout.next))
-        states.append(
-            replace(
-                state,
-                no=numbers[state.no],
-                events=events,
-                timeout=timeout,
-                aside=state.aside.at(at_x + across, at_y + down),
-            )
-        )
-    after = replace(application, states=(*application.states, *states))
-    after, made = figures.pasted(after, drawn, across, down)
-    if not drawn:
-        text = f"{verb} state {copied.states[0].no}"
-        text = f"{verb} {len(states)} states" if len(states) > 1 else text
-    elif len(made) + len(states) > 1:
-        text = f"{verb} {len(made) + len(states)} things"
-    else:
-        text = f"{verb} {words.place_words(after, made[0])}"
-    return after, text, (*(("state", numbers[s.no]) for s in copied.states), *made)
-
-
-def duplicate(
-    application: Application, chosen: Iterable[Place], offset: float = 32.0
-) -> tuple[Application, str, tuple[Place, ...]]:
-    """Copies of states, notes and frames beside themselves. Returns as ``paste`` does."""
-    copied = fragment(application, chosen)
-    spots = [s.aside.position for s in copied.states]
-    spots += [(one.x, one.y) for one in drawing.drawn(copied)]
-    known = [p for p in spots if p is not None] or [(0.0, 0.0)]
-    left, top = min(p[0] for p in known), min(p[1] for p in known)
-    return paste(application, copied, left + offset, top + offset, "Duplicate", same=True)
 
 
 # -- order on the canvas ---------------------------------------------------------

@@ -2,16 +2,61 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QStandardItem, QStandardItemModel
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QListView, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QPainter, QStandardItem, QStandardItemModel
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
 
-from situ_studio.panels.lists import COUNT, ICON, PLACE, RowDelegate
+from situ_studio import icons
+from situ_studio.panels.lists import PLACE, AnyIndex
 from situ_studio.search import Hit
-from situ_studio.theme import Theme
+from situ_studio.theme import Theme, font
 
+WHERE = 320
+"""Px of width that a place has before its text."""
 MOST = 500
 """Rows that are shown; who needs more wants another word."""
+
+
+class _HitDelegate(QStyledItemDelegate):
+    """26 px: icon, place, text, as in the list of problems."""
+
+    def __init__(self, theme: Theme, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.theme = theme
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
+        return QSize(200, 26)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
+        rect, hit = QRectF(option.rect), index.data(PLACE)
+        state = option.state
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if state & QStyle.StateFlag.State_Selected:
+            painter.fillRect(rect, self.theme.color("accent_soft"))
+        elif state & QStyle.StateFlag.State_MouseOver:
+            painter.fillRect(rect, self.theme.color("hover"))
+        box = QRectF(rect.x() + 12, rect.center().y() - 7.5, 15, 15)
+        icons.paint(painter, hit.icon, box, self.theme.color(hit.token))
+        painter.setFont(font(13))
+        middle, right = int(Qt.AlignmentFlag.AlignVCenter), Qt.TextElideMode.ElideRight
+        where = QRectF(rect.x() + 36, rect.y(), min(WHERE, rect.width() / 2 - 36), rect.height())
+        text = QRectF(where.right() + 12, rect.y(), rect.right() - where.right() - 20, 26)
+        for area, words, token in ((where, hit.where, "text2"), (text, hit.text, "text")):
+            painter.setPen(self.theme.color(token))
+            shown = painter.fontMetrics().elidedText(words, right, int(area.width()))
+            painter.drawText(area, middle, shown)
+        painter.restore()
 
 
 class Finding(QWidget):
@@ -47,7 +92,8 @@ class Finding(QWidget):
         self.list.setAccessibleName(self.tr("Found"))
         self.list.setUniformItemSizes(True)
         self.list.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
-        self._delegate = RowDelegate(theme, 24, self.list)
+        self._delegate = _HitDelegate(theme, self.list)
+        self.list.setMouseTracking(True)
         self.list.setItemDelegate(self._delegate)
         self._model = QStandardItemModel(0, 1, self)
         self.list.setModel(self._model)
@@ -57,7 +103,7 @@ class Finding(QWidget):
         column.addWidget(self.list, 1)
 
     def set_theme(self, theme: Theme) -> None:
-        self._delegate.set_theme(theme)
+        self._delegate.theme = theme
         self.list.viewport().update()
 
     @property
@@ -78,8 +124,6 @@ class Finding(QWidget):
         row = 0
         for at, hit in enumerate(hits[:MOST]):
             item = QStandardItem(hit.text)
-            item.setData((hit.icon, hit.token), ICON)
-            item.setData(hit.where, COUNT)
             item.setData(hit, PLACE)
             item.setToolTip(f"{hit.text}\n{hit.where}")
             item.setAccessibleText(f"{hit.text}, {hit.where}")

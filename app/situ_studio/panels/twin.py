@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QVBo
 from situ.document import rbd
 from situ.document.problem import Problem
 from situ_studio import changes, kinds, places, words
+from situ_studio.copying import Copying
 from situ_studio.edit import Document, Place
 from situ_studio.panels.twin_model import TwinModel, read
 from situ_studio.panels.twin_rows import Node
@@ -23,7 +24,7 @@ from situ_studio.panels.twin_tree import TwinDelegate, TwinTree
 from situ_studio.theme import Theme
 
 
-class Twin(QWidget):
+class Twin(QWidget, Copying):
     """The same contract as a canvas: shows a document, tells whole new ones."""
 
     edited = Signal(object, str)
@@ -140,6 +141,15 @@ class Twin(QWidget):
         self.tree.setFocus()
         self.tree.setCurrentIndex(self.tree.currentIndex().siblingAtColumn(1))
         self.tree.edit_row()
+
+    def copied_document(self) -> rbd.Application | None:
+        return self._document if isinstance(self._document, rbd.Application) else None
+
+    def selection(self) -> tuple[Place, ...]:
+        return self._selected
+
+    def paste_corner(self) -> None:
+        return None
 
     def delete_selection(self) -> None:
         """Removes what is selected, and what leads to it."""

@@ -568,7 +568,7 @@ def test_copies_go_by_the_clipboard_to_another_canvas(
     assert second.canvas.selection() == (("state", "1"), ("state", "2"))
     check(second)
     first.canvas.cut()
-    assert first.edits == ["Cut 2 things"]
+    assert first.edits == ["Cut 2 states"]
     check(first)
 
 

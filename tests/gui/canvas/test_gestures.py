@@ -115,33 +115,6 @@ def test_rename_tidies_blanks_and_refuses_nothing(small: Application) -> None:
     assert gestures.rename(small, "2", "look") == (small, "")
 
 
-def test_duplicates_get_new_numbers_and_lead_to_each_other(small: Application) -> None:
-    after, text, new = gestures.duplicate(small, [("state", "1"), ("state", "2")])
-    assert text == "Duplicate 2 states"
-    assert new == (("state", "6"), ("state", "7"))
-    one, two = after.states[-2:]
-    assert [e.next for e in one.events] == ["7", "7"]
-    assert one.timeout == Timeout(seconds=30, next="6")
-    assert [e.next for e in two.events] == ["3", "4", "4"]
-    assert one.aside.position == (32.0, 32.0)
-    assert two.aside.position == (262.0, 32.0)
-    assert after.start == "1"
-
-
-def test_a_paste_elsewhere_cuts_what_leads_to_nothing(small: Application) -> None:
-    copied = gestures.fragment(small, [("state", "3"), ("state", "4")])
-    assert [s.no for s in copied.states] == ["3", "4"]
-    other = Application(name="other", states=(State(no="1", name="one"),))
-    after, text, new = gestures.paste(other, copied, 100, 50)
-    assert text == "Paste 2 states"
-    assert new == (("state", "2"), ("state", "3"))
-    names, nobody = after.states[1:]
-    assert [e.next for e in names.events] == ["3", "1", "#again", None]
-    # The unnamed event led to 5, which is not here: it would be an error.
-    assert [e.name for e in nobody.events] == ["tryAgain"]
-    assert nobody.aside.position == (104, 276)
-
-
 def test_align_and_distribute(small: Application) -> None:
     areas: dict[tuple[str, ...], Area] = {
         ("state", "1"): Area(0, 0, 176, 116),
