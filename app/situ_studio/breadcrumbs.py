@@ -34,7 +34,8 @@ class Breadcrumbs(QFrame):
             " transparent; border-radius: 4px; padding: 2px 6px; }"
             f"QPushButton:hover {{ background: {theme.hover}; }}"
             f"QPushButton:focus {{ border-color: {theme.accent}; }}"
-            f"QLabel {{ color: {theme.text3}; background: transparent; padding: 2px 6px; }}"
+            f"QLabel {{ color: {theme.text3}; background: transparent; border: 2px solid"
+            " transparent; padding: 2px 6px; }"
             f"QLabel#here {{ color: {theme.text}; font-weight: 600; }}"
         )
 

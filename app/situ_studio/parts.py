@@ -35,6 +35,11 @@ class PartsSide(QObject):
         window.crumbs.asked.connect(self._on_asked)
         window.session.opened.connect(self._ways.clear)
 
+    def is_part(self, file: str) -> bool:
+        """Whether the project has that file only as a part of others."""
+        project = self._session.project
+        return project is not None and file in project.parts
+
     # -- the way in and back ----------------------------------------------------------
 
     @property
@@ -145,6 +150,7 @@ class PartsSide(QObject):
         begin = part.start_no or ""
         if self._commit({file: source, part_file: part}, f"Make a part: {name}"):
             window.select(("state", begin))
+            view.call("bring_into_view", (("state", begin),))
             ends = sum(1 for state in part.states if state.no not in numbers)
             window.say(
                 self.tr(

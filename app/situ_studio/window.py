@@ -177,7 +177,7 @@ class MainWindow(Frame):
     def _add_tab(self, file: str) -> None:
         document = self.session.document(file)
         if document is not None:
-            icon, token, _ = look(document)
+            icon, token, _ = look(document, self.parts.is_part(file))
             self.tabs.add(file, stem(file), icon, token)
 
     def open_file(self, file: str) -> None:
@@ -543,7 +543,8 @@ class MainWindow(Frame):
                 continue
             found = {p.severity for p in self._problems_of(file)}
             marks = tuple(m for m in ("error", "warning") if m in found)[:1]
-            self.project_tree.show_document(file, document, file in dirty, marks)
+            part = self.parts.is_part(file)
+            self.project_tree.show_document(file, document, part, file in dirty, marks)
 
     def _settle_title(self) -> None:
         project = self.session.project

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 
 from situ import cli
 from situ_studio.kinds import MIME
+from situ_studio.panels.lists import ICON
 
 ALT = Qt.KeyboardModifier.AltModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -164,7 +165,8 @@ def test_selected_states_become_a_part_in_one_step(used: Any) -> None:
     assert document.state("12") is None
     assert window.current_view.selected == (("state", "11"),)
     assert used.session.undo_text == "Make a part: Vital signs"
-    assert used.row_with(window.project_tree.tree, "vital-signs *").isValid()
+    row = used.row_with(window.project_tree.tree, "vital-signs *")
+    assert row.data(ICON) == ("part", "part")
     used.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert used.session.document(RECEPTION) is before
     assert used.session.document("vital-signs.rbd.xml") is None
@@ -174,7 +176,7 @@ def test_selected_states_become_a_part_in_one_step(used: Any) -> None:
     assert used.session.document(RECEPTION) is document
 
 
-def test_a_part_that_was_made_is_saved_and_the_project_still_does_its_scenarios(
+def test_a_part_that_was_made_is_saved_and_the_project_has_no_errors(
     used: Any, capsys: pytest.CaptureFixture[str]
 ) -> None:
     choose_states(used, *MEASURE)

@@ -57,12 +57,13 @@ class Figuring:
             return
         areas = self._areas()
         for frame in frames:
-            view = nodes[frame.uid].view
-            if view.wanted is not None:
+            item = self._item(frame.uid)
+            if item is None or item.wanted is not None:
                 continue
-            across, down = view.x() - frame.x, view.y() - frame.y
+            across, down = item.x() - frame.x, item.y() - frame.y
             for uid in figures.held(frame.area, areas):
-                nodes[uid].view.setPos(areas[uid][0] + across, areas[uid][1] + down)
+                if uid in nodes:
+                    nodes[uid].view.setPos(areas[uid][0] + across, areas[uid][1] + down)
 
     def with_held(self, to: Mapping[str, Spot]) -> dict[str, Spot]:
         """New places of some things, with what the frames among them hold."""

@@ -18,10 +18,11 @@ from situ_studio.panels.lists import COUNT, ICON, MARKS, PLACE, RowDelegate
 from situ_studio.theme import Theme
 
 
-def look(document: Document) -> tuple[str, str, int]:
-    """A document's icon, its colour, and how many it holds."""
+def look(document: Document, part: bool = False) -> tuple[str, str, int]:
+    """A document's icon, its colour, and how many it holds. part: it runs only inside others."""
     if isinstance(document, Application):
-        return "state", "state", len(document.states)
+        kind = "part" if part else "state"
+        return kind, kind, len(document.states)
     if isinstance(document, Spds):
         return "situation", "situation", len(document.situations)
     return "module", "module", len(document.modules)
@@ -132,13 +133,13 @@ class ProjectTree(QWidget):
         self.setMaximumHeight(height)
 
     def show_document(
-        self, file: str, document: Document, dirty: bool, marks: tuple[str, ...]
+        self, file: str, document: Document, part: bool, dirty: bool, marks: tuple[str, ...]
     ) -> None:
         """Brings one document's row up to date; ``marks`` are ``error`` and ``warning``."""
         item = self._files.get(file)
         if item is None:
             return
-        icon, token, count = look(document)
+        icon, token, count = look(document, part)
         item.setData((icon, token), ICON)
         item.setData(str(count), COUNT)
         item.setData(tuple((m, m) for m in marks), MARKS)
