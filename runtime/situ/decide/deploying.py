@@ -140,6 +140,8 @@ class Deploying:
             project = self._prepared.pop(version.number, None) or _read(version)
         except ValueError as error:
             return str(error)
+        kept = {one.number for one in (state.running, state.former) if one is not None}
+        self._projects = {n: one for n, one in self._projects.items() if n in kept}
         self._projects[version.number] = project
         state.taken += 1
         at_once = given.returning or (given.force_after is not None and given.force_after <= 0)
