@@ -75,13 +75,14 @@ class Follower(QObject):
         link.documents_came.connect(lambda _: self.compare())
 
     def compare(self) -> None:
-        """Whether the open documents are the robot's own, by meaning of the files."""
+        """Whether the open documents are the robot's own; it has none of what only an editor needs,
+        so the drawing does not count."""
         files = self._link.files
         if files is None:
             self.same = None
             return
         self.same = all(
-            file in files and _canonical(files[file], file) == codec.write(document)
+            file in files and codec.read(files[file].encode(), file)[0] == document
             for file, document in self._window.live_documents().items()
         )
         self._tell()
@@ -131,8 +132,3 @@ class Follower(QObject):
         if state.kind == "live" and self.same is not None:
             words += self.tr(", same as the robot") if self.same else self.tr(", differs here")
         self._window.show_link(state.kind, words)
-
-
-def _canonical(text: str, file: str) -> bytes | None:
-    document, _ = codec.read(text.encode(), file)
-    return None if document is None else codec.write(document)

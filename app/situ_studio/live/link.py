@@ -172,6 +172,8 @@ class RobotLink(QObject):
         new = self.log.add(events)
         if new:
             self._measure(new[-1])
+            if any(e["kind"] == "deployed" and e["seq"] > self._backlog for e in new):
+                self._ask_documents()
             self.came.emit(new)
             self.moment_changed.emit()
 
@@ -215,7 +217,12 @@ class RobotLink(QObject):
             self.log.clear()
         entries = link.dialog.entries(["**"])
         entries.then(lambda: self._stand(entries))
-        files = link.dialog.documents()
+        self._ask_documents()
+
+    def _ask_documents(self) -> None:
+        """Those that the robot runs now."""
+        assert self._link is not None
+        files = self._link.dialog.documents()
 
         def compared() -> None:
             try:

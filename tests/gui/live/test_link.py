@@ -10,6 +10,10 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 import situ
+from situ.blackboard.client import connect as operator
+from situ.document import codec
+from situ.document.export import deployable, without_editor
+from situ.document.ready import load_ready
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -87,6 +91,31 @@ def test_a_lost_robot_is_told_at_once_and_found_again(
     seqs = [event["seq"] for event in link.log.events]
     assert seqs == list(range(1, len(seqs) + 1))
     assert first >= 1
+    it.window.disconnect_robot()
+
+
+def test_what_is_deployed_meanwhile_is_what_the_documents_are_compared_with(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    follower = it.window.robot.follower
+    until(link.documents_came, lambda: follower.same is True)
+    files = deployable(load_ready(there.project))
+    file = it.window.current_file
+    script = it.session.document(file)
+    greeting = replace(script.states[0], name="greeting")
+    it.session.commit(file, replace(script, states=(greeting, *script.states[1:])), "Rename")
+    assert "differs here" in it.window.status.link.text()
+    files[file] = codec.write(without_editor(it.session.document(file)))
+    with operator(there.endpoint, role="operator") as board:
+        board.deploy(files, "situ.toml", force_after=0)
+    until(link.documents_came, lambda: follower.same is True)
+    assert "same as the robot" in it.window.status.link.text()
+    assert [e["version"] for e in link.log.events if e["kind"] == "deployed"] == [1]
+    seqs = [event["seq"] for event in link.log.events]
+    assert seqs == list(range(1, len(seqs) + 1))
     it.window.disconnect_robot()
 
 
