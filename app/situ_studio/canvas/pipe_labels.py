@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
+
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter, QPen, Qt
 
-from situ_studio.canvas.routes import Route
+from situ_studio.canvas.routes import Point, Route
 from situ_studio.canvas.style import HALF, Label, Look, whole_label
 
 GUARD_HEIGHT = 22.0
@@ -28,11 +31,7 @@ class PipeLabel:
         room = route.room - (36 if pill else 10)
         self._text = Label(said, PIXELS, 500, min(LONGEST, max(20.0, room)))
         self._stretch = max(
-            (
-                abs(ax - bx)
-                for (ax, ay), (bx, by) in zip(route.points, route.points[1:], strict=False)
-                if ay == by == self._y
-            ),
+            (abs(ax - bx) for (ax, ay), (bx, by) in pairwise(route.points) if ay == by == self._y),
             default=0.0,
         )
         wide = self._text.width + (36 if pill else 10)
@@ -44,6 +43,21 @@ class PipeLabel:
     def width(self) -> float:
         """Of the words alone."""
         return self._text.width
+
+    def leave_free(self, points: Sequence[Point]) -> list[tuple[Point, ...]]:
+        """The way before the label and the way after it."""
+        x, y = self._x, self._y
+        wide, tall = self.area.width() / 2, self.area.height() / 2
+        for index, ((ax, ay), (bx, by)) in enumerate(pairwise(points)):
+            if ay == by == y and min(ax, bx) <= x <= max(ax, bx):
+                step = (wide if bx > ax else -wide, 0.0)
+            elif ax == bx == x and min(ay, by) <= y <= max(ay, by):
+                step = (0.0, tall if by > ay else -tall)
+            else:
+                continue
+            before, after = (x - step[0], y - step[1]), (x + step[0], y + step[1])
+            return [(*points[: index + 1], before), (after, *points[index + 1 :])]
+        return [tuple(points)]
 
     def reach(self) -> QRectF:
         """Where it is painted at any zoom."""
@@ -105,7 +119,9 @@ class PipeLabel:
             look.icon(painter, "guard", box.left() + 6, self._y - 7, 14, look["condition"])
             self._text.draw(painter, box.left() + 23, self._y + 4, look["condition"])
             return
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(look["canvas"])
-        painter.drawRoundedRect(box, 4, 4)
+        if look.level != "full":
+            # Enlarged, it lies over others.
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(look["canvas"])
+            painter.drawRoundedRect(box, 4, 4)
         self._text.draw_middle(painter, self._x, self._y + 4, ink)

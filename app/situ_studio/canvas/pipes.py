@@ -77,6 +77,7 @@ class RoutedPipe(PipeItem):
         self._rect = QRectF()
         self._hit: QPainterPath | None = None
         self._way: QPainterPath | None = None
+        self._gap: QPainterPath | None = None
         self._chip = ""
         self.setZValue(UNDER)
         self.setAcceptHoverEvents(True)
@@ -93,7 +94,7 @@ class RoutedPipe(PipeItem):
         self._shown = route, said, pill, chip
         self.route, self._chip = route, chip
         self._label = PipeLabel(route, said, pill) if route.label is not None else None
-        self._hit = self._way = None
+        self._hit = self._way = self._gap = None
         if route.folded:
             x, y = self.output_port.centre().toTuple()
             area = QRectF(x, y - 10, STUB + chip_width(chip) + 2, 20)
@@ -116,6 +117,16 @@ class RoutedPipe(PipeItem):
             if len(points) > 1:
                 self._way = rounded(points, 5.0 if self.route.trunk is None else 0.0)
         return self._way
+
+    def _gapped(self) -> QPainterPath:
+        """The line as it is painted round its name, which stands on whatever lies there."""
+        if self._gap is None:
+            assert self._label is not None
+            self._gap = QPainterPath()
+            for part in self._label.leave_free(self.route.points):
+                ends = part[-1] == self.route.points[-1] and self.route.trunk is None
+                self._gap.addPath(rounded(part, 5.0 if ends else 0.0))
+        return self._gap
 
     def shape(self) -> QPainterPath:
         if self.route.folded and self.look.level != "full":
@@ -183,20 +194,23 @@ class RoutedPipe(PipeItem):
             return
         # Small drawings keep lines and arrows that can be seen.
         width = max(2.0 if self.selected() else 1.6, 1.2 / look.zoom)
-        taken = self._taken()
-        path = self.path()
+        taken, count = self._taken(), self._count()
+        named = self._label is not None and not count and look.level == "full"
+        path = self._gapped() if named else self.path()
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        if taken:
-            painter.setOpacity(taken)
-            painter.setPen(QPen(look.faint("live", 0.22), 7))
-            painter.drawPath(path)
-            color, width = look["live"], max(2.75, width)
         pen = QPen(color, width)
         if self.link is not None and self.link.exit == "timeout":
             unit = max(1.0, 1 / look.zoom) / width
             pen.setDashPattern([4 * unit, 3 * unit])
         painter.setPen(pen)
         painter.drawPath(path)
+        if taken:
+            color = look["live"]
+            painter.setOpacity(taken)
+            painter.setPen(QPen(look.faint("live", 0.22), 7))
+            painter.drawPath(path)
+            painter.setPen(QPen(color, max(2.75, width)))
+            painter.drawPath(path)
         if route.trunk is None:
             (ax, ay), (bx, by) = route.points[-2], route.points[-1]
             scale = 1.0 if look.level == "full" else 1.5
@@ -208,7 +222,6 @@ class RoutedPipe(PipeItem):
         painter.setOpacity(1.0)
         if self._label is None:
             return
-        count = self._count()
         if count:
             self._label.paint_count(painter, look, count, bool(taken))
         else:

@@ -33,6 +33,7 @@ class Piping(QObject):
     def __init__(self, graph: Graph, parent: QObject) -> None:
         super().__init__(parent)
         self._graph = graph
+        graph.folds = self._folds
         self._router = Router()
         self._picture = Picture({}, {}, {})
         self._widths: dict[str, float] = {}
@@ -214,7 +215,13 @@ class Piping(QObject):
             item = self._graph.pipe(id)
             route = self._router.routes.get(id)
             if item is not None and route is not None and id in self._said:
+                if item.route.folded != route.folded:
+                    self._graph.forget_lines()
                 item.set_route(route, *self._said[id])
+
+    def _folds(self, id: PipeId) -> bool:
+        route = self._router.routes.get(id)
+        return route is not None and route.folded
 
     def _text_width(self, text: str) -> float:
         width = self._widths.get(text)

@@ -10,7 +10,10 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
 
+from situ.document import drawing
+from situ.document.drawing import Frame
 from situ.document.rbd import Application
+from situ_studio.canvas.live import LiveView, Taken
 
 Make = Callable[..., Any]
 
@@ -146,3 +149,41 @@ def test_timeouts_are_dashed_at_every_zoom_that_shows_their_way(made: Any, zoom:
     ]
     changes = sum(a != b for a, b in pairwise(dark))
     assert changes >= 4
+
+
+def test_far_out_pipes_that_end_in_chips_are_left_out(made: Any) -> None:
+    ends = {i[:2] for i in made.canvas.graph.links if made.hand.pipe(*i[:2]).route.folded}
+    assert ("2", "timeout") in ends
+    shown = len(made.canvas.graph.links) - len(ends)
+    loops = [i for i in made.canvas.graph.links if i[0] == i[2]]
+    assert len(made.canvas.graph.lines()[0]) == shown - len(loops)
+    made.hand.click(
+        made.hand.on_pipe(made.hand.pipe("2", "timeout")), Qt.KeyboardModifier.AltModifier
+    )
+    made.hand.settle()
+    assert len(made.canvas.graph.lines()[0]) == shown - len(loops) + 1
+
+
+def test_the_name_of_a_pipe_stands_on_whatever_lies_there(desk: Make, small: Application) -> None:
+    """The line leaves it free; no ground is painted over a frame."""
+    frame = Frame(x=-40, y=-60, width=1000, height=520, color="#0b7a4b")
+    made = desk(drawing.add(small, frame))
+    pipe = made.hand.pipe("3", "1")
+    assert pipe.route.label is not None
+    image = made.canvas.viewer.grab().toImage()
+    x, y = pipe.route.label
+    beside = made.hand.pixel(QPointF(x - pipe.route.room / 2 + 2, y))
+    assert image.pixelColor(beside) == image.pixelColor(beside - QPoint(0, 12))
+    line = made.hand.pixel(QPointF(x - pipe.route.room / 2 - 6, y))
+    assert image.pixelColor(line) != image.pixelColor(beside)
+
+
+def test_a_way_that_the_robot_took_long_ago_is_a_way_still(made: Any) -> None:
+    """The highlight fades, not the pipe under it."""
+    spot = made.hand.pixel(made.hand.on_pipe(made.hand.pipe("2", "0"), 0.2))
+    ground = made.canvas.look["canvas"].lightness()
+    for rank in range(3):
+        newer = tuple(Taken("9", str(n), 0.1) for n in range(rank))
+        made.canvas.set_live(LiveView(taken=(*newer, Taken("2", "0", 11.0))))
+        color = made.canvas.viewer.grab().toImage().pixelColor(spot)
+        assert color.lightness() < ground - 80
