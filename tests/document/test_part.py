@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from situ.decide.trace import to_fields
 from situ.document import codec
 from situ.document.check import check
+from situ.document.dissolve import dissolve
 from situ.document.flatten import flatten
 from situ.document.part import NoPart, make_part, part_file_of
 from situ.document.project import Project
@@ -352,3 +353,82 @@ def test_a_parts_file_stands_beside_the_applications_under_a_free_name() -> None
     assert part_file_of("a/app.rbd.xml", "x", ["a/x.rbd.xml"]) == "a/x-2.rbd.xml"
     assert part_file_of("app.rbd.xml", "!", []) == "part.rbd.xml"
     assert part_file_of("app.rbd.xml", "受付", []) == "受付.rbd.xml"
+
+
+# -- and back ------------------------------------------------------------------------
+
+
+@settings(LAW, max_examples=20)
+@given(st.integers(0, 2**32))
+def test_a_part_dissolved_is_what_it_was_made_of(seed: int) -> None:
+    maker = Maker(random.Random(seed))
+    made = maker.project()
+    try:
+        parted = make_part(made, FILE, maker.chosen(), "inner", PART)
+    except NoPart:
+        reject()
+    (no,) = (s.no for s in parted.applications[FILE].states if s.flow is not None)
+    after = dissolve(parted, FILE, no).applications[FILE]
+    before = made.applications[FILE]
+    assert {s.no: s for s in after.states} == {s.no: s for s in before.states}
+    assert (after.start_no, after.always) == (before.start_no, before.always)
+
+
+DONE = '<event name="done" next="3"/>'
+
+
+def held(events: str = DONE) -> str:
+    """State 2, which runs the part ``sub``, and state 3."""
+    inside = f'<flow src="sub.rbd.xml"/><expectedevents>{events}</expectedevents>'
+    return state("1", ways("2")) + state("2", inside) + state("3", ways("1"))
+
+
+SUB = state("1", ways("2", "9")) + state("2", ways("9")) + state("9")
+
+
+def test_numbers_that_are_taken_change_and_ways_follow() -> None:
+    made = project(held(), sub=SUB)
+    after = dissolve(made, FILE, "2")
+    application = after.applications[FILE]
+    assert [s.no for s in application.states] == ["1", "2", "2-2", "3"]
+    assert [[e.next for e in s.events] for s in application.states] == [
+        ["2"],
+        ["2-2", "3"],
+        ["3"],
+        ["1"],
+    ]
+    assert errors(after) == []
+    lines = [{"at": at, "event": "ab"[at % 2]} for at in range(1, 9)]
+    assert told(after, [*lines, {"at": 9, "end": True}]) == told(
+        made, [*lines, {"at": 9, "end": True}]
+    )
+
+
+def test_what_the_state_around_expects_every_state_expects_then() -> None:
+    more = f'{DONE}<event name="z" next="1"/>'
+    after = dissolve(project(held(more), sub=SUB), FILE, "2")
+    inner = after.applications[FILE].states[1:3]
+    assert [s.events[-1].name for s in inner] == ["z", "z"]
+
+
+GUARDED = '<event name="done" next="3"><when><data tag="t" is="1"/></when></event>'
+SPEAKS = "<backgroundactions><speech>bye</speech></backgroundactions>"
+
+
+@pytest.mark.parametrize(
+    ("events", "sub", "why"),
+    [
+        (DONE, f"<always><timeout>3</timeout></always>{SUB}", "has something in every state"),
+        (GUARDED, SUB, "without a condition"),
+        (DONE, state("1", ways("9")) + state("9", SPEAKS), "let an empty state after it"),
+        (DONE, state("1"), "there is nothing in it"),
+        (f'{DONE}<event name="z" next="#back"/>', SUB, "In state 2 n2 z leads to #back"),
+        (DONE, state("1", ways("#back", "9")) + state("9"), "leads back to the state before"),
+    ],
+)
+def test_what_can_not_stand_alone_is_not_dissolved(events: str, sub: str, why: str) -> None:
+    with pytest.raises(NoPart) as refused:
+        dissolve(project(held(events), sub=sub), FILE, "2")
+    assert why in str(refused.value)
+    with pytest.raises(NoPart, match="Select a state that runs a part"):
+        dissolve(project(held(events), sub=sub), FILE, "1")

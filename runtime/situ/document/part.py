@@ -106,18 +106,18 @@ def _begin(project: Project, file: str, inside: tuple[State, ...]) -> str:
     if len(always) > 1:
         left_out = next(state for state in inside if not state.always)
         raise NoPart(
-            f"{_called(left_out)} leaves out what every state has, and others do not: "
+            f"{called(left_out)} leaves out what every state has, and others do not: "
             "select them apart, or make them alike."
         )
     entries = [no for no in dict.fromkeys(_ways_in(source, within)) if no in within]
     if len(entries) > 1:
-        listed = " and ".join(_called(source.state(no)) for no in entries[:2])
+        listed = " and ".join(called(source.state(no)) for no in entries[:2])
         raise NoPart(
             f"A part begins in one state, but ways from outside lead to {listed}: "
             "select more or fewer states, or lead them all to one."
         )
     begin = entries[0] if entries else inside[0].no
-    _refuse_ways_back(source, inside, begin)
+    refuse_ways_back(source, inside, begin)
     _refuse_ends(project, file, inside)
     name = re.escape(f"application/{source.name}".encode())
     every = [*project.flows.values(), *([project.spds] if project.spds is not None else [])]
@@ -140,12 +140,12 @@ def _ways_in(source: Application, within: set[str]) -> Iterator[str]:
         yield from _targets(source.always)
 
 
-def _refuse_ways_back(source: Application, inside: tuple[State, ...], begin: str) -> None:
+def refuse_ways_back(source: Application, inside: tuple[State, ...], begin: str) -> None:
     """A part has ways back of its own: none may lead into it, out of it, or through its door."""
     first = next(state for state in inside if state.no == begin)
     if BACK in _targets(first):
         raise NoPart(
-            f"{_called(first)} leads back to the state before, which would be outside the part: "
+            f"{called(first)} leads back to the state before, which would be outside the part: "
             "lead it to a state first."
         )
     shared = source.always_in(inside[0])
@@ -167,7 +167,7 @@ def _refuse_ways_back(source: Application, inside: tuple[State, ...], begin: str
         always = source.always_in(target)
         if BACK in _targets(target) or (always is not None and BACK in _targets(always)):
             raise NoPart(
-                f"{_called(target)} leads back to the state before, which would be the beginning "
+                f"{called(target)} leads back to the state before, which would be the beginning "
                 "of the part: lead it to a state first, or select it too."
             )
 
@@ -181,14 +181,14 @@ def _refuse_ends(project: Project, file: str, inside: tuple[State, ...]) -> None
     runs = [a.name for a in project.flows.values() for s in a.states if s.flow == file]
     if runs:
         raise NoPart(
-            f"{_called(end)} is an end of {source.name}, for which {runs[0]} waits: "
+            f"{called(end)} is an end of {source.name}, for which {runs[0]} waits: "
             "leave it out of the selection."
         )
     shared = source.always_in(end)
     for event in shared.events if shared is not None else ():
         if event.name is not None and event.name in ("done", f"done.{end.no}"):
             raise NoPart(
-                f"Every state expects {event.name}, which the end {_called(end)} of the part "
+                f"Every state expects {event.name}, which the end {called(end)} of the part "
                 "would be: leave it out of the selection."
             )
 
@@ -201,7 +201,7 @@ def _targets(value: State | Always) -> list[str]:
     return found
 
 
-def _called(state: State | None) -> str:
+def called(state: State | None) -> str:
     assert state is not None
     return f"state {state.no} {state.name}".rstrip()
 
