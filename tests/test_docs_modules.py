@@ -7,6 +7,7 @@ import os
 import queue
 import re
 import runpy
+import signal
 import subprocess
 import sys
 import threading
@@ -101,7 +102,10 @@ def test_the_module_nods(robot: Robot, board: situ.Board, name: str) -> None:
         for pitch in (-12, 0):
             find(events, kind="mapping", module="nod", value={"pitch": pitch})
         find(events, kind="authority", **{"from": "nod"})
-        module.terminate()
+        # Ctrl-C.
+        module.send_signal(signal.SIGINT)
+        assert module.communicate(timeout=DEADLINE) == ("", "")
+        assert module.returncode == 0
         find(events, kind="lost", module="nod")
 
 

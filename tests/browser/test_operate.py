@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
-from typing import Any
+import asyncio
+import contextlib
+import json
+import sys
+from collections.abc import AsyncIterator, Awaitable, Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from playwright.async_api import Locator, Page, expect
@@ -11,6 +16,10 @@ from playwright.async_api import Locator, Page, expect
 from situ.blackboard.asynchronous import AsyncBoard
 from situ.blackboard.keys import RobotKeys
 
+if TYPE_CHECKING:
+    from tests.browser.conftest import Theatre
+
+DEADLINE = 20.0
 pytestmark = pytest.mark.chromium
 
 FLOW = """\
@@ -372,3 +381,60 @@ def test_every_target_has_a_fingers_size_a_name_and_its_place(
 
     window = {"viewport": {"width": width, "height": height}, "color_scheme": scheme}
     operate(scene, files=WARD, **window)
+
+
+# -- a robot in a process of its own ---------------------------------------------------
+
+
+def test_it_needs_an_operators_token_and_comes_back_with_a_robot_that_was_killed(
+    theatre: Theatre, keys: RobotKeys, tmp_path: Path
+) -> None:
+    project = tmp_path / "desk"
+    project.mkdir()
+    for name, text in FILES.items():
+        (project / name).write_text(text)
+    state_dir = tmp_path / "state"
+
+    @contextlib.asynccontextmanager
+    async def running(*addresses: str) -> AsyncIterator[dict[str, str]]:
+        process = await asyncio.create_subprocess_exec(
+            *(sys.executable, "-m", "situ", "run", str(project), "--json", "--no-restart"),
+            *("--state", str(state_dir), *addresses),
+            stdout=asyncio.subprocess.PIPE,
+        )
+        assert process.stdout is not None
+        try:
+            yield json.loads(await process.stdout.readline())
+        finally:
+            process.kill()
+            await process.wait()
+            # Until its pipe has ended too the loop knows of it.
+            assert await process.stdout.read() == b""
+
+    async def scene() -> None:
+        async with theatre.window("about:blank") as page:
+            async with running("--endpoint", "tcp://127.0.0.1:0") as told:
+                http = told["http"].partition("/?")[0]
+                same = ("--endpoint", told["requests"], "--notify", told["notifications"])
+                await page.goto(f"{http}/operate")
+                for token, seen in (("wrong", "does not know this token"), ("tablet's token", "")):
+                    await page.get_by_label("Token").fill(token)
+                    await page.get_by_role("button", name="Open").click()
+                    await expect(page.get_by_text(seen or "You can look only")).to_be_visible()
+                await expect(page.get_by_role("button", name="yes")).to_be_disabled()
+                await page.get_by_role("button", name="Forget the token").click()
+                await page.get_by_label("Token").fill("ann's token")
+                await page.get_by_role("button", name="Open").click()
+                await page.get_by_role("button", name="yes").click()
+                await state(page, "serves (2)")
+            await expect(page.locator("#link")).to_have_text("Robot is away")
+            await expect(page.get_by_role("button", name="over")).to_be_disabled()
+            async with running(*same, "--http", http.removeprefix("http://")):
+                await page.get_by_role("button", name="over").click()
+                await state(page, "asks (1)")
+
+    async def whole() -> None:
+        async with asyncio.timeout(3 * DEADLINE):
+            await scene()
+
+    theatre.loop.run_until_complete(whole())

@@ -532,6 +532,14 @@ def test_breakpoints_stand_on_the_blackboard_and_in_the_trace_with_who_changed_t
     assert run.refused == ["debugger.breakpoints is kept by the runtime; set a tag of your own"]
 
 
+def test_an_event_that_an_operator_raises_tells_who_did_it() -> None:
+    for before in ((), (Pause(ANN), Raise("gone"))):
+        run = Run(GO)
+        run.do(1, *before, Raise("go", writer=ANN), Raise("gone"), Resume(ANN))
+        told = {event["name"]: event.get("writer") for event in run.trace.of("event")}
+        assert told == {"go": ANN, "gone": None}
+
+
 # -- laws --------------------------------------------------------------------
 
 

@@ -6,8 +6,12 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from situ.decide import machine, trace
+from situ.decide.inputs import Raise, Start
+from situ.decide.robot import Robot
+
 if TYPE_CHECKING:
-    from tests.decide.conftest import Play
+    from tests.decide.conftest import Build, Play
 
 RESOURCES = ("acquire", "abandon", "authority", "mapping")
 
@@ -313,6 +317,22 @@ def test_back_goes_to_the_state_from_which_this_one_was_entered(
 ) -> None:
     lines = [{"at": i, "event": name} for i, name in enumerate(events.split(), 1)]
     assert "".join(no for _, no in play(MAZE, lines).states()) == visited
+
+
+@pytest.mark.parametrize("actions", ["", "<launch program='x'/>"])
+def test_of_a_thousand_ways_back_the_oldest_is_forgotten(build: Build, actions: str) -> None:
+    # By the short way and the long one.
+    states = "".join(state(no, to("2", "3") + BACK, actions) for no in "123")
+    robot = Robot(build(states))
+    robot.step(Start(), 0)
+    for number in range(machine.DEEPEST + 1):
+        robot.step(Raise("to3" if number % 2 else "to2"), 1)
+    for _ in range(machine.DEEPEST):
+        robot.step(Raise("back"), 2)
+    # Not in 1, from where it came first.
+    assert robot.expected()["app"].state == "2"
+    events, _ = robot.step(Raise("back"), 3)
+    assert [event.reason for event in events if isinstance(event, trace.Ignored)] == ["guard"]
 
 
 def test_back_with_nothing_on_the_stack_is_refused_like_a_guard(play: Play) -> None:

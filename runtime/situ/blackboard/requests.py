@@ -189,7 +189,8 @@ def _publish(core: Core, session: Session, request: protocol.Publish) -> protoco
         raise No("invalid", "an event has a name")
     if len(request.event) > LONGEST:
         raise No("invalid", f"{request.event[:LONGEST]!r} and so on is too long for a name")
-    _do(core, inputs.Raise(request.event, request.application))
+    writer = session.writer if session.role == "operator" else None
+    _do(core, inputs.Raise(request.event, request.application, writer))
     return protocol.Done(id=request.id)
 
 

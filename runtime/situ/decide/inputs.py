@@ -40,10 +40,12 @@ class Set(Input, frozen=True):
 
 
 class Raise(Input, frozen=True):
-    """An event from outside; application None: every application gets it."""
+    """An event from outside; application None: every application gets it. writer: the operator who
+    raises it, None for all others."""
 
     event: str
     application: str | None = None
+    writer: str | None = None
 
 
 class Touch(Input, frozen=True):

@@ -76,14 +76,15 @@ class Intake:
         else:
             self._refuse(f"there is no application {application}", given.event)
             return
+        writer = given.writer if given.writer is not None else UNSET
         if len(machines) == 1 and settling.at_rest:
             # Nothing else can come first: it need not wait for its turn.
             settling.count += 1
-            machines[0].judge(given.event, None)
+            machines[0].judge(given.event, None, None, writer)
             return
         order = self._world.next_raise()
         for machine in machines:
-            machine.raise_event(given.event, None, order)
+            machine.raise_event(given.event, None, order, writer)
 
     def _shower(self) -> Machine | None:
         """The application whose screen is shown."""

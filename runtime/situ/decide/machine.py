@@ -27,12 +27,15 @@ Asked = Callable[[str, int], None]
 """Told that a module asks for something else than before, and the seq of that event."""
 
 DONE = "done"
+DEEPEST = 1_000
+"""States that ``#back`` finds again; older ones are forgotten, for a robot may run for years."""
 
 
 class Raised(Struct):
     """An event that waits. own: raised by the application's own actions, parts or timeout.
 
     holder: the path of the only state that may take it, that whose part has ended; or None.
+    writer: the operator who raised it.
     """
 
     order: int
@@ -40,6 +43,7 @@ class Raised(Struct):
     cause: int | None
     own: bool
     holder: str | None = None
+    writer: str | UnsetType = UNSET
 
 
 class MachineState(Struct):
@@ -118,9 +122,11 @@ class Machine:
 
     # -- events --------------------------------------------------------------
 
-    def raise_event(self, name: str, cause: int | None, order: int) -> None:
+    def raise_event(
+        self, name: str, cause: int | None, order: int, writer: str | UnsetType = UNSET
+    ) -> None:
         """An event from outside; ``order`` is shared by all applications it goes to."""
-        self.state.queue.append(Raised(order, name, cause, own=False))
+        self.state.queue.append(Raised(order, name, cause, own=False, writer=writer))
 
     def _raise_own(self, name: str, cause: int | None, holder: str | None = None) -> None:
         raised = Raised(self._world.next_raise(), name, cause, own=True, holder=holder)
@@ -134,13 +140,19 @@ class Machine:
     def judge_event(self, raised: Raised) -> None:
         """Takes the event, which is next, out of the queue and finishes it."""
         self.state.queue.remove(raised)
-        self.judge(raised.name, raised.cause, raised.holder)
+        self.judge(raised.name, raised.cause, raised.holder, raised.writer)
 
-    def judge(self, name: str, cause: int | None, holder: str | None = None) -> None:
+    def judge(
+        self,
+        name: str,
+        cause: int | None,
+        holder: str | None = None,
+        writer: str | UnsetType = UNSET,
+    ) -> None:
         """The turn of an event has come; what else may follow is the robot's to see."""
         step = self._step
         step.seq = seq = step.seq + 1
-        step.events.append(trace.Event(seq, step.seconds, cause, self.name, name))
+        step.events.append(trace.Event(seq, step.seconds, cause, self.name, name, writer))
         here = self.here
         if self.state.suspended:
             step.trace(trace.Ignored, seq, self.name, name, "suspended")
@@ -266,7 +278,7 @@ class Machine:
         if to == BACK:
             self.state.stacks[level].pop()
         elif to != AGAIN and self.program.goes_back:
-            self.state.stacks[level].append(levels[level].no)
+            _remember(self.state.stacks[level], levels[level].no)
         seq = step.trace(trace.Transition, cause, self.name, source, target, event, timeout, writer)
         if keys:
             self.actions.begin(keys, self.program.innermost[target], seq)
@@ -297,7 +309,7 @@ class Machine:
         if way.starts:
             state.stacks[0].clear()
         elif way.back:
-            state.stacks[0].append(way.source)
+            _remember(state.stacks[0], way.source)
         state.no, state.entered = no, 0
         self.here = target
         step.seq = seq = step.seq + 1
@@ -530,3 +542,10 @@ class Machine:
         seq = self.actions.finish(action_id, ok, result, error, status, cause)
         self._settle_idle()
         return seq
+
+
+def _remember(stack: list[str], no: str) -> None:
+    """no: a state to which ``#back`` leads."""
+    stack.append(no)
+    if len(stack) > DEEPEST:
+        del stack[0]

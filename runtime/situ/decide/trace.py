@@ -81,8 +81,11 @@ class Mapping(TraceEvent, frozen=True):
 
 
 class Event(TraceEvent, frozen=True):
+    """writer: the operator who raised it."""
+
     application: str
     name: str
+    writer: str | UnsetType = UNSET
 
 
 class Ignored(TraceEvent, frozen=True):
