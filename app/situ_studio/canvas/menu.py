@@ -109,7 +109,11 @@ class FollowMenu(QFrame):
         return super().eventFilter(watched, event)
 
     def popup(self, at: QPoint) -> None:
-        self.move(at)
+        """Opens at a place of the screen, or as near as it is seen whole."""
+        room = self.screen().availableGeometry()
+        left = min(at.x(), room.right() + 1 - self.width())
+        top = min(at.y(), room.bottom() + 1 - self.height())
+        self.move(max(room.left(), left), max(room.top(), top))
         self.show()
         self.field.setFocus()
 

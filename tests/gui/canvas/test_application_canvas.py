@@ -287,6 +287,14 @@ def test_an_exit_dropped_on_the_ground_asks_what_follows(made: Any, check: Check
     check(made)
 
 
+def test_the_menu_of_what_follows_is_seen_whole(made: Any) -> None:
+    made.canvas.move(200, 200)
+    made.hand.drag(made.hand.exit("4", "0"), QPointF(520, 560))
+    menu = made.canvas.menu
+    assert menu.screen().availableGeometry().contains(menu.geometry())
+    menu.close()
+
+
 def test_escape_in_the_menu_leaves_the_old_pipe(made: Any, check: Check) -> None:
     hand = made.hand
     hand.drag(hand.on_pipe(hand.pipe("2", "0")), QPointF(480, 500))
