@@ -647,6 +647,14 @@ COMMANDS: tuple[Command, ...] = (
         contexts="state states",
     ),
     _c(
+        "part.dissolve",
+        "Dissolve the part",
+        "dissolve_part",
+        menu="Arrange",
+        when="can_enter_part",
+        tip="The states of the part stand here again; its file stays.",
+    ),
+    _c(
         "connect",
         "Connect",
         "connect_robot",

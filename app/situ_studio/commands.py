@@ -316,6 +316,9 @@ class Commands(QObject):
     def make_part(self) -> None:
         self._window.parts.make()
 
+    def dissolve_part(self) -> None:
+        self._window.parts.dissolve()
+
     def enter_part(self) -> None:
         self._window.parts.enter()
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QPointF
 
 from situ.document.aside import NOTHING
+from situ.document.dissolve import dissolve
 from situ.document.part import NoPart, make_part, part_file_of
 from situ.document.project import Project
 from situ.document.rbd import Application, Event, State
@@ -157,6 +158,22 @@ class PartsSide(QObject):
                     "{0} has {1} states and {2} ways out: double-click it to look inside."
                 ).format(name, len(numbers), ends)
             )
+
+    def dissolve(self) -> None:
+        """The states of the part that the selected state runs stand in its place again."""
+        window, file, project = self._window, self._window.current_file, self._session.project
+        if file is None or project is None or not self.can_enter():
+            return
+        assert window.current_view is not None
+        no = window.current_view.selected[0][1]
+        flow = self._chosen_part()
+        try:
+            after = dissolve(project, file, no).flows[file]
+        except NoPart as refused:
+            window.say(str(refused))
+            return
+        if self._commit({file: after}, f"Dissolve part {stem(flow or '')}"):
+            window.select(("state", no))
 
     def insert(self, at: QPointF | None = None, link: Place = ()) -> None:
         """A state that runs a part, which a person names: one that there is, or a new one.

@@ -7,12 +7,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
 from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from situ import cli
+from situ.document.rbd import Always
 from situ_studio.kinds import MIME
 from situ_studio.panels.lists import ICON
 
@@ -220,6 +222,29 @@ def test_a_new_part_that_was_not_saved_comes_back_after_a_crash(
     used.window.recovery.keep()
     kept = next((Path(settings.fileName()).parent / "recovery").glob("*.json")).read_text()
     assert "vitals.rbd.xml" in kept
+
+
+def test_a_part_is_dissolved_to_what_it_was_made_of(used: Any) -> None:
+    before = used.session.document(RECEPTION)
+    choose_states(used, *MEASURE)
+    used.answers.put("name", "vitals")
+    command(used, "part.make")
+    command(used, "part.dissolve")
+    after = used.session.document(RECEPTION)
+    assert {s.no: s for s in after.states} == {s.no: s for s in before.states}
+    places = {s.no: s.aside.position for s in after.states}
+    assert places == {s.no: s.aside.position for s in before.states}
+    assert used.session.undo_text == "Dissolve part vitals"
+
+
+def test_a_part_that_can_not_be_dissolved_says_why(used: Any) -> None:
+    before = used.session.document(RECEPTION)
+    part = used.session.document(REGISTER)
+    used.session.commit(REGISTER, replace(part, always=Always()), "Add what every state has")
+    used.select("state", holder(used))
+    command(used, "part.dissolve")
+    assert "has something in every state" in used.window.status.said.text()
+    assert used.session.document(RECEPTION) is before
 
 
 # -- adding one --------------------------------------------------------------------
