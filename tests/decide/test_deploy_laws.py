@@ -105,6 +105,20 @@ def versions(draw: st.DrawFn) -> Project:
     return replace(project, applications=applications, spds=script)
 
 
+def is_what_its_project_says(robot: Robot) -> None:
+    names = [application.name for application in robot.project.applications.values()]
+    assert list(robot.expected()) == names
+    told = [tag for tag, _ in robot.board.entries("application/*")]
+    assert told == sorted(f"application/{name}" for name in names)
+    situation, script = robot.board.look("situation"), robot.project.spds
+    if script is None:
+        assert situation is None
+        return
+    current = script.situation(situation["name"])
+    assert current is not None
+    assert situation["priorities"] == script.priorities(current)
+
+
 @FEW
 @given(versions(), versions(), scenarios, scenarios, st.sampled_from([0, 0.7, None]))
 def test_any_version_takes_over_from_any_other(
@@ -117,6 +131,7 @@ def test_any_version_takes_over_from_any_other(
     play.feed(after)
     assert [event.seq for event in play.events] == list(range(1, len(play.events) + 1))
     assert all(event.cause is None or 0 < event.cause < event.seq for event in play.events)
+    is_what_its_project_says(play.robot)
     other = Robot(project)
     other.prepare(play.robot.version, play.robot.project)
     other.restore(play.robot.snapshot())
