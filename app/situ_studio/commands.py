@@ -6,7 +6,6 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
 
 import situ
@@ -15,24 +14,23 @@ from situ.document.rbd import Application
 from situ.document.words import listed
 from situ.errors import SituError
 from situ_studio import kinds, places, projects
-from situ_studio.context_menus import context_of
 from situ_studio.find import Find, places_of
 from situ_studio.insert import NotHere, insert
 from situ_studio.lacking import lacking
 from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
 from situ_studio.shortcuts import Shortcuts
+from situ_studio.state_commands import StateCommands
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
 
-class Commands(QObject):
+class Commands(StateCommands):
     """The handlers of one window."""
 
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
-        self._window = window
         self._session = window.session
 
     # -- when ------------------------------------------------------------------------
@@ -49,51 +47,13 @@ class Commands(QObject):
     def can_redo(self) -> bool:
         return self._session.redo_text is not None
 
-    def has_selection(self) -> bool:
-        view = self._window.current_view
-        return view is not None and bool(view.selected)
-
     def has_graph(self) -> bool:
         view = self._window.current_view
         return view is not None and view.has_graph
 
-    def on_graph(self) -> bool:
-        view = self._window.current_view
-        return view is not None and view.mode == "graph"
-
     def _can(self, method: str, selected: bool = True) -> bool:
         view = self._window.current_view
         return view is not None and (bool(view.selected) or not selected) and view.can(method)
-
-    def on_application(self) -> bool:
-        return self.on_graph() and isinstance(self._window.current_document, Application)
-
-    def _cards(self) -> int:
-        """How many cards of an application are selected; none where something else is too."""
-        view = self._window.current_view
-        if view is None or not self.on_application():
-            return 0
-        cards = [p for p in view.selected if context_of((p,)) in ("state", "always")]
-        return len(cards) if len(cards) == len(view.selected) else 0
-
-    def has_states(self) -> bool:
-        return self._cards() > 0
-
-    def has_one_state(self) -> bool:
-        return self._cards() == 1
-
-    def has_two_cards(self) -> bool:
-        return self._cards() > 1
-
-    def has_three_cards(self) -> bool:
-        return self._cards() > 2
-
-    def has_exit(self) -> bool:
-        view = self._window.current_view
-        return view is not None and self.on_application() and context_of(view.selected) == "exit"
-
-    def has_card_or_exit(self) -> bool:
-        return self._cards() == 1 or self.has_exit()
 
     def has_found(self) -> bool:
         return self._window.finding.panel.has_hits
@@ -108,10 +68,10 @@ class Commands(QObject):
         return self._window.finding.can_rename()
 
     def can_copy(self) -> bool:
-        return self.has_selection() and isinstance(self._window.current_document, Application)
+        return self.has_selection() and self.is_application()
 
     def can_paste(self) -> bool:
-        return isinstance(self._window.current_document, Application)
+        return self.is_application()
 
     def can_auto_layout(self) -> bool:
         return self._can("auto_layout", selected=False)
@@ -298,20 +258,6 @@ class Commands(QObject):
 
     def rename_everywhere(self) -> None:
         self._window.finding.rename_everywhere()
-
-    def guard(self) -> None:
-        """A condition of the selected event, to be filled in."""
-        view, form = self._window.current_view, self._window.inspector.form
-        if view is None or form is None or len(view.selected) != 1:
-            return
-        if view.selected[0][-1:] == ("timeout",):
-            self._window.say(
-                self.tr("A timeout has no guard: give it no target, and guard the event timeout.")
-            )
-            return
-        condition = form.section("when").condition
-        if condition is not None:
-            condition.add("test")
 
     def make_part(self) -> None:
         self._window.parts.make()

@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 from msgspec import Struct
 
-from situ.document import condition, modules, rbd, spds
+from situ.document import condition, drawing, modules, rbd, spds
 from situ.document.names import is_name, matches, references
 from situ.document.project import Project
 from situ_studio import places
@@ -73,6 +73,8 @@ _ATTRIBUTES: dict[type, tuple[tuple[str, How], ...]] = {
     modules.Module: (("name", "module"), ("resources", "resource"), ("description", "text")),
     modules.Requires: (("data", "field"), ("module", "module")),
     modules.Provides: (("data", "tag"),),
+    drawing.Note: (("text", "text"),),
+    drawing.Frame: (("title", "text"),),
 }
 
 
@@ -149,9 +151,18 @@ def own(value: Any, place: Place) -> Iterator[Mention]:
             yield Mention(place, attribute, written, _names(how, written), how == "tag")
 
 
+def _drawn(document: Document) -> Iterator[Mention]:
+    """The notes and frames of an application."""
+    every = drawing.drawn(document) if isinstance(document, rbd.Application) else ()
+    for kind, type_ in places.DRAWN.items():
+        for index, value in enumerate(one for one in every if isinstance(one, type_)):
+            yield from own(value, (kind, str(index)))
+
+
 def mentions(document: Document) -> Iterator[Mention]:
     """Everything that a document mentions, in its order."""
     yield from _of(document, ())
+    yield from _drawn(document)
 
 
 class Index:
@@ -173,6 +184,8 @@ class Index:
                 kept[id(member)] = known
                 for mention in known[1]:
                     yield Found(file, mention)
+            for mention in _drawn(document):
+                yield Found(file, mention)
         self._known = kept
 
 

@@ -319,3 +319,38 @@ def test_cards_off_the_grid_are_put_on_it(studio: Start, project: Copy) -> None:
     after = used.session.document("reception.rbd.xml").state("2")
     assert after.aside.position == (16, 24)
     assert command("snap").menu == "Arrange"
+
+
+# -- the same in the outline ---------------------------------------------------------------
+
+
+def test_the_outline_leads_a_transition_elsewhere_and_marks_the_start(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.window.show_mode("outline")
+    used.select("state", "6", "event", "0")
+    used.key(Qt.Key.Key_E, CONTROL)
+    used.type("greeting")
+    used.key(Qt.Key.Key_Return)
+    document = used.session.document("reception.rbd.xml")
+    assert document.state(document.state("6").events[0].next).name == "greeting"
+    used.key(Qt.Key.Key_J, CONTROL)
+    assert used.window.current_view.selected == (("state", "10"),)
+    used.window.actions_.actions["mark_start"].trigger()
+    assert used.session.document("reception.rbd.xml").start_no == "10"
+    assert not used.window.actions_.actions["align.left"].isEnabled()
+
+
+def test_the_outline_adds_what_follows_a_state(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.window.show_mode("outline")
+    used.select("state", "6")
+    count = len(used.session.document("reception.rbd.xml").states)
+    used.key(Qt.Key.Key_E, CONTROL)
+    used.type("new state that says")
+    used.key(Qt.Key.Key_Return)
+    document = used.session.document("reception.rbd.xml")
+    assert len(document.states) == count + 1
+    assert document.state("6").events[-1].next == document.states[-1].no
+    assert used.window.current_view.selected == (("state", document.states[-1].no),)

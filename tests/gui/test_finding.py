@@ -133,3 +133,14 @@ def test_a_name_that_is_used_already_is_refused_in_one_line(studio: Start, proje
     assert used.session.undo_text is None
     said = used.window.status.said.text()
     assert said == "There is an event clickYes already: choose another name."
+
+
+def test_what_a_note_says_is_found(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("nobody has these initials")
+    ((text, where),) = rows(used)
+    assert text.startswith("The way is the same when nobody has these initials")
+    assert where == "reception: a note"
+    used.key(Qt.Key.Key_Return)
+    assert used.window.current_view.selected == (("note", "0"),)

@@ -224,19 +224,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         """spot: where a new state goes; at: where the menu opens, there if None."""
         if uid not in self._picture.cards:
             return
-        source = self._picture.cards[uid]
-        leaving = source.exit(exit)
-        choices = [
-            f
-            for f in gestures.FOLLOWS
-            if (f.key != "" or leaving is None or leaving.next is not None)
-            and not (f.key.startswith("#") and source.kind == "always" and f.key == "#again")
-        ]
-        choices += [
-            gestures.Follow(card.no, f"{card.no}  {card.name}", "state", "existing state")
-            for card in self._picture.cards.values()
-            if card.no
-        ]
+        choices = gestures.choices(self.document, self._picture.cards[uid].place, exit)
         menu = FollowMenu(choices, self.look.theme, self)
         menu.chosen.connect(lambda key: self._follow(uid, exit, key, spot))
         menu.closed.connect(self._menu_closed)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from situ.document import rbd
 from situ.document.rbd import Application
-from situ_studio import places
 from situ_studio.canvas import gestures
 from situ_studio.canvas.base import Canvas
 from situ_studio.canvas.projection import NEW, Card, Picture, exit_of
@@ -36,10 +34,6 @@ class CommandedCanvas(Canvas):
         uid = self._find(chosen[0])[0] if len(chosen) == 1 else None
         return self._picture.cards.get(uid) if uid is not None else None
 
-    def _show_state(self, no: str) -> None:
-        self.select([("state", no)])
-        self.zoom_to([("state", no)])
-
     # -- selecting ------------------------------------------------------------------------
 
     def select_followers(self) -> None:
@@ -58,28 +52,7 @@ class CommandedCanvas(Canvas):
         self.select(dict.fromkeys((*self.selection(), *more)))
         self.bring_into_view(self.selection())
 
-    # -- going somewhere --------------------------------------------------------------------
-
-    def go_to_start(self) -> None:
-        if self.document.start_no is not None:
-            self._show_state(self.document.start_no)
-
-    def go_to_target(self) -> None:
-        """To the state to which the selected transition leads."""
-        place = self._one_exit()
-        leaving = places.get(self.document, place) if place is not None else None
-        if place is None or leaving is None:
-            return
-        target = place[1] if leaving.next == rbd.AGAIN and place[0] == "state" else leaving.next
-        if target is None:
-            self.status.emit("This event leads nowhere: the state stays")
-        elif target in (rbd.BACK, rbd.AGAIN):
-            what = "the state before" if target == rbd.BACK else "whatever state there is"
-            self.status.emit(f"This leads to {what}, which is another one each time")
-        elif self.document.state(target) is None:
-            self.status.emit(f"There is no state {target}")
-        else:
-            self._show_state(target)
+    # -- from transition to transition ---------------------------------------------------
 
     def next_exit(self) -> None:
         """From transition to transition of the selected card, in document order."""
@@ -115,11 +88,6 @@ class CommandedCanvas(Canvas):
 
     def _ask_from(self, card: Card, exit: str) -> None:
         raise NotImplementedError
-
-    def mark_start(self) -> None:
-        numbers = self._numbers()
-        if len(numbers) == 1:
-            self._edit(*gestures.mark_start(self.document, numbers[0]))
 
     def snap_to_grid(self) -> None:
         """The selected cards, or all where none is, to the nearest points of the grid."""

@@ -155,6 +155,20 @@ def exit_place(owner: Place, exit: str) -> Place:
     return (*owner, TIMEOUT) if exit == TIMEOUT else (*owner, "event", exit)
 
 
+def choices(application: Application, owner: Place, exit: str) -> tuple[Follow, ...]:
+    """Every answer to *what can follow* an exit of a card: new states, then those there are."""
+    leaving = places.get(application, exit_place(owner, exit)) if exit != NEW else None
+    stays = leaving is None or leaving.next is not None
+    always = owner == (ALWAYS,)
+    known = (
+        Follow(s.no, f"{s.no}  {s.name}", "state", "existing state") for s in application.states
+    )
+    return (
+        *(f for f in FOLLOWS if (f.key or stays) and not (always and f.key == rbd.AGAIN)),
+        *known,
+    )
+
+
 def _new(kind: str, no: str) -> State:
     name = f"state {no}"
     match kind:
