@@ -6,7 +6,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from situ.document import rbd
+from situ.document import drawing, rbd
 from situ.document.condition import Condition, Group, Test
 from situ.document.modules import Module, Modules
 from situ.document.rbd import Always, Application, Event, State, Timeout
@@ -174,7 +174,8 @@ def rename_data(script: Spds, old: str, new: str) -> Spds:
 def remove_state(application: Application, no: str) -> Application:
     """Without state ``no``, and without the events and timeouts that led to it.
 
-    The start falls to the first state that is left, where it was ``no``.
+    Notes and frames that stand before it in the file stay. The start falls to the first state that
+    is left, where it was ``no``.
     """
 
     def part(value: Any) -> Any:
@@ -186,6 +187,7 @@ def remove_state(application: Application, no: str) -> Application:
             return value
         return replace(value, events=kept, timeout=leaving)
 
+    application = drawing.kept(application, no)
     states = tuple(part(s) for s in application.states if s.no != no)
     always = part(application.always) if application.always is not None else None
     start = application.start if application.start != no else None

@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from situ.document import codec
-from situ.document.drawing import Drawn, Frame, Note, add, drawn, exchange
+from situ.document.drawing import Drawn, Frame, Note, add, drawn, exchange, kept
 from situ.document.export import without_editor
 from situ.document.rbd import Application
 from situ.resources import example
@@ -98,3 +99,12 @@ def test_the_example_has_a_frame_and_a_note() -> None:
     application = read((example("reception") / "reception.rbd.xml").read_bytes())
     titles = [one.title for one in drawn(application) if isinstance(one, Frame)]
     assert titles == ["Vital signs"]
+
+
+def test_what_stands_before_a_state_stays_when_that_goes() -> None:
+    before = read(FILE)
+    after = kept(before, "2")
+    assert sorted(map(repr, drawn(after))) == sorted(map(repr, drawn(before)))
+    assert drawn(replace(after, states=after.states[:1])) == drawn(after)
+    assert b"a comment" in codec.write(after)
+    assert kept(after, "2") is after

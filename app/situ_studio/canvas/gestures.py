@@ -275,8 +275,9 @@ def delete(application: Application, gone: Iterable[Place]) -> Done:
     wanted = list(dict.fromkeys(gone))
     if not wanted:
         return application, ""
-    after = application
-    what: list[str] = []
+    drawn = [p for p in wanted if p[0] in places.DRAWN and places.get(application, p) is not None]
+    after = figures.remove(application, drawn)
+    what = [called(application, place) for place in drawn]
     # From the last event to the first, so that positions still fit.
     exits = [p for p in wanted if exit_of(p) is not None]
     exits.sort(key=lambda p: (p[:-1], int(p[-1]) if p[-1].isdigit() else -1), reverse=True)
@@ -291,9 +292,6 @@ def delete(application: Application, gone: Iterable[Place]) -> Done:
         elif place[:1] == ("state",) and len(place) == 2 and after.state(place[1]) is not None:
             what.append(called(application, place))
             after = changes.remove_state(after, place[1])
-    drawn = [p for p in wanted if p[0] in places.DRAWN and places.get(after, p) is not None]
-    what += [called(application, place) for place in drawn]
-    after = figures.remove(after, drawn)
     if not what:
         return application, ""
     return after, f"Delete {what[0]}" if len(what) == 1 else f"Delete {len(what)} things"

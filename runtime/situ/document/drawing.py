@@ -75,6 +75,22 @@ def add(application: Application, value: Drawn) -> Application:
     return replace(application, aside=replace(aside, inside=(*aside.inside, _written(value))))
 
 
+def kept(application: Application, no: str) -> Application:
+    """The application with the notes and frames that stand before state ``no`` behind all others,
+    so that they stay when the state goes."""
+    at = next((i for i, state in enumerate(application.states) if state.no == no), -1)
+    if at < 0 or not any(map(_read, application.states[at].aside.before)):
+        return application
+    aside = application.states[at].aside
+    taken = tuple(one for one in aside.before if _read(one) is not None)
+    rest = tuple(one for one in aside.before if _read(one) is None)
+    states = list(application.states)
+    states[at] = replace(states[at], aside=replace(aside, before=rest))
+    own = application.aside
+    own = replace(own, inside=(*own.inside, *taken))
+    return replace(application, states=tuple(states), aside=own)
+
+
 # -- where they stand ----------------------------------------------------------------
 
 

@@ -18,7 +18,7 @@ from collections.abc import Collection, Iterator
 
 from msgspec.structs import replace
 
-from situ.document import codec
+from situ.document import codec, drawing
 from situ.document.aside import NOTHING
 from situ.document.project import Project
 from situ.document.rbd import (
@@ -52,6 +52,8 @@ def make_part(
     have yet. NoPart, with one line for the user, where the states can not be taken out alone.
     """
     source = project.flows[file]
+    for no in numbers:
+        source = drawing.kept(source, no)
     inside = tuple(state for state in source.states if state.no in set(numbers))
     begin = _begin(project, file, inside)
     stem = part_file.rpartition("/")[2].partition(".")[0]

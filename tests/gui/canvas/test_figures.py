@@ -353,3 +353,17 @@ def test_a_note_alone_is_duplicated_and_cut(made: Any, check: Check) -> None:
     assert values(made) == (FRAME, NOTE)
     assert made.edits[-1] == "Cut a note"
     check(made)
+
+
+def test_a_note_written_before_a_state_in_the_file_stays_when_the_state_goes(
+    desk: Make, check: Check
+) -> None:
+    text = """<application name="a" xmlns:ed="urn:situ:editor"><state no="1" ed:x="0" ed:y="0"/>
+    <ed:note x="300" y="40">why</ed:note><state no="2" ed:x="0" ed:y="200"/></application>"""
+    document, _ = codec.read(text.encode(), "a")
+    used = desk(document)
+    used.canvas.select([("state", "2")])
+    used.hand.key(Qt.Key.Key_Delete)
+    assert [one.text for one in values(used)] == ["why"]
+    assert used.document.state("2") is None
+    check(used)
