@@ -110,7 +110,7 @@ class FollowMenu(QFrame):
 
     def popup(self, at: QPoint) -> None:
         """Opens at a place of the screen, or as near as it is seen whole."""
-        room = self.screen().availableGeometry()
+        room = self.screen().availableGeometry().adjusted(4, 4, -4, -4)
         left = min(at.x(), room.right() + 1 - self.width())
         top = min(at.y(), room.bottom() + 1 - self.height())
         self.move(max(room.left(), left), max(room.top(), top))

@@ -153,6 +153,10 @@ class RoutedPipe(PipeItem):
             hit.addRect(self._label.area)
         return hit
 
+    def label_area(self) -> QRectF | None:
+        """Where the label is painted at 100 %, in the scene; None without one."""
+        return self._label.area if self._label is not None else None
+
     def distance(self, spot: QPointF) -> float:
         """How far a spot is from the line, 0 on its label or chip: who is meant of several."""
         points = self.route.points

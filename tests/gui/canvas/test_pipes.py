@@ -7,12 +7,14 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QImage
 
-from situ.document import drawing
+from situ.document import condition, drawing
 from situ.document.drawing import Frame
-from situ.document.rbd import Application
+from situ.document.rbd import Application, Event, State, Timeout
 from situ_studio.canvas.live import LiveView, Taken
 
 Make = Callable[..., Any]
@@ -187,3 +189,53 @@ def test_a_way_that_the_robot_took_long_ago_is_a_way_still(made: Any) -> None:
         made.canvas.set_live(LiveView(taken=(*newer, Taken("2", "0", 11.0))))
         color = made.canvas.viewer.grab().toImage().pixelColor(spot)
         assert color.lightness() < ground - 80
+
+
+TAGS = st.sampled_from(["user.name", "patients.0", "a.tag.longer.than.any.pipe.has.room.for"])
+GUARDS = st.none() | TAGS.map(
+    lambda tag: condition.Condition((condition.Test(tag, "exists", "true"),))
+)
+NAMES = st.sampled_from(["ok", "clickYes", "次へ", "anEventWithANameLongerThanItsPipe"])
+
+
+@st.composite
+def applications(draw: st.DrawFn) -> Application:
+    """Up to nine states without places, and whatever leads from one to another."""
+    numbers = [str(n) for n in range(1, draw(st.integers(2, 9)) + 1)]
+    goals = st.sampled_from([*numbers, "#back", "#again", "99", None])
+    events = st.builds(Event, name=NAMES, next=goals, when=GUARDS)
+    timeouts = st.none() | st.builds(Timeout, seconds=st.just(60.0), next=goals)
+    states = tuple(
+        State(no=no, events=tuple(draw(st.lists(events, max_size=4))), timeout=draw(timeouts))
+        for no in numbers
+    )
+    return Application(name="any", states=states)
+
+
+@settings(
+    max_examples=40,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+@given(document=applications())
+def test_every_transition_of_any_drawing_can_be_seen(made: Any, document: Application) -> None:
+    """It has a way or a chip, no way crosses a card, and no name lies on a card or a name."""
+    made.change(document)
+    canvas = made.canvas
+    cards = [canvas.card_area(uid) for uid in canvas.graph.cards]
+    taken: list[QRectF] = []
+    for card in canvas.graph.cards.values():
+        for leaving in card.exits:
+            assert leaving.next is None or leaving.short or made.hand.pipe(card.uid, leaving.id)
+    for id in canvas.graph.links:
+        pipe = canvas.graph.pipe(id)
+        assert pipe.route.folded or len(pipe.route.points) > 1
+        assert not pipe.shape().isEmpty() or pipe.route.trunk is not None
+        for a, b in pairwise(pipe.route.points):
+            line = QRectF(QPointF(*a), QPointF(*b)).normalized().adjusted(-0.5, -0.5, 0.5, 0.5)
+            inside = line.adjusted(1, 0, -1, 0) if a[1] == b[1] else line.adjusted(0, 1, 0, -1)
+            assert not any(inside.intersects(card.adjusted(1, 1, -1, -1)) for card in cards)
+        if pipe.label_area() is not None:
+            assert pipe.label_area().width() <= pipe.route.room + 1
+            assert not any(pipe.label_area().intersects(area) for area in (*cards, *taken))
+            taken.append(pipe.label_area())
