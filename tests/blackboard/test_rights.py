@@ -61,6 +61,8 @@ CHANGING = {
     "answer": "module",
     "disclose": "module",
     "perform": "service",
+    "bundle": "service",
+    "fetch": "service",
     **dict.fromkeys(("stage", "piece", "deploy", "rollback"), "operator"),
     **dict.fromkeys(("break", "unbreak", "pause", "resume", "step", "goto"), "operator"),
 }

@@ -7,6 +7,8 @@ import random
 import shutil
 import threading
 import time
+import urllib.error
+import urllib.request
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -268,6 +270,40 @@ def test_wherever_the_core_is_killed_in_a_deploy_the_old_or_the_new_version_runs
             assert found in wanted
             assert board.get("rounds") == kill + 1
             assert not (desk.state / "versions" / "staging").exists() or found == old
+
+
+def picture(screen: str, name: str) -> bytes | None:
+    """What a page of the screen at this address shows there; None: nothing."""
+    page = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+    page.open(screen, timeout=DEADLINE).close()
+    try:
+        with page.open(f"{screen.partition('?')[0]}media/{name}", timeout=DEADLINE) as answer:
+            return bytes(answer.read())
+    except urllib.error.HTTPError as refused:
+        refused.close()
+        return None
+
+
+def test_a_screen_on_another_machine_gets_the_pictures_of_what_is_deployed(
+    desk: Runtime, tmp_path: Path, make_runtime: Callable[[Path], Runtime]
+) -> None:
+    desk.start(*CORE)
+    # With a copy of the project of its own, and a state folder of its own.
+    face = make_runtime(shutil.copytree(DESK, tmp_path / "face"))
+    face.start("--services", "screen", "--endpoint", desk.endpoint)
+    try:
+        with operator(desk) as board:
+            screen = board.addresses.http
+            assert screen is not None
+            large = bytes(range(256)) * 4000
+            board.deploy({**files(), "media/nurse.png": large}, "situ.toml")
+            until(board, runs(1))
+            until(board, lambda _: picture(screen, "nurse.png") == large)
+            board.rollback()
+            until(board, runs(0))
+            until(board, lambda _: picture(screen, "nurse.png") is None)
+    finally:
+        face.kill()
 
 
 HASH = "0" * 64

@@ -62,6 +62,9 @@ class Durability(Protocol):
 class Deployer(Protocol):
     """The part of ``situ.engine.deploy.Deployer`` that the core needs."""
 
+    @property
+    def version(self) -> int: ...
+
     def answer(self, request: protocol.Deploying, who: str, /) -> protocol.Reply:
         """Raises Refused."""
 

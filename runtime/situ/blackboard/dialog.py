@@ -12,6 +12,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
+from msgspec import UNSET
 from msgspec.structs import replace
 
 from situ.blackboard import json_values, protocol, topics, wire
@@ -36,7 +37,8 @@ class Dialog:
     For its user: ``connected``; ``welcome`` (the core's last greeting); ``changed`` is
     called when either changes; ``stopped`` (whether the core has said that it ends, and has
     not come back); the requests, each a ``Call``; ``watch`` and ``trace``.
-    ``problem`` says why there is no session, where the core told.
+    ``problem`` says why there is no session, where the core told. ``deployed``: for a service,
+    the version that runs, None before it is known.
     """
 
     def __init__(self, person: Person) -> None:
@@ -46,6 +48,7 @@ class Dialog:
         self.stopped = False
         self.welcome: protocol.Welcome | None = None
         self.problem: Refused | None = None
+        self.deployed: int | None = None
         self.notifications: str | None = None
         self.outgoing: deque[bytes] = deque()
         self.changed: Callable[[], None] | None = None
@@ -245,6 +248,9 @@ class Dialog:
         if self.person.module is not None and alive.seq >= self._holds_seq:
             self._hold(frozenset(alive.holds), alive.seq)
         self._subscriptions.check(alive)
+        if alive.deployed is not UNSET and alive.deployed != self.deployed:
+            self.deployed = alive.deployed
+            self._tell()
 
     def _tell(self) -> None:
         if self.changed is not None:

@@ -304,6 +304,18 @@ class History(Request, frozen=True, kw_only=True):
     """Which versions there were, and are."""
 
 
+class Bundle(Request, frozen=True, kw_only=True):
+    """Which version runs, and its files; from a service, which needs its media."""
+
+
+class Fetch(Request, frozen=True, kw_only=True):
+    """The bytes of a file of this version from ``offset`` on."""
+
+    version: int
+    path: str
+    offset: int
+
+
 class Documents(Request, frozen=True, kw_only=True):
     """The files of the project as the robot runs it."""
 
@@ -341,7 +353,7 @@ DEBUGGING: dict[DebugVerb, type[Debugging]] = {
     "goto": Goto,
 }
 
-Deploying = Stage | Piece | Deploy | Rollback | Progress | History
+Deploying = Stage | Piece | Deploy | Rollback | Progress | History | Bundle | Fetch
 
 AnyRequest = (
     Hello
@@ -442,7 +454,8 @@ class Alive(Reply, frozen=True, kw_only=True):
     changes: for each pattern that this session watches, how many changes fitted it since
     the core began to count. seq: the last trace event's. holds: this module's resources.
     effects: for each of this client's services the number of the last effect. asked: for a
-    module, how often what is asked of it has changed.
+    module, how often what is asked of it has changed. deployed: for a service, the version of
+    the project that runs.
     """
 
     time: int
@@ -451,6 +464,7 @@ class Alive(Reply, frozen=True, kw_only=True):
     holds: tuple[str, ...]
     effects: dict[str, int] | UnsetType = UNSET
     asked: int | UnsetType = UNSET
+    deployed: int | UnsetType = UNSET
 
 
 class Done(Reply, frozen=True, kw_only=True):
@@ -577,6 +591,20 @@ class Turn(Struct, frozen=True):
     changed: tuple[str, ...] = ()
 
 
+class Bundled(Reply, frozen=True, kw_only=True):
+    """To bundle. main, files: as in Stage; none for version 0, of which a service has a copy."""
+
+    version: int
+    main: str = ""
+    files: dict[str, Sent] = {}
+
+
+class Fetched(Reply, frozen=True, kw_only=True):
+    """To fetch: at most 700,000 bytes; in JSON base64. None at the end of the file."""
+
+    data: bytes
+
+
 class Turns(Reply, frozen=True, kw_only=True):
     """To history: what happened, the oldest first; the version that runs; the versions that can
     be gone back to."""
@@ -641,6 +669,8 @@ AnyReply = (
     | Staged
     | Deployment
     | Turns
+    | Bundled
+    | Fetched
     | Files
     | Expectations
     | ModuleStates
@@ -677,6 +707,8 @@ REPLIES: dict[type[Request], type[Reply]] = {
     Rollback: Deployment,
     Progress: Deployment,
     History: Turns,
+    Bundle: Bundled,
+    Fetch: Fetched,
     Documents: Files,
     Expected: Expectations,
     Modules: ModuleStates,

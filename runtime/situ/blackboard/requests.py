@@ -92,6 +92,7 @@ def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> pro
         holds=core.holds(session.module),
         effects={s: core.effects[s] for s in session.services} if session.services else UNSET,
         asked=core.asking.counts[session.module] if session.module is not None else UNSET,
+        deployed=core.deployer.version if session.services and core.deployer else UNSET,
     )
 
 
@@ -344,7 +345,10 @@ def _debug(core: Core, session: Session, request: protocol.Debugging) -> protoco
 
 def _deploying(core: Core, session: Session, request: protocol.Deploying) -> protocol.Reply:
     looks = isinstance(request, (protocol.Progress, protocol.History))
-    if session.role != "operator" and not looks:
+    fetches = isinstance(request, (protocol.Bundle, protocol.Fetch))
+    if fetches and not session.services:
+        raise No("role", "only a service fetches what is deployed: documents gives the texts")
+    if session.role != "operator" and not (looks or fetches):
         raise No("role", "only an operator deploys: connect as one")
     if core.deployer is None:
         raise No(

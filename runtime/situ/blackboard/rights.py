@@ -56,7 +56,10 @@ ALLOWED: dict[protocol.Role, frozenset[type[Request]]] = {
         protocol.Abandon,
         protocol.Command,
         *get_args(protocol.Debugging),
-        *get_args(protocol.Deploying),
+        protocol.Stage,
+        protocol.Piece,
+        protocol.Deploy,
+        protocol.Rollback,
     },
     "service": _LOOKING
     | {
@@ -65,6 +68,8 @@ ALLOWED: dict[protocol.Role, frozenset[type[Request]]] = {
         protocol.Touch,
         protocol.Attend,
         protocol.Perform,
+        protocol.Bundle,
+        protocol.Fetch,
         protocol.Finish,
     },
     # Only the robot itself plays scenarios, and they play everything.

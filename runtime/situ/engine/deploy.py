@@ -118,6 +118,11 @@ class Deployer:
         self._confirm: float | None = None
 
     @property
+    def version(self) -> int:
+        """The one that runs."""
+        return self._robot.version
+
+    @property
     def unsettled(self) -> bool:
         """Whether ``settle`` has something to do."""
         return bool(self._swaps)
@@ -172,6 +177,13 @@ class Deployer:
             return self._stage(request, who)
         if isinstance(request, protocol.Piece):
             return self._piece(request, who)
+        if isinstance(request, protocol.Bundle):
+            number = self._robot.version
+            main, files = self._versions.files(number)
+            return protocol.Bundled(id=request.id, version=number, main=main, files=files)
+        if isinstance(request, protocol.Fetch):
+            data = self._versions.read(request.version, request.path, request.offset)
+            return protocol.Fetched(id=request.id, data=data)
         if isinstance(request, protocol.Deploy):
             self._deploy(request, who)
         elif isinstance(request, protocol.Rollback):

@@ -321,6 +321,7 @@ class Run:
         from situ.blackboard.calls import Person
         from situ.blackboard.keys import client_keys, door_to
         from situ.blackboard.link import Link
+        from situ.engine.fetching import fetch
         from situ.engine.services import ServicesApart
 
         loop, stopped = asyncio.get_running_loop(), _until_signal()
@@ -337,7 +338,9 @@ class Run:
         door = (
             robot.door if robot is not None else door_to(keys.robot) if keys is not None else None
         )
-        apart = ServicesApart(board, options.services, performer, door)
+        fetched = self._folder() / "fetched" / "-".join(options.services)
+        getting = partial(fetch, folder=fetched, own=self._project)
+        apart = ServicesApart(board, options.services, performer, door, getting)
         # However long the core lets itself be waited for: this is no hanging.
         self._readiness.beat(loop)
         start = asyncio.create_task(apart.start())

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Callable, Collection
+from collections.abc import Awaitable, Callable, Collection
 from typing import Any, Protocol
 
 from msgspec.structs import replace
@@ -22,10 +22,16 @@ from situ.blackboard.protocol import Addresses
 from situ.blackboard.services import Carried
 from situ.decide import inputs
 from situ.decide.effects import Begin, Cancel, Map
+from situ.document.project import Project
 from situ.engine.performing import Performing, Submit
+from situ.errors import SituError
 
 PATIENCE = 4.0
 """Seconds after which it is told that no core answers yet."""
+
+_MEDIA = frozenset({"engine", "screen"})
+"""The services that need the files of the project."""
+Fetch = Callable[[AsyncBoard], Awaitable[tuple[int, Project]]]
 
 _log = logging.getLogger("situ.run")
 
@@ -43,7 +49,8 @@ class ServicesApart:
 
     board: not yet entered, of a ``Person`` with the role service and these services.
     performer(submit, tag) makes who carries out effects; tag reads what it must know of the
-    blackboard. door: whose keys the screen's WebSocket door takes.
+    blackboard. door: whose keys the screen's WebSocket door takes. fetch: gives the version that
+    the core runs, and its project here (``situ.engine.fetching``).
 
     While the core is away what runs goes on, but for the robot: it stops and holds. What was
     carried out in vain is carried out again when the core is back; what goes on is left alone.
@@ -55,8 +62,13 @@ class ServicesApart:
         services: Collection[str],
         performer: Callable[[Submit, Callable[[str], Any]], PerformingApart],
         door: KeysOf | None = None,
+        fetch: Fetch | None = None,
     ) -> None:
         self._board = board
+        self._fetch = fetch
+        self._fetching: asyncio.Task[None] | None = None
+        # Of which the performer has the files.
+        self._version = 0
         self._dialog = board.link.dialog
         self._services = frozenset(services)
         self._make = performer
@@ -102,6 +114,9 @@ class ServicesApart:
     async def stop(self) -> None:
         """Holds the robot, ends what runs, and says goodbye to the core."""
         self._dialog.changed = None
+        if self._fetching is not None:
+            self._fetching.cancel()
+            await asyncio.gather(self._fetching, return_exceptions=True)
         await self._performer.close()
         await self._board.close()
 
@@ -132,6 +147,26 @@ class ServicesApart:
             self._end_all()
         self._runtime = welcome.runtime
         self._performer.open_door(self._addresses(), self._door)
+        self._look_for_version()
+
+    def _look_for_version(self) -> None:
+        """Another version runs at the core: its files are needed here."""
+        if self._fetch is None or self._fetching is not None:
+            return
+        if _MEDIA & self._services and self._dialog.deployed not in (None, self._version):
+            self._fetching = asyncio.create_task(self._turn_to(self._fetch))
+
+    async def _turn_to(self, fetch: Fetch) -> None:
+        wanted = self._dialog.deployed
+        try:
+            self._version, project = await fetch(self._board)
+            self._performer.turn_to(project)
+        except (SituError, OSError) as error:
+            _log.error("the media of version %s are missing here: %s", wanted, error)
+            return
+        finally:
+            self._fetching = None
+        self._look_for_version()
 
     def _alone(self) -> None:
         problem = str(self._dialog.problem or "it does not answer")

@@ -33,9 +33,11 @@ from situ.blackboard.protocol import Sent, Turn
 from situ.document.check import merge, structure
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE, load, resolve, sources, write
 from situ.document.project import Project
-from situ.errors import ProjectError, SituError, UsageError
+from situ.errors import ProjectError, Refused, SituError, UsageError
 
 FOLDER = "versions"
+SLICE = 700_000
+"""Bytes of a file that are read at once."""
 KEPT = 10
 """Versions that are kept; the oldest go."""
 TURNS = 200
@@ -113,6 +115,24 @@ class Versions:
             if project.toml is not None:
                 found[LOCAL_FILE] = (Path(project.root) / LOCAL_FILE).read_text("utf-8")
         return found
+
+    def files(self, number: int) -> tuple[str, dict[str, Sent]]:
+        """The main file and all files of a version; none of version 0. Raises UsageError."""
+        if number == 0:
+            return "", {}
+        version = self._version(number)
+        return version.main, version.files
+
+    def read(self, number: int, path: str, offset: int) -> bytes:
+        """At most ``SLICE`` bytes of a file. Raises Refused where the version has none."""
+        if not self.has(number) or path not in self.files(number)[1] or offset < 0:
+            raise Refused(f"version {number} has no file {path}")
+        try:
+            with open(self.folder / str(number) / "project" / path, "rb") as file:
+                file.seek(offset)
+                return file.read(SLICE)
+        except OSError as error:
+            raise Refused(f"{path}: {error.strerror or error}") from None
 
     def has(self, number: int) -> bool:
         return number == 0 or (self.folder / str(number) / "version.json").is_file()
