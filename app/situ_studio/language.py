@@ -23,6 +23,16 @@ def tr(text: str) -> str:
     return QCoreApplication.translate("studio", text)
 
 
+def translated(text: str) -> str:
+    """A text of the table of kinds in the user's language."""
+    return QCoreApplication.translate("kinds", text) if text else ""
+
+
+def say(template: str) -> str:
+    """A template of ``situ.document.words`` in the user's language."""
+    return QCoreApplication.translate("runtime", template)
+
+
 def said(text: str) -> str:
     """A text of ``situ.document`` (a problem, a mend, a difference) in the user's language."""
     return _runtime().said(text)

@@ -123,7 +123,7 @@ class Actions(QObject):
         parent: QMenuBar | QMenu = self._menu(head, bar) if head else bar
         if head:
             parent.addSeparator()
-        menu = parent.addMenu(("" if head else "&") + translated(tail))
+        menu = parent.addMenu(translated(tail) if head else _with_key(tail))
         menu.setToolTipsVisible(True)
         self._menus[title] = menu
         return menu
@@ -155,3 +155,11 @@ class Actions(QObject):
                 if command.outlined:
                     button.setProperty("role", "outlined")
                     button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+
+
+def _with_key(title: str) -> str:
+    """A menu's title with the letter that opens it; where titles are not in Latin letters, the
+    English one's stands behind it, as is usual there.
+    """
+    text = translated(title)
+    return f"&{text}" if text.isascii() else f"{text}(&{title[0]})"

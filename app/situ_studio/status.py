@@ -119,10 +119,25 @@ class Status(QStatusBar):
             self.selection.setText(self.tr("“In every state” selected"))
             return
         kinds = {p[0] if len(p) == 2 else p[-2] for p in selected if len(p) >= 2}
-        one = kinds.pop() if len(kinds) == 1 else self.tr("thing")
-        many = {"data": "data", "entry": self.tr("priorities")}.get(one, f"{one}s")
+        one, many = self._names(kinds.pop() if len(kinds) == 1 else "")
         text = count(len(selected), one, many)
         self.selection.setText(self.tr("{0} selected").format(text))
+
+    def _names(self, kind: str) -> tuple[str, str]:
+        """What one and several of a kind are called."""
+        every = {
+            "state": (self.tr("state"), self.tr("states")),
+            "event": (self.tr("event"), self.tr("events")),
+            "timeout": (self.tr("timeout"), self.tr("timeouts")),
+            "situation": (self.tr("situation"), self.tr("situations")),
+            "module": (self.tr("module"), self.tr("modules")),
+            "entry": (self.tr("priority"), self.tr("priorities")),
+            "data": (self.tr("data"), self.tr("data")),
+            "resource": (self.tr("resource"), self.tr("resources")),
+            "note": (self.tr("note"), self.tr("notes")),
+            "frame": (self.tr("frame"), self.tr("frames")),
+        }
+        return every.get(kind, (self.tr("thing"), self.tr("things")))
 
     def show_counts(self, document: Document | None) -> None:
         words: list[str] = []

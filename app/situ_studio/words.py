@@ -7,9 +7,11 @@ from typing import Any
 
 from situ.document import rbd, spds
 from situ.document import words as said
+from situ.document.condition import Condition
 from situ.document.drawing import Drawn, Note
 from situ_studio import kinds, places
 from situ_studio.edit import Document, Place
+from situ_studio.language import say, tr, translated
 
 
 def state_words(document: Document, no: str) -> str:
@@ -21,20 +23,20 @@ def state_words(document: Document, no: str) -> str:
 def leads_to(document: Document, next_: str | None) -> str:
     """Where an event leads, in words."""
     if next_ is None:
-        return "stays"
+        return tr("stays")
     if next_ == rbd.AGAIN:
-        return "anew"
+        return tr("anew")
     if next_ == rbd.BACK:
-        return "back"
+        return tr("back")
     return state_words(document, next_)
 
 
 def member_words(value: Any) -> str:
     """One member of a list: ``event clickNo``, ``speech``, ``button no``."""
     kind = kinds.kind_of(value)
-    title = kind.title.lower() if kind is not None else type(value).__name__.lower()
+    title = translated(kind.title).lower() if kind is not None else type(value).__name__.lower()
     if isinstance(value, rbd.Event):
-        return f"event {value.name}" if value.name else "unnamed event"
+        return tr("event {0}").format(value.name) if value.name else tr("unnamed event")
     if isinstance(value, rbd.Component):
         return f"{title} {value.id}"
     return title
@@ -43,43 +45,45 @@ def member_words(value: Any) -> str:
 def drawn_words(value: Drawn) -> str:
     """A note's first line or a frame's title; what it is where it has none."""
     text = value.text if isinstance(value, Note) else value.title
-    return text.partition("\n")[0] or ("Note" if isinstance(value, Note) else "Frame")
+    return text.partition("\n")[0] or (tr("Note") if isinstance(value, Note) else tr("Frame"))
 
 
 def place_words(document: Document, place: Place) -> str:
     """A place in words, from the inside out: ``event clickNo of state 6``."""
     if not place:
-        return "the modules" if not hasattr(document, "name") else document.name
+        return tr("the modules") if not hasattr(document, "name") else document.name
     if place[0] == "always":
-        outer, inner = "Always", place[1:]
+        outer, inner = tr("Always"), place[1:]
     elif place[0] == "state":
-        outer, inner = f"state {place[1]}", place[2:]
+        outer, inner = tr("state {0}").format(place[1]), place[2:]
     elif place[0] in places.DRAWN:
         value = places.get(document, place)
         title = drawn_words(value) if value is not None else ""
-        return f"the frame {title}" if place[0] == "frame" else "a note"
+        return tr("the frame {0}").format(title) if place[0] == "frame" else tr("a note")
     else:
-        outer, inner = f"{place[0]} {place[1] if len(place) > 1 else ''}".strip(), place[2:]
+        kind = next((k for k in kinds.KINDS if k.name == place[0]), None)
+        what = translated(kind.title).lower() if kind is not None else place[0]
+        outer, inner = " ".join((what, *place[1:2])), place[2:]
     if not inner:
         return outer
     value = places.get(document, place)
     if inner == ("screen",):
-        return f"the screen of {outer}"
+        return tr("the screen of {0}").format(outer)
     if value is None:
         return outer
     found = member_words(value)
     parent = places.get(document, place[:-2])
     if isinstance(parent, rbd.Event):
-        found = f"{found} in {member_words(parent)}"
-    return f"{found} of {outer}"
+        found = tr("{0} in {1}").format(found, member_words(parent))
+    return tr("{0} of {1}").format(found, outer)
 
 
 def change_words(document: Document, place: Place, attribute: str, label: str) -> str:
     """The name of the step that changes one attribute of what stands at ``place``."""
     where = place_words(document, place)
     if attribute == "name" and place:
-        return f"Rename {where}"
-    return f"Change {label.lower()} of {where}"
+        return tr("Rename {0}").format(where)
+    return tr("Change {0} of {1}").format(label.lower(), where)
 
 
 def title(document: Document, place: Place) -> tuple[str, str, str, str]:
@@ -88,33 +92,36 @@ def title(document: Document, place: Place) -> tuple[str, str, str, str]:
     kind = kinds.kind_of(value)
     if kind is None:
         return "info", "text2", "", ""
-    icon, tint = kind.icon, str(kind.tint)
+    icon, tint, called = kind.icon, str(kind.tint), translated(kind.title)
     if isinstance(value, Drawn):
-        return icon, tint, drawn_words(value), kind.title
+        return icon, tint, drawn_words(value), called
     if isinstance(value, rbd.State):
         assert isinstance(document, rbd.Application)
         if document.start_no == value.no:
             icon, tint = "start", "start"
-        return icon, tint, value.name or f"state {value.no}", f"State {value.no}"
+        number = tr("State {0}").format(value.no)
+        return icon, tint, value.name or number.lower(), number
     if isinstance(value, rbd.Event):
-        return icon, tint, value.name or "at once", f"Event of {_owner(place)}"
+        return icon, tint, value.name or tr("at once"), tr("Event of {0}").format(_owner(place))
     if isinstance(value, rbd.Component):
         name = kind.summary(value).split(" → ")[0] or value.id
-        return icon, tint, name, f"{kind.title} of {_owner(place)}"
+        return icon, tint, name, tr("{0} of {1}").format(called, _owner(place))
     if isinstance(value, rbd.Action | rbd.Screen | rbd.Timeout):
-        return icon, tint, kind.title, _owner(place).capitalize()
+        return icon, tint, called, _owner(place).capitalize()
     if isinstance(value, spds.Situation):
         assert isinstance(document, spds.Spds)
-        number = document.situations.index(value) + 1
-        return icon, tint, value.name, f"Situation {number} of {len(document.situations)}"
+        where = tr("Situation {0} of {1}").format(
+            document.situations.index(value) + 1, len(document.situations)
+        )
+        return icon, tint, value.name, where
     if isinstance(value, rbd.Always):
-        return icon, tint, kind.title, "Part of every state"
-    name = getattr(value, "name", None) or getattr(value, "tag", None) or kind.title
-    return icon, tint, name, kind.title
+        return icon, tint, called, tr("Part of every state")
+    name = getattr(value, "name", None) or getattr(value, "tag", None) or called
+    return icon, tint, name, called
 
 
 def _owner(place: Place) -> str:
-    return "Always" if place[0] == "always" else f"state {place[1]}"
+    return tr("Always") if place[0] == "always" else tr("state {0}").format(place[1])
 
 
 def _raised(part: Any) -> list[str]:
@@ -157,24 +164,36 @@ def situation_words(script: spds.Spds, situation: spds.Situation) -> str:
     """A situation in two or three sentences."""
     index = script.situations.index(situation)
     if situation.condition is None or not situation.condition.children:
-        first = "This always holds."
+        told = [tr("This always holds.")]
     else:
-        first = f"This holds while {said.condition(situation.condition)}."
-    stays = ""
+        told = [tr("This holds while {0}.").format(condition_words(situation.condition))]
     if situation.dwell is not None:
-        stays = f" Once current it stays for {situation.dwell:g} s at least."
+        told.append(tr("Once current it stays for {0} s at least.").format(f"{situation.dwell:g}"))
     if situation.limit is not None:
-        stays = f" Once current it ends after {situation.limit:g} s at the latest."
+        text = tr("Once current it ends after {0} s at the latest.")
+        told.append(text.format(f"{situation.limit:g}"))
     before = [s.name for s in script.situations[:index]]
-    order = (
-        f" {said.listed(before)} go{'es' if len(before) == 1 else ''} first."
-        if before
-        else (" It goes before all others.")
-    )
+    if not before:
+        told.append(tr("It goes before all others."))
+    elif len(before) == 1:
+        told.append(tr("{0} goes first.").format(before[0]))
+    else:
+        told.append(tr("{0} go first.").format(_listed(before)))
     every = sorted(script.priorities(situation).items(), key=lambda pair: -pair[1])
-    who = (
-        f" {said.listed([m for m, _ in every])} may move the robot, in this order."
-        if every
-        else (" Nothing may move the robot.")
-    )
-    return f"{first}{stays}{order}{who}"
+    if every:
+        movers = _listed([module for module, _ in every])
+        told.append(tr("{0} may move the robot, in this order.").format(movers))
+    else:
+        told.append(tr("Nothing may move the robot."))
+    return " ".join(told)
+
+
+def _listed(names: list[str]) -> str:
+    if len(names) < 2:
+        return "".join(names)
+    return tr("{0} and {1}").format(tr(", ").join(names[:-1]), names[-1])
+
+
+def condition_words(condition: Condition | None) -> str:
+    """A condition in one line; empty where there is none."""
+    return said.condition(condition, say)

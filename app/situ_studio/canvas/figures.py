@@ -137,6 +137,37 @@ def around(areas: Iterable[Area]) -> Area:
     return left, top, right - left, bottom - top
 
 
+def arranged(
+    figures: Iterable[Figure], cards: Mapping[str, Area], placed: Mapping[str, tuple[float, float]]
+) -> dict[str, Area]:
+    """Where notes and frames go when cards are placed anew: a note with the card next to it, a
+    frame round what it held; an empty one stays. cards: where they were."""
+    before = {**cards, **{one.uid: one.area for one in figures}}
+    after = {uid: (*placed.get(uid, area[:2]), *area[2:]) for uid, area in cards.items()}
+    found: dict[str, Area] = {}
+    every = sorted(figures, key=lambda one: (one.kind == "frame", one.width * one.height))
+    for one in every:
+        if one.kind == "note":
+            near = min(cards, key=lambda uid: _apart(one.area, cards[uid]), default=None)
+            if near is None:
+                continue
+            across, down = after[near][0] - cards[near][0], after[near][1] - cards[near][1]
+            found[one.uid] = one.x + across, one.y + down, one.width, one.height
+        else:
+            inside = [u for u in held(one.area, before) if u in after]
+            if not inside:
+                continue
+            found[one.uid] = around(after[uid] for uid in inside)
+        after[one.uid] = found[one.uid]
+    return found
+
+
+def _apart(one: Area, other: Area) -> float:
+    across = one[0] + one[2] / 2 - other[0] - other[2] / 2
+    down = one[1] + one[3] / 2 - other[1] - other[3] / 2
+    return across * across + down * down
+
+
 # -- what gestures make of them ----------------------------------------------------------
 
 

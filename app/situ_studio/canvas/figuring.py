@@ -77,6 +77,14 @@ class Figuring:
                 found[uid] = areas[uid][0] + across, areas[uid][1] + down
         return found
 
+    def arranged(self, application: Application, placed: Mapping[str, Spot]) -> Application:
+        """The application with notes and frames where cards that are placed anew want them."""
+        cards = {uid: area for uid, area in self._areas().items() if uid not in self.shown}
+        every = tuple(self.shown.values())
+        for uid, area in figures.arranged(every, cards, placed).items():
+            application, _ = figures.put(application, self.shown[uid].place, area)
+        return application
+
     def resized(self, application: Application) -> tuple[Application, str]:
         """What a hand has dragged an edge to, on the grid."""
         for uid in self._canvas.viewer.touched:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from situ_studio.canvas.style import Look
+from situ_studio.language import tr
 from situ_studio.theme import font
 
 
@@ -22,7 +23,7 @@ class NoteEditor(QPlainTextEdit):
         super().__init__(text, parent)
         self.key = key
         self._done = False
-        self.setAccessibleName("Note")
+        self.setAccessibleName(tr("Note"))
         self.setFont(font(max(11.0, min(24.0, 12 * look.zoom)), 400))
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         theme = look.theme

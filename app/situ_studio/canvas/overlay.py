@@ -18,6 +18,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidget
 
 from situ_studio import icons
+from situ_studio.language import tr
 from situ_studio.theme import BODY, LABEL, Theme, font
 
 if TYPE_CHECKING:
@@ -37,13 +38,13 @@ class ZoomBar(QFrame):
         layout = QHBoxLayout(self)
         layout.setContentsMargins(1, 1, 1, 1)
         layout.setSpacing(0)
-        self._less = self._button("Zoom out", -1)
+        self._less = self._button(tr("Zoom out"), -1)
         self._label = QLabel("100 %")
         self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._label.setFont(font(LABEL))
         self._label.setFixedWidth(44)
-        self._more = self._button("Zoom in", 1)
-        self._fit = self._button("Show the whole drawing", 0)
+        self._more = self._button(tr("Zoom in"), 1)
+        self._fit = self._button(tr("Show the whole drawing"), 0)
         for widget in (self._less, self._label, self._more, self._fit):
             layout.addWidget(widget)
         self.setFixedHeight(28)
@@ -116,7 +117,7 @@ class MiniMap(QWidget):
         self.wanted = True
         self._picture: tuple[QPixmap, QRectF] | None = None
         self.setFixedSize(120, 66)
-        self.setAccessibleName("Overview")
+        self.setAccessibleName(tr("Overview"))
         self.hide()
 
     def redraw(self) -> None:
@@ -261,7 +262,7 @@ class InPlace(QLineEdit):
 def name_editor(uid: str, name: str, look: Look, parent: QWidget) -> InPlace:
     """For a card's name, as large as it stands there."""
     editor = InPlace(uid, name, max(11.0, min(28.0, 13.5 * look.zoom)), parent)
-    editor.setAccessibleName("Name")
+    editor.setAccessibleName(tr("Name"))
     editor.dress(look.theme, 4)
     return editor
 
@@ -269,7 +270,7 @@ def name_editor(uid: str, name: str, look: Look, parent: QWidget) -> InPlace:
 def priority_editor(key: object, text: str, look: Look, parent: QWidget) -> InPlace:
     """For a priority in its pill: a whole number, or *none*."""
     editor = InPlace(key, text, 12, parent)
-    editor.setAccessibleName("Priority")
+    editor.setAccessibleName(tr("Priority"))
     editor.setAlignment(Qt.AlignmentFlag.AlignCenter)
     editor.dress(look.theme, 13)
     return editor

@@ -20,6 +20,8 @@ from situ.document.problem import Problem
 from situ.document.rbd import Application, Event, State, Timeout
 from situ_studio import kinds
 from situ_studio.edit import Place
+from situ_studio.language import say, tr
+from situ_studio.words import condition_words
 
 WIDTH = 176.0
 HEADER = 28.0
@@ -28,6 +30,7 @@ FIRST = 63.0
 """Where the first port and the input lie, below the card's top."""
 PITCH = 18.0
 COLUMN, ROW = 230.0, 228.0
+
 ALWAYS = "always"
 """The place and, with a blank that no number has, the uid of what is part of every state."""
 NEW = "new"
@@ -187,7 +190,11 @@ def ends(state: State) -> bool:
 
 
 def _label(event: Event) -> str:
-    return event.name or (f"if {words.condition(event.when)}" if event.when else "at once")
+    if event.name:
+        return event.name
+    if event.when is not None:
+        return tr("if {0}").format(condition_words(event.when))
+    return tr("at once")
 
 
 def _exits(
@@ -201,7 +208,7 @@ def _exits(
                     id=str(index),
                     label=_label(event),
                     phrase=event.says[0].text if event.says else "",
-                    guard=words.condition(event.when) if event.name else "",
+                    guard=condition_words(event.when) if event.name else "",
                     next=event.next,
                 ),
                 known,
@@ -210,7 +217,7 @@ def _exits(
     if timeout is not None:
         exit = Exit(
             id=TIMEOUT,
-            label=words.seconds(timeout.seconds),
+            label=words.seconds(timeout.seconds, say),
             next=timeout.next,
             seconds=timeout.seconds,
         )
@@ -413,10 +420,10 @@ def _card(
             place=(ALWAYS,),
             kind="always",
             no="",
-            name="In every state",
+            name=tr("In every state"),
             x=x,
             y=y,
-            line="is part of every state",
+            line=tr("is part of every state"),
             line_icon="always",
             screen=value.screen,
             exits=exits,

@@ -18,6 +18,7 @@ from situ.document.problem import Problem
 from situ.document.spds import Observed, Situation, Spds
 from situ_studio import kinds
 from situ_studio.edit import Place
+from situ_studio.language import say, tr, translated
 
 Kind = Literal["data", "condition", "situation", "module", "resource"]
 Mark = Literal["", "warning", "error"]
@@ -252,9 +253,9 @@ def picture(script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:
         for entry in situation.entries:
             asked_by.setdefault(entry.module, []).append(y)
         place: Place = ("situation", situation.name)
-        detail = f"extends {situation.extends}" if situation.extends else ""
+        detail = tr("extends {0}").format(situation.extends) if situation.extends else ""
         if situation.condition is None or not situation.condition.children:
-            detail = detail or "always"
+            detail = detail or tr("always")
         top = y + (room - 20 - TALL) / 2
         add(
             ScriptNode(
@@ -309,8 +310,10 @@ def _rows(script: Spds) -> list[tuple[float, float]]:
 
 
 def _lines(situation: Situation) -> tuple[str, ...]:
-    lines = [words.predicate(test) for test, _ in tests(situation.condition)]
-    lines += [f"until {words.predicate(test)}" for test, _ in tests(situation.until)]
+    lines = [words.predicate(test, say) for test, _ in tests(situation.condition)]
+    lines += [
+        tr("until {0}").format(words.predicate(test, say)) for test, _ in tests(situation.until)
+    ]
     return tuple(lines)
 
 
@@ -348,9 +351,10 @@ def _add_data(
             below += PITCH
     for tag, known in every:
         place: Place = ("data", tag)
-        detail = "not observed"
+        detail = tr("not observed")
         if known is not None:
-            detail = known.unit or dict(kinds.TYPES).get(known.type or "", "any value")
+            type_ = dict(kinds.TYPES).get(known.type or "")
+            detail = known.unit or (translated(type_) if type_ else tr("any value"))
         add(
             ScriptNode(
                 uid=uid("data", tag),
@@ -388,7 +392,7 @@ def _add_modules(
                 x=LEFT["module"],
                 y=tops[name],
                 height=LOW,
-                detail="" if resources is not None else "not declared",
+                detail="" if resources is not None else tr("not declared"),
                 mark=marks.get(place, ""),
             )
         )

@@ -5,6 +5,8 @@ Whole conditions in words: ``situ.document.words``.
 
 from __future__ import annotations
 
+from situ_studio.language import translated
+
 TESTS: tuple[tuple[str, str], ...] = (
     ("is", "is"),
     ("isnot", "is not"),
@@ -32,4 +34,5 @@ TYPES: tuple[tuple[str, str], ...] = (
 
 def type_words(kind: str | None, unit: str | None) -> str:
     """``yes or no``, ``number, deg``."""
-    return ", ".join(part for part in (dict(TYPES).get(kind or ""), unit) if part)
+    called = translated(dict(TYPES).get(kind or "", ""))
+    return ", ".join(part for part in (called, unit) if part)

@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtWidgets import QWidget
 
 from situ.decide.values import in_text
+from situ_studio.language import tr
 from situ_studio.live.log import Moment
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.table import Row, RowsTable
@@ -15,7 +16,7 @@ from situ_studio.theme import Theme
 
 class Authority(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
-        titles = ("Resource", "Held by", "Since", "Also asked for by", "Does")
+        titles = (tr("Resource"), tr("Held by"), tr("Since"), tr("Also asked for by"), tr("Does"))
         widths = (120, 140, 80, 220)
         super().__init__("Authority", [self.tr(t) for t in titles], widths, theme, parent)
 

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from situ.decide.values import in_text
 from situ.document import names
+from situ_studio.language import tr
 from situ_studio.live.log import Entry, Moment
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.theme import Theme
@@ -19,7 +20,7 @@ FRESH = 2.0
 
 class Blackboard(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
-        titles = ("Tag", "Value", "Set by", "Ago")
+        titles = (tr("Tag"), tr("Value"), tr("Set by"), tr("Ago"))
         super().__init__("Blackboard", [self.tr(t) for t in titles], (200, 320, 140), theme, parent)
 
     def show_moment(self, moment: Moment, t: float, private: Sequence[str] = ()) -> None:
@@ -43,5 +44,7 @@ def _writer(entry: Entry) -> str:
 def ago(seconds: float) -> str:
     """A length of time as it is read at a glance: ``0.4 s``, ``12 s``, ``3 min``."""
     if seconds < 10:
-        return f"{seconds:.1f} s"
-    return f"{seconds:.0f} s" if seconds < 120 else f"{seconds / 60:.0f} min"
+        return tr("{0} s").format(f"{seconds:.1f}")
+    if seconds < 120:
+        return tr("{0} s").format(f"{seconds:.0f}")
+    return tr("{0} min").format(f"{seconds / 60:.0f}")

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from situ.document import rbd
 from situ_studio import changes, places, words
 from situ_studio.kinds import Field, Kind, Section
+from situ_studio.language import translated
 from situ_studio.layouts import rule
 from situ_studio.panels.fields import (
     FieldWidget,
@@ -30,7 +31,7 @@ from situ_studio.panels.fields import (
     offer,
 )
 from situ_studio.panels.section import SectionEditor
-from situ_studio.panels.subject import LABEL, MARGIN, Subject, translated
+from situ_studio.panels.subject import LABEL, MARGIN, Subject
 from situ_studio.panels.timeout_rows import TimeoutRows
 from situ_studio.theme import Theme
 

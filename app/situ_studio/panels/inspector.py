@@ -11,10 +11,11 @@ from situ.document.problem import Problem
 from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
+from situ_studio.language import translated
 from situ_studio.layouts import rule
 from situ_studio.panels.form import Form
 from situ_studio.panels.header import TitleBar
-from situ_studio.panels.subject import Subject, translated
+from situ_studio.panels.subject import Subject
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 

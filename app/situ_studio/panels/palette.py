@@ -13,8 +13,8 @@ from situ_studio import icons
 from situ_studio.edit import Document
 from situ_studio.icon_widgets import ThemedButton
 from situ_studio.kinds import KINDS, MIME, Kind
+from situ_studio.language import translated
 from situ_studio.layouts import clear
-from situ_studio.panels.subject import translated
 from situ_studio.theme import Theme
 
 

@@ -19,12 +19,13 @@ from situ_studio import kinds, places, words
 from situ_studio.edit import Place
 from situ_studio.icon_widgets import Elided, IconButton
 from situ_studio.kinds import Kind, Section
+from situ_studio.language import translated
 from situ_studio.panels.conditions import AddTest, ConditionEditor
 from situ_studio.panels.pairs import PAIRS, PairsEditor
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.panels.priorities import PrioritiesEditor
 from situ_studio.panels.rows import RowList
-from situ_studio.panels.subject import MARGIN, Subject, translated
+from situ_studio.panels.subject import MARGIN, Subject
 from situ_studio.panels.summaries import action_row, component_row, event_row
 from situ_studio.theme import Theme
 

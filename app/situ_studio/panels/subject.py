@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
-from PySide6.QtCore import QCoreApplication
 
 from situ.document.problem import Problem
 from situ_studio.edit import Document, Place
@@ -15,11 +14,6 @@ from situ_studio.vocabulary import Vocabulary
 
 LABEL = 72
 MARGIN = 12
-
-
-def translated(text: str) -> str:
-    """A text of the kinds' table in the user's language."""
-    return QCoreApplication.translate("kinds", text) if text else ""
 
 
 class Subject(Struct, frozen=True, kw_only=True):

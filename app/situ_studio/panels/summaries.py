@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from situ.document import rbd, words
+from situ.document import rbd
 from situ_studio import kinds
 from situ_studio.edit import Document
+from situ_studio.language import tr, translated
 from situ_studio.panels.rows import Row
-from situ_studio.words import leads_to
+from situ_studio.words import condition_words, leads_to
 
 
 def action_row(action: rbd.Action, mark: str = "") -> Row:
@@ -18,10 +19,12 @@ def action_row(action: rbd.Action, mark: str = "") -> Row:
     under: list[tuple[str, str]] = []
     if isinstance(action, rbd.Service):
         under += [(p.name, p.text) for p in action.params]
-        under += [("result", f"{r.tag} ← {r.path}" if r.path else r.tag) for r in action.results]
+        under += [
+            (tr("result"), f"{r.tag} ← {r.path}" if r.path else r.tag) for r in action.results
+        ]
     return Row(
         icon=kind.icon,
-        title=kind.title,
+        title=translated(kind.title),
         detail=kind.summary(action),
         under=tuple(under),
         mark=mark,
@@ -38,12 +41,12 @@ def event_row(document: Document, event: rbd.Event, mark: str = "") -> Row:
     """An event: its name, its phrases, where it leads, and its guard."""
     guard = ""
     if event.when is not None:
-        guard = f"if {words.condition(event.when)}"
+        guard = tr("if {0}").format(condition_words(event.when))
     phrases = ", ".join(f"“{s.text}”" for s in event.says)
     return Row(
         icon="event",
-        title=event.name or "at once",
-        under=(("said as", phrases),) if phrases else (),
+        title=event.name or tr("at once"),
+        under=((tr("said as"), phrases),) if phrases else (),
         target=leads_to(document, event.next),
         guard=guard,
         mark=mark,

@@ -6,6 +6,7 @@ from PySide6.QtGui import QKeyEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from situ.decide.values import in_text
+from situ_studio.language import tr
 from situ_studio.live.log import TraceFields
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.theme import Theme
@@ -19,7 +20,7 @@ _LOUD = ("transition", "situation", "authority", "error", "warning")
 
 class Trace(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
-        titles = ("Time", "What", "Because of", "Details")
+        titles = (tr("Time"), tr("What"), tr("Because of"), tr("Details"))
         super().__init__("Trace", [self.tr(t) for t in titles], (90, 120, 90), theme, parent)
         self._follows = True
         bar = self.verticalScrollBar()

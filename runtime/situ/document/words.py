@@ -6,20 +6,23 @@ The words of ``situ diff``, ``situ why`` and ``situ test``; the editor may say t
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from situ.document import rbd
 from situ.document.condition import Condition, Group, Test
 from situ.document.datatypes import write_number
 
+Say = Callable[[str], str]
+"""Gives a text of these in the reader's language; ``str``: in English, as it is."""
+
 _TESTS = {
-    "is": "is",
-    "isnot": "is not",
-    "above": "above",
-    "below": "below",
-    "atleast": "at least",
-    "atmost": "at most",
-    "in": "is one of",
+    "is": "is {0}",
+    "isnot": "is not {0}",
+    "above": "above {0}",
+    "below": "below {0}",
+    "atleast": "at least {0}",
+    "atmost": "at most {0}",
+    "in": "is one of {0}",
 }
 
 LONGEST = 60
@@ -45,28 +48,28 @@ def number(value: float) -> str:
     return write_number(value)
 
 
-def seconds(value: float) -> str:
+def seconds(value: float, say: Say = str) -> str:
     """``60 s``, ``1.5 s``."""
-    return f"{number(value)} s"
+    return say("{0} s").format(number(value))
 
 
 # -- conditions --------------------------------------------------------------
 
 
-def predicate(test: Test) -> str:
+def predicate(test: Test, say: Say = str) -> str:
     """The test without its tag: ``is true, within 5 s``."""
     if test.test == "exists":
-        said = "exists" if test.value != "false" else "is missing"
+        said = say("exists") if test.value != "false" else say("is missing")
     else:
-        said = f"{_TESTS[test.test]} {_wanted(test)}"
+        said = say(_TESTS[test.test]).format(_wanted(test, say))
     if test.within is not None:
-        said += f", within {seconds(test.within)}"
+        said = say("{0}, within {1}").format(said, seconds(test.within, say))
     if test.hold is not None:
-        said += f", for {seconds(test.hold)}"
+        said = say("{0}, for {1}").format(said, seconds(test.hold, say))
     return said
 
 
-def _wanted(test: Test) -> str:
+def _wanted(test: Test, say: Say) -> str:
     if test.test == "in":
         try:
             several = json.loads(test.value)
@@ -76,30 +79,30 @@ def _wanted(test: Test) -> str:
             return ", ".join(one if isinstance(one, str) else json.dumps(one) for one in several)
     if test.value.replace(" ", "") == "[]":
         return "[ ]"  # two brackets alone are read as one box
-    return test.value or "empty"
+    return test.value or say("empty")
 
 
-def child(value: Test | Group) -> str:
+def child(value: Test | Group, say: Say = str) -> str:
     """A test or a group: ``patients.0 exists``, ``none of: a is 1 or b is 2``."""
     if isinstance(value, Test):
-        return f"{value.tag} {predicate(value)}"
-    joint = " and " if value.kind == "all" else " or "
-    said = joint.join(_inner(c, value.children) for c in value.children)
-    return f"none of: {said}" if value.kind == "none" else said
+        return f"{value.tag} {predicate(value, say)}"
+    joint = say(" and ") if value.kind == "all" else say(" or ")
+    said = joint.join(_inner(c, value.children, say) for c in value.children)
+    return say("none of: {0}").format(said) if value.kind == "none" else said
 
 
-def condition(value: Condition | None) -> str:
+def condition(value: Condition | None, say: Say = str) -> str:
     """The whole condition in one line; empty where there is none."""
     if value is None:
         return ""
-    return " and ".join(_inner(c, value.children) for c in value.children)
+    return say(" and ").join(_inner(c, value.children, say) for c in value.children)
 
 
-def _inner(value: Test | Group, among: tuple[Test | Group, ...]) -> str:
+def _inner(value: Test | Group, among: tuple[Test | Group, ...], say: Say) -> str:
     # One child alone is joined with nothing: its group needs no brackets.
     while isinstance(value, Group) and value.kind != "none" and len(value.children) == 1:
         value = value.children[0]
-    said = child(value)
+    said = child(value, say)
     return f"({said})" if isinstance(value, Group) and len(among) > 1 else said
 
 
