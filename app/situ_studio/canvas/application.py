@@ -7,13 +7,15 @@ from itertools import pairwise
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, Signal
-from PySide6.QtGui import QCursor, Qt
+from PySide6.QtGui import QCursor, QKeyEvent, Qt
 from PySide6.QtWidgets import QWidget
 
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places
 from situ_studio.canvas import gestures, layout, spoken
+from situ_studio.canvas.arranging import Arranging
+from situ_studio.canvas.arranging_bar import ArrangingBar
 from situ_studio.canvas.cards import CardItem
 from situ_studio.canvas.commands import CommandedCanvas
 from situ_studio.canvas.figure_items import FrameItem, NoteItem
@@ -41,6 +43,9 @@ from situ_studio.edit import Place
 from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 
+AT_ONCE = 300
+"""So many cards are arranged at once; more in a process of its own."""
+
 
 class ApplicationCanvas(CommandedCanvas, Copying):
     """Shows an application; gestures become ``edited`` (canvas.md)."""
@@ -57,6 +62,12 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self._laid: dict[str, tuple[float, float]] = {}
         self._placed: dict[str, Any] = {}
         self._figuring = Figuring(self, self._edit)
+        self._arranging = Arranging(self)
+        self._arranging_bar = ArrangingBar(self)
+        self._arranging_bar.cancelled.connect(self._arranging.cancel)
+        self._arranging.ended.connect(self._arranging_bar.hide)
+        self._arranging.refused.connect(self.status)
+        self._arranging.done.connect(self._on_arranged)
         self._drop: tuple[str, str, QPointF] | None = None
         self.menu: FollowMenu | None = None
         self.viewer.dropped.connect(self._on_dropped)
@@ -342,12 +353,34 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self._edit(*gestures.align(self._pinned(), areas, edge))
 
     def auto_layout(self) -> None:
-        """Every card by the automatic layout; one edit."""
-        placed = layout.arrange(self.document)
+        """Every card by the automatic layout; one edit. Of many cards in a process, cancelled by
+        Esc; they stay where they are until it is done."""
+        shape = layout.shape(self.document)
+        if len(shape.heights) <= AT_ONCE:
+            self._arrange(layout.place(shape))
+            return
+        self._arranging.start(shape)
+        self._arranging_bar.set_theme(self.look.theme)
+        self._arranging_bar.tell(f"Arranging {len(shape.heights):,} cards …")
+
+    def _on_arranged(self, placed: Mapping[str, tuple[float, float]]) -> None:
+        if placed.keys() == {uid for uid, _ in identified(self.document)}:
+            self._arrange(placed)
+        else:
+            self.status.emit("There are other cards now than those arranged: arrange them again")
+
+    def _arrange(self, placed: Mapping[str, tuple[float, float]]) -> None:
         to = {self._picture.cards[uid].place: at for uid, at in placed.items()}
         after, text = gestures.move(self.document, to)
+        after = self._figuring.arranged(after, placed)
         self._edit(after, "Arrange all cards" if text else "")
         self.zoom_to_fit()
+
+    def _key(self, event: QKeyEvent) -> bool:
+        if event.key() == Qt.Key.Key_Escape and self._arranging.is_running:
+            self._arranging.cancel()
+            return True
+        return super()._key(event)
 
     def connect_selected(self) -> None:
         """A new event from each selected card to the next, in the order of the document."""

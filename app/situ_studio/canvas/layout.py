@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from msgspec import Struct
+
 from situ.document.rbd import Always, Application, State
 from situ_studio.canvas.projection import (
     COLUMN,
@@ -28,8 +30,23 @@ ABOVE = 48.0
 """Between the card of what every state has and the first row."""
 
 
-def arrange(application: Application, band: int = BAND) -> dict[str, tuple[float, float]]:
+class Shape(Struct, frozen=True):
+    """All that the layout looks at. heights: of every card, in order. above: of no state.
+    leads: where each leads in the usual way of things, not to itself.
+    """
+
+    heights: dict[str, float]
+    leads: dict[str, list[str]]
+    above: list[str]
+    start: str | None
+
+
+def arrange(application: Application) -> dict[str, tuple[float, float]]:
     """A place for every card, by uid; no two overlap. Ends for any graph, circles included."""
+    return place(shape(application))
+
+
+def shape(application: Application) -> Shape:
     cards = list(identified(application))
     by_no: dict[str, str] = {}
     for uid, value in cards:
@@ -45,13 +62,18 @@ def arrange(application: Application, band: int = BAND) -> dict[str, tuple[float
         )
         for uid, value in cards
     }
-    always = [uid for uid, value in cards if not hasattr(value, "no")]
-    states = [uid for uid, _ in cards if uid not in always]
-    start = by_no.get(application.start_no or "")
-    ranks = _ranks(states, leads, start)
+    above = [uid for uid, value in cards if not hasattr(value, "no")]
+    return Shape(heights, leads, above, by_no.get(application.start_no or ""))
+
+
+def place(shape: Shape, band: int = BAND) -> dict[str, tuple[float, float]]:
+    """band: columns side by side."""
+    heights, leads = shape.heights, shape.leads
+    states = [uid for uid in heights if uid not in shape.above]
+    ranks = _ranks(states, leads, shape.start)
     placed: dict[str, tuple[float, float]] = {}
     top = TOP
-    for uid in always:
+    for uid in shape.above:
         placed[uid] = (LEFT, top)
         top += heights[uid] + ABOVE
     lanes: dict[int, list[str]] = {}
