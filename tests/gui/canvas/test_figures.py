@@ -367,3 +367,21 @@ def test_a_note_written_before_a_state_in_the_file_stays_when_the_state_goes(
     assert [one.text for one in values(used)] == ["why"]
     assert used.document.state("2") is None
     check(used)
+
+
+def test_frames_and_notes_go_with_their_cards_when_all_are_arranged(
+    made: Any, check: Check
+) -> None:
+    # The card next to the note is that of what every state has.
+    before = made.document.always.aside.position
+    made.canvas.auto_layout()
+    made.hand.settle()
+    frame, moved = values(made)
+    areas = _areas(made)
+    assert figures.around((areas["4"], areas["5"])) == (frame.x, frame.y, frame.width, frame.height)
+    now = made.document.always.aside.position
+    assert now != before
+    assert (moved.x - NOTE.x, moved.y - NOTE.y) == (now[0] - before[0], now[1] - before[1])
+    made.undo()
+    assert values(made) == (FRAME, NOTE)
+    check(made)
