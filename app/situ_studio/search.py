@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from msgspec import Struct
 
@@ -47,53 +48,58 @@ def _exactly(query: str) -> tuple[Role, str] | None:
     return (role, name.strip()) if colon and role is not None and name.strip() else None
 
 
+class Hits(Struct, frozen=True):
+    """count: of all places; hits: the first of them."""
+
+    count: int
+    hits: list[Hit]
+
+
 def search(
-    documents: dict[str, Document], every: Iterable[Found], query: str, file: str = ""
-) -> list[Hit]:
+    documents: dict[str, Document],
+    every: Iterable[Found],
+    query: str,
+    file: str = "",
+    most: int = 200,
+) -> Hits:
     """Every place that has all words of ``query``, in the order of the documents.
 
     ``event: clickYes`` finds exactly what mentions that event, and so for each of ``ROLES``;
     file: whose states are meant.
     """
+    wanted = query.casefold().split()
+    called = {f: _called(document) for f, document in documents.items()}
     asked = _exactly(query)
     if asked is not None:
-        found: Iterable[Found] = mentions.usages(list(every), *asked, file)
+        found = mentions.usages(list(every), *asked, file)
+    elif wanted:
+        found = [f for f in every if _fits(f.mention, called[f.file], wanted)]
     else:
-        wanted = query.casefold().split()
-        if not wanted:
-            return []
-        found = (f for f in every if _fits(documents[f.file], f.mention, wanted))
+        found = []
     several = len(documents) > 1
-    return [hit(documents[f.file], f, several) for f in found]
+    hits = [_hit(documents[f.file], called[f.file], f, several) for f in found[:most]]
+    return Hits(len(found), hits)
 
 
-def _fits(document: Document, mention: Mention, wanted: list[str]) -> bool:
-    text = mention.text.casefold()
-    if all(word in text for word in wanted):
-        # A state is found by its number and name together; once is enough.
-        return not (_is_named_state(document, mention) and mention.attribute == "name") or not all(
-            word in _called(document, mention).casefold() for word in wanted
-        )
-    return (
-        mention.attribute == "no"
-        and _is_named_state(document, mention)
-        and all(word in _called(document, mention).casefold() for word in wanted)
-    )
+def _called(document: Document) -> dict[str, str]:
+    """The states' numbers with their names: ``6 show names``."""
+    states = document.states if isinstance(document, rbd.Application) else ()
+    return {s.no: f"{s.no} {s.name}".strip() for s in states}
 
 
-def _is_named_state(document: Document, mention: Mention) -> bool:
-    return (
-        isinstance(document, rbd.Application)
-        and mention.attribute in ("no", "name")
-        and (len(mention.place) == 2 and mention.place[0] == "state")
-    )
+def _fits(mention: Mention, called: dict[str, str], wanted: list[str]) -> bool:
+    text = mention.text
+    if len(mention.place) == 2 and mention.place[0] == "state":
+        # A state is found once, by its number and name together.
+        if mention.attribute == "name":
+            return False
+        if mention.attribute == "no":
+            text = called.get(mention.text, mention.text)
+    text = text.casefold()
+    return all(word in text for word in wanted)
 
 
-def _called(document: Document, mention: Mention) -> str:
-    return words.state_words(document, mention.place[1])
-
-
-def hit(document: Document, found: Found, several: bool = True) -> Hit:
+def _hit(document: Document, called: dict[str, str], found: Found, several: bool) -> Hit:
     """A mention as a row. several: the file is named, as the project has more than one."""
     mention = found.mention
     value = places.get(document, mention.place)
@@ -101,22 +107,22 @@ def hit(document: Document, found: Found, several: bool = True) -> Hit:
     icon, token = (kind.icon, str(kind.tint)) if kind is not None else ("info", "text2")
     text = " ".join(mention.text.split())
     if mention.attribute == "no":
-        text = _called(document, mention)
-    where = _where(document, mention)
+        text = called.get(mention.text, text)
+    where = _where(document, called, mention, value)
     named = f"{stem(found.file)}: {where}" if several and where else where or stem(found.file)
     return Hit(found.file, mention.place, icon, token, text, named)
 
 
-def _where(document: Document, mention: Mention) -> str:
-    """``state 6 show names, button yes: Event``."""
+def _where(document: Document, called: dict[str, str], mention: Mention, value: Any) -> str:
+    """``state 6 show names, button yes: sends``."""
     place = mention.place
     if not place:
         return ""
     root = places.root(place)
-    outer = "every state" if root == ("always",) else words.place_words(document, root)
+    outer = "every state" if root == ("always",) else ""
     if root[0] == "state":
-        outer = f"state {words.state_words(document, root[1])}"
-    value = places.get(document, place)
+        outer = f"state {called.get(root[1], root[1])}"
+    outer = outer or words.place_words(document, root)
     inner = words.member_words(value) if len(place) > len(root) else ""
     kind = kinds.kind_of(value)
     sections = (f for s in kind.sections for f in s.fields) if kind is not None else ()

@@ -108,6 +108,7 @@ class MainWindow(Frame):
         self.inspector.place_asked.connect(self.select)
         self.inspector.added.connect(self.fill_in)
         self.inspector.refused.connect(self.say)
+        self.inspector.usages_asked.connect(self.commands.find_usages)
         self.problems.chosen.connect(self._on_problem)
         self.problems.mend_asked.connect(self._on_mend)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
@@ -520,6 +521,7 @@ class MainWindow(Frame):
         view, document, project = self.current_view, self.current_document, self.session.project
         if view is None or document is None or project is None:
             self.inspector.show_nothing(self.tr("Nothing is selected."))
+            self.inspector.usages.hide()
             self.status.show_selection(())
             self.actions_.refresh()
             return
@@ -531,6 +533,7 @@ class MainWindow(Frame):
             tuple(self._problems_of(view.file)),
             media,
         )
+        self.inspector.usages.setVisible(self.commands.can_find_usages())
         self.outline.select(view.selected)
         self.status.show_selection(view.selected)
         self.actions_.refresh()

@@ -8,7 +8,10 @@ from typing import Any
 
 from PySide6.QtCore import Qt
 
+from situ.document import rbd
+from situ_studio.mentions import Found, mentions
 from situ_studio.panels.lists import PLACE
+from situ_studio.search import search
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -70,6 +73,16 @@ def test_what_is_found_follows_an_edit(studio: Start, project: Copy) -> None:
     assert [text for text, _ in rows(used)] == ["2 marmalade"]
 
 
+def test_of_very_many_places_the_first_are_shown_and_all_are_counted() -> None:
+    every = tuple(rbd.State(no=str(n), name=f"ward {n}") for n in range(1, 1001))
+    application = rbd.Application(name="large", states=every)
+    found = (Found("a.rbd.xml", m) for m in mentions(application))
+    hits = search({"a.rbd.xml": application}, found, "ward", most=20)
+    assert hits.count == 1000
+    assert [h.text for h in hits.hits[:2]] == ["1 ward 1", "2 ward 2"]
+    assert len(hits.hits) == 20
+
+
 def test_escape_goes_back_to_the_drawing(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     used.select("state", "2")
@@ -92,6 +105,17 @@ def test_usages_of_an_event_are_where_it_is_raised_and_expected(
         ("userNameSelected", "reception: state 8 names, list names: sends"),
         ("userNameSelected", "reception: state 8 names, event userNameSelected"),
     ]
+
+
+def test_the_inspector_finds_usages_too(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    assert not used.window.inspector.usages.isVisible()
+    used.select("state", "8", "event", "0")
+    used.click(used.window.inspector.usages)
+    used.type("state: 9")
+    used.key(Qt.Key.Key_Return)
+    assert used.window.finding.panel.query == "state: 9"
+    assert ("9 save profile", "reception: state 9 save profile") in rows(used)
 
 
 def test_usages_of_a_state_are_those_of_its_document(studio: Start, project: Copy) -> None:

@@ -18,13 +18,11 @@ from PySide6.QtWidgets import (
 
 from situ_studio import icons
 from situ_studio.panels.lists import PLACE, AnyIndex
-from situ_studio.search import Hit
+from situ_studio.search import Hits
 from situ_studio.theme import Theme, font
 
 WHERE = 320
 """Px of width that a place has before its text."""
-MOST = 500
-"""Rows that are shown; who needs more wants another word."""
 
 
 class _HitDelegate(QStyledItemDelegate):
@@ -117,12 +115,12 @@ class Finding(QWidget):
         self.field.setFocus()
         self.field.selectAll()
 
-    def show_hits(self, hits: list[Hit]) -> None:
+    def show_hits(self, found: Hits) -> None:
         """What was found; the row that was current stays so if it is still there."""
         current = self.list.currentIndex().data(PLACE)
         self._model.clear()
         row = 0
-        for at, hit in enumerate(hits[:MOST]):
+        for at, hit in enumerate(found.hits):
             item = QStandardItem(hit.text)
             item.setData(hit, PLACE)
             item.setToolTip(f"{hit.text}\n{hit.where}")
@@ -130,18 +128,19 @@ class Finding(QWidget):
             self._model.appendRow(item)
             if hit == current:
                 row = at
-        if hits:
+        if found.hits:
             self.list.setCurrentIndex(self._model.index(row, 0))
-        self.count.setText(self._counted(len(hits)))
+        self.count.setText(self._counted(found))
 
-    def _counted(self, count: int) -> str:
+    def _counted(self, found: Hits) -> str:
         if not self.query.strip():
             return self.tr("F3 goes from one to the next")
-        if count == 0:
+        if found.count == 0:
             return self.tr("Nothing in this project has that.")
-        if count > MOST:
-            return self.tr("{0} places, the first {1} are shown").format(count, MOST)
-        return self.tr("{0} places").format(count) if count > 1 else self.tr("1 place")
+        if found.count > len(found.hits):
+            shown = self.tr("{0} places, the first {1} are shown")
+            return shown.format(found.count, len(found.hits))
+        return self.tr("{0} places").format(found.count) if found.count > 1 else self.tr("1 place")
 
     @property
     def has_hits(self) -> bool:

@@ -29,6 +29,7 @@ class Inspector(QWidget):
     added = Signal(tuple)
     """A new thing's place: shown, then typed into at once."""
     refused = Signal(str)
+    usages_asked = Signal()
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -60,6 +61,10 @@ class Inspector(QWidget):
         self._pill = QLabel()
         self._pill.setProperty("role", "pill")
         line.addWidget(self._pill, 0, Qt.AlignmentFlag.AlignVCenter)
+        self.usages = IconButton(theme, "search", self.tr("Find usages"), "text3", 14)
+        self.usages.setFixedSize(22, 22)
+        self.usages.clicked.connect(self.usages_asked)
+        line.addWidget(self.usages)
         self._notice = QLabel()
         self._notice.setProperty("role", "refused")
         self._notice.setWordWrap(True)

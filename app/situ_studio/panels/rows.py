@@ -159,11 +159,13 @@ class RowWidget(QFrame):
             self.opened.emit()
 
     def event(self, event: QEvent) -> bool:
-        override = event.type() == QEvent.Type.ShortcutOverride
-        if override and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Delete:
-            # Delete here means this row, not what the window's command would delete.
-            event.accept()
-            return True
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            alt = event.modifiers() & Qt.KeyboardModifier.AltModifier
+            moves = alt and event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down)
+            if moves or event.key() == Qt.Key.Key_Delete:
+                # They mean this row here, not what the window's commands do with the selection.
+                event.accept()
+                return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
