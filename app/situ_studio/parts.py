@@ -17,6 +17,7 @@ from situ.document.project import Project
 from situ.document.rbd import Application, Event, State
 from situ_studio import changes, places
 from situ_studio.edit import Place
+from situ_studio.language import said
 from situ_studio.panels.project_tree import stem
 
 if TYPE_CHECKING:
@@ -145,11 +146,11 @@ class PartsSide(QObject):
             part_file = self._free(project, file, name)
             after = make_part(project, file, numbers, name, part_file)
         except NoPart as refused:
-            window.say(str(refused))
+            window.say(said(str(refused)))
             return
         source, part = after.flows[file], after.flows[part_file]
         begin = part.start_no or ""
-        if self._commit({file: source, part_file: part}, f"Make a part: {name}"):
+        if self._commit({file: source, part_file: part}, self.tr("Make a part: {0}").format(name)):
             window.select(("state", begin))
             view.call("bring_into_view", (("state", begin),))
             ends = sum(1 for state in part.states if state.no not in numbers)
@@ -170,9 +171,9 @@ class PartsSide(QObject):
         try:
             after = dissolve(project, file, no).flows[file]
         except NoPart as refused:
-            window.say(str(refused))
+            window.say(said(str(refused)))
             return
-        if self._commit({file: after}, f"Dissolve part {stem(flow or '')}"):
+        if self._commit({file: after}, self.tr("Dissolve part {0}").format(stem(flow or ""))):
             window.select(("state", no))
 
     def insert(self, at: QPointF | None = None, link: Place = ()) -> None:
@@ -201,7 +202,7 @@ class PartsSide(QObject):
             changed[flow] = Application(name=stem(flow), states=(first,))
         spot = at if at is not None else view.call("free_spot")
         after, no = with_part(document, answer, flow, spot, link)
-        if self._commit({file: after, **changed}, f"Add part {answer}"):
+        if self._commit({file: after, **changed}, self.tr("Add part {0}").format(answer)):
             window.select(("state", no))
 
     def _free(self, project: Project, file: str, name: str) -> str:

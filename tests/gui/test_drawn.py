@@ -22,11 +22,15 @@ def used(studio: Start, project: Copy) -> Any:
     return studio(project("reception"))
 
 
+def beside(used: Any) -> tuple[Any, ...]:
+    return drawn(used.session.document(FILE))
+
+
 def test_a_note_from_the_palette_is_written_at_once_and_saved(used: Any) -> None:
     used.click(used.window.palette_.item("note"))
     used.type("Ask the ward")
     used.key(Qt.Key.Key_Return, CONTROL)
-    assert drawn(used.session.document(FILE))[-1].text == "Ask the ward"
+    assert beside(used)[-1].text == "Ask the ward"
     outline = used.window.outline.list
     assert used.row_with(outline, "Ask the ward").isValid()
     used.key(Qt.Key.Key_S, CONTROL)
@@ -47,9 +51,9 @@ def test_the_form_changes_title_colour_and_size(used: Any) -> None:
     form = used.window.inspector
     used.select("frame", "0")
     used.fill(form.form.field("title"), "Measuring")
-    assert drawn(used.session.document(FILE))[1].title == "Measuring"
+    assert beside(used)[1].title == "Measuring"
     used.choose(form.form.field("color"), "Violet")
-    assert drawn(used.session.document(FILE))[1].color == "#5d4bb0"
+    assert beside(used)[1].color == "#5d4bb0"
     used.window.fill_in(("frame", "0"))
     assert used.session.undo_text == "Change colour of the frame Measuring"
     assert used.window.current_view.selected == (("frame", "0"),)
@@ -64,7 +68,7 @@ def test_a_frame_from_the_menu_goes_round_the_selected_states(used: Any) -> None
     used.settle()
     used.type("Welcome")
     used.key(Qt.Key.Key_Return)
-    frame = drawn(used.session.document(FILE))[-1]
+    frame = beside(used)[-1]
     first = used.session.document(FILE).state("1").aside.position
     assert frame.title == "Welcome"
     assert (frame.x, frame.y) == (first[0] - 24, first[1] - 44)
@@ -77,4 +81,4 @@ def test_a_note_is_added_in_the_outline_twin_too(used: Any) -> None:
     assert used.window.inspector.place == ("note", "1")
     used.type("For the night")
     used.key(Qt.Key.Key_Tab)
-    assert drawn(used.session.document(FILE))[-1].text == "For the night"
+    assert beside(used)[-1].text == "For the night"

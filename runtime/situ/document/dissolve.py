@@ -112,14 +112,14 @@ def _brought(
     shared: tuple[Event, ...],
 ) -> State:
     def event(value: Event) -> Event:
-        if value.next in ends:
+        if value.next is not None and value.next in ends:
             done = ends[value.next]
             return replace(value, next=done.next, actions=(*value.actions, *done.actions))
         return replace(value, next=numbers.get(value.next or "", value.next))
 
     events = tuple(event(one) for one in state.events)
     timeout = state.timeout
-    if timeout is not None and timeout.next in ends:
+    if timeout is not None and timeout.next is not None and timeout.next in ends:
         done = ends[timeout.next]
         if done.actions:
             raise NoPart(
