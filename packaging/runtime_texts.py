@@ -18,6 +18,9 @@ QUIET = {"schema.py", "locate.py", "writer.py"}
 SAID = re.compile(r"[a-z]{2,}'?,? +(?:[\w<\"“({[]|$)|\}[^\w{}]* [a-z]{2,}|^: [a-z]|[a-z]{2,}: \{")
 
 
+WORDS = {"exists", "empty", "wide", "high", "lies", "lie", "and", "or"}
+WORDS |= {"state", "event", "timeout", "button", "text", "image", "movie", "input", "list"}
+"""Single words that are said too."""
 XML = re.compile(r"^<\w+ \w+=|^<\w+/>$|<param |^<choice>|\\[sd]|^\^|\n")
 """Pieces of schemas, and regular expressions."""
 
@@ -42,7 +45,7 @@ def _said(tree: ast.Module) -> Iterator[str]:
             text = node.value
         else:
             continue
-        if SAID.search(text) and not XML.search(text):
+        if text in WORDS or (SAID.search(text) and not XML.search(text)):
             yield text
 
 

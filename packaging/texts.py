@@ -2,14 +2,13 @@
 
     python packaging/texts.py        renews resources/i18n: runtime.txt, studio_*.ts and studio_*.qm
 
-Four kinds of texts: ``self.tr("…")`` of QObjects (lupdate finds these itself), ``tr("…")`` of
-``situ_studio.language``, the tables of commands and kinds, and the templates of the runtime.
+Three kinds of texts: ``self.tr("…")`` of QObjects and ``tr("…")`` of ``situ_studio.language``,
+which lupdate finds itself, the tables of commands and kinds, and the templates of the runtime.
 Needs the studio's environment. Texts that are gone are taken out of the .ts files.
 """
 
 from __future__ import annotations
 
-import ast
 import subprocess
 import sys
 import tempfile
@@ -46,15 +45,6 @@ def gathered() -> Iterator[tuple[str, str]]:
     for command in actions.COMMANDS:
         for text in (*_shown(command), *command.menu.split("/")):
             yield "actions", text
-    for file in sorted(STUDIO.rglob("*.py")):
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if (
-                isinstance(node, ast.Call)
-                and isinstance(node.func, ast.Name)
-                and node.func.id == "tr"
-                and isinstance(node.args[0], ast.Constant)
-            ):
-                yield "studio", str(node.args[0].value)
 
 
 def _shown(value: msgspec.Struct) -> Iterator[str]:

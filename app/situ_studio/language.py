@@ -19,8 +19,8 @@ SYSTEM = "system"
 
 
 def tr(text: str) -> str:
-    """A text of the studio in the user's language."""
-    return QCoreApplication.translate("studio", text)
+    """A text of the studio in the user's language; lupdate finds it where it is said."""
+    return QCoreApplication.translate("", text)
 
 
 def translated(text: str) -> str:

@@ -20,6 +20,8 @@ Translate = Callable[[str], str]
 HOLE = re.compile(r"\{(\d)\}")
 QUOTED = re.compile(r'“[^“”]*”|"[^"]*"')
 """What a person wrote: never translated, though it may read like one of the runtime's texts."""
+TAG = re.compile(r"[a-z]\w*(\.[\w-]+)+")
+"""What stands before a test: ``human.distance above 3``."""
 GLUE = (": ", "; ", ", ", " → ", " and ")
 """What the runtime puts between sentences and values of its own making."""
 DEEPEST = 6
@@ -65,6 +67,9 @@ class RuntimeWords:
                     told = [self.said(first, depth + 1), self.said(rest, depth + 1)]
                     if told != [first, rest]:
                         return self._translate(glue).join(told)
+            tag, _, rest = text.partition(" ")
+            if TAG.fullmatch(tag) and self.said(rest, depth + 1) != rest:
+                return f"{tag} {self.said(rest, depth + 1)}"
         return text
 
     def _filled(self, meant: str, values: tuple[str, ...], depth: int) -> str:

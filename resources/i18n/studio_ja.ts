@@ -2,6 +2,269 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name></name>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>縮小</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>拡大</translation>
+    </message>
+    <message>
+        <source>Show the whole drawing</source>
+        <translation>全体を表示</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>全体図</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>優先度</translation>
+    </message>
+    <message>
+        <source>if {0}</source>
+        <translation>{0} のとき</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>すぐに</translation>
+    </message>
+    <message>
+        <source>In every state</source>
+        <translation>すべての状態</translation>
+    </message>
+    <message>
+        <source>is part of every state</source>
+        <translation>すべての状態に共通</translation>
+    </message>
+    <message>
+        <source>extends {0}</source>
+        <translation>{0} を引き継ぐ</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>常に</translation>
+    </message>
+    <message>
+        <source>until {0}</source>
+        <translation>終了：{0}</translation>
+    </message>
+    <message>
+        <source>not observed</source>
+        <translation>観測されていない</translation>
+    </message>
+    <message>
+        <source>any value</source>
+        <translation>任意の値</translation>
+    </message>
+    <message>
+        <source>not declared</source>
+        <translation>宣言されていない</translation>
+    </message>
+    <message>
+        <source>Resource</source>
+        <translation>リソース</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Also asked for by</source>
+        <translation>ほかに求めているもの</translation>
+    </message>
+    <message>
+        <source>Does</source>
+        <translation>動作</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>タグ</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Set by</source>
+        <translation>書き込み元</translation>
+    </message>
+    <message>
+        <source>Ago</source>
+        <translation>経過</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} 秒</translation>
+    </message>
+    <message>
+        <source>{0} min</source>
+        <translation>{0} 分</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>said as</source>
+        <translation>言い方</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Because of</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>そのまま</translation>
+    </message>
+    <message>
+        <source>anew</source>
+        <translation>もう一度</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>event {0}</source>
+        <translation>イベント {0}</translation>
+    </message>
+    <message>
+        <source>unnamed event</source>
+        <translation>名前のないイベント</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>枠</translation>
+    </message>
+    <message>
+        <source>the modules</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>すべての状態</translation>
+    </message>
+    <message>
+        <source>state {0}</source>
+        <translation>状態 {0}</translation>
+    </message>
+    <message>
+        <source>the frame {0}</source>
+        <translation>枠 {0}</translation>
+    </message>
+    <message>
+        <source>a note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>the screen of {0}</source>
+        <translation>{0} の画面</translation>
+    </message>
+    <message>
+        <source>{0} in {1}</source>
+        <translation>{1} の {0}</translation>
+    </message>
+    <message>
+        <source>{0} of {1}</source>
+        <translation>{1} の{0}</translation>
+    </message>
+    <message>
+        <source>Rename {0}</source>
+        <translation>{0} の名前を変更</translation>
+    </message>
+    <message>
+        <source>Change {0} of {1}</source>
+        <translation>{1} の{0}を変更</translation>
+    </message>
+    <message>
+        <source>State {0}</source>
+        <translation>状態 {0}</translation>
+    </message>
+    <message>
+        <source>Event of {0}</source>
+        <translation>{0} のイベント</translation>
+    </message>
+    <message>
+        <source>Situation {0} of {1}</source>
+        <translation>状況 {0}／{1}</translation>
+    </message>
+    <message>
+        <source>Part of every state</source>
+        <translation>すべての状態に共通</translation>
+    </message>
+    <message>
+        <source>This always holds.</source>
+        <translation>いつも成り立ちます。</translation>
+    </message>
+    <message>
+        <source>This holds while {0}.</source>
+        <translation>{0} の間成り立ちます。</translation>
+    </message>
+    <message>
+        <source>Once current it stays for {0} s at least.</source>
+        <translation>この状況になると、少なくとも {0} 秒続きます。</translation>
+    </message>
+    <message>
+        <source>Once current it ends after {0} s at the latest.</source>
+        <translation>この状況になると、遅くとも {0} 秒で終わります。</translation>
+    </message>
+    <message>
+        <source>It goes before all others.</source>
+        <translation>ほかのすべてに優先します。</translation>
+    </message>
+    <message>
+        <source>{0} goes first.</source>
+        <translation>{0} が先です。</translation>
+    </message>
+    <message>
+        <source>{0} go first.</source>
+        <translation>{0} が先です。</translation>
+    </message>
+    <message>
+        <source>{0} may move the robot, in this order.</source>
+        <translation>ロボットを使えるのは、順に {0} です。</translation>
+    </message>
+    <message>
+        <source>Nothing may move the robot.</source>
+        <translation>何もロボットを使えません。</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} と {1}</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+</context>
+<context>
     <name>AddTest</name>
     <message>
         <source>Add a test</source>
@@ -16,11 +279,11 @@
     <name>ApplicationCanvas</name>
     <message>
         <source>No state yet. Drag State from the palette to here.</source>
-        <translation type="unfinished"></translation>
+        <translation>まだ状態がありません。パレットから「状態」をここにドラッグしてください。</translation>
     </message>
     <message>
         <source>What follows? Select the state, drag the plus at its right edge to an empty place and choose. Or drag State from the palette to here.</source>
-        <translation type="unfinished"></translation>
+        <translation>次は？ 状態を選び、右端の＋を空いた場所へドラッグして選んでください。または、パレットから「状態」をここにドラッグしてください。</translation>
     </message>
 </context>
 <context>
@@ -82,8 +345,8 @@
         <translation>例のコピーを置く場所</translation>
     </message>
     <message>
-        <source>A timeout has no guard: give it no target, and guard the event timeout.</source>
-        <translation>時間切れには条件を付けられません。行き先をなくし、イベント timeout に条件を付けてください。</translation>
+        <source>Pasted. This project does not have {0}: copy the files too.</source>
+        <translation>貼り付けました。このプロジェクトに {0} がないので、ファイルもコピーしてください。</translation>
     </message>
     <message>
         <source>Situ Studio {0}
@@ -559,12 +822,24 @@ Draw what a robot says, shows and does.</source>
         <translation>部品の名前</translation>
     </message>
     <message>
+        <source>Make a part: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} has {1} states and {2} ways out: double-click it to look inside.</source>
         <translation>{0} には状態が {1} 個、出口が {2} 個あります。ダブルクリックすると中を見られます。</translation>
     </message>
     <message>
+        <source>Dissolve part {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} runs this application: it can not be a part of it.</source>
         <translation>{0} はこのアプリケーションを動かしているので、その部品にはできません。</translation>
+    </message>
+    <message>
+        <source>Add part {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has errors: it can be read, not changed.</source>
@@ -790,6 +1065,25 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>StateCommands</name>
+    <message>
+        <source>A timeout has no guard: give it no target, and guard the event timeout.</source>
+        <translation>時間切れには条件を付けられません。行き先をなくし、イベント timeout に条件を付けてください。</translation>
+    </message>
+    <message>
+        <source>This leads nowhere: the state stays.</source>
+        <translation>行き先はありません。状態はそのままです。</translation>
+    </message>
+    <message>
+        <source>This leads to another state each time.</source>
+        <translation>行き先は毎回変わります。</translation>
+    </message>
+    <message>
+        <source>There is no state {0}.</source>
+        <translation>状態 {0} はありません。</translation>
+    </message>
+</context>
+<context>
     <name>Status</name>
     <message>
         <source>no robot</source>
@@ -848,6 +1142,22 @@ Draw what a robot says, shows and does.</source>
         <translation>状況</translation>
     </message>
     <message>
+        <source>event</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>timeout</source>
+        <translation>時間切れ</translation>
+    </message>
+    <message>
+        <source>timeouts</source>
+        <translation>時間切れ</translation>
+    </message>
+    <message>
         <source>situations</source>
         <translation>状況</translation>
     </message>
@@ -860,12 +1170,40 @@ Draw what a robot says, shows and does.</source>
         <translation>モジュール</translation>
     </message>
     <message>
+        <source>priority</source>
+        <translation>優先度</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>データ</translation>
+    </message>
+    <message>
         <source>resource</source>
         <translation>リソース</translation>
     </message>
     <message>
         <source>resources</source>
         <translation>リソース</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>枠</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>枠</translation>
+    </message>
+    <message>
+        <source>things</source>
+        <translation>件</translation>
     </message>
     <message>
         <source>{0} not saved</source>
@@ -1297,8 +1635,16 @@ Draw what a robot says, shows and does.</source>
         <translation>順につなぐ</translation>
     </message>
     <message>
+        <source>Dissolve the part</source>
+        <translation>部品を解く</translation>
+    </message>
+    <message>
         <source>Document before</source>
         <translation>前の文書</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>English</translation>
     </message>
     <message>
         <source>Evenly one above the other</source>
@@ -1381,6 +1727,10 @@ Draw what a robot says, shows and does.</source>
         <translation>キーボードショートカット</translation>
     </message>
     <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
         <source>Launch</source>
         <translation>起動</translation>
     </message>
@@ -1443,6 +1793,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>New project…</source>
         <translation>新しいプロジェクト…</translation>
+    </message>
+    <message>
+        <source>New window</source>
+        <translation>新しいウィンドウ</translation>
     </message>
     <message>
         <source>Next document</source>
@@ -1621,6 +1975,10 @@ Draw what a robot says, shows and does.</source>
         <translation>開始状態</translation>
     </message>
     <message>
+        <source>The states of the part stand here again; its file stays.</source>
+        <translation>部品の状態がここに戻ります。ファイルは残ります。</translation>
+    </message>
+    <message>
         <source>Timeout</source>
         <translation>時間切れ</translation>
     </message>
@@ -1695,6 +2053,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Zoom out</source>
         <translation>縮小</translation>
+    </message>
+    <message>
+        <source>日本語</source>
+        <translation>日本語</translation>
     </message>
     <message>
         <source>On the canvas</source>
@@ -2754,10 +3116,6 @@ Draw what a robot says, shows and does.</source>
         <translation>、</translation>
     </message>
     <message>
-        <source>, for {0}</source>
-        <translation>、{0} の間</translation>
-    </message>
-    <message>
         <source>, goes before {0}</source>
         <translation>、{0} より先</translation>
     </message>
@@ -2772,10 +3130,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>, when {0}</source>
         <translation>、{0} のとき</translation>
-    </message>
-    <message>
-        <source>, within {0}</source>
-        <translation>、{0} 以内</translation>
     </message>
     <message>
         <source>, {0} the part {1}</source>
@@ -2978,6 +3332,10 @@ Draw what a robot says, shows and does.</source>
         <translation>最後のタッチから {0} 秒後に最初へ戻る</translation>
     </message>
     <message>
+        <source>In {0} {1} leads to {2}, which would be another state then: lead it to a state first.</source>
+        <translation>{0} の {1} の行き先は {2} ですが、それでは別の状態になります。先に行き先の状態を決めてください。</translation>
+    </message>
+    <message>
         <source>It is not known {0}: finding out would have taken too long; make the conditions simpler, or try it out with situ simulate</source>
         <translation>{0} は分かりません。調べるには時間がかかりすぎます。条件を簡単にするか、situ simulate で試してください</translation>
     </message>
@@ -3088,6 +3446,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Say that it is meant to be the end</source>
         <translation>ここが終わりだと示す</translation>
+    </message>
+    <message>
+        <source>Select a state that runs a part first.</source>
+        <translation>先に、部品を動かす状態を選んでください。</translation>
     </message>
     <message>
         <source>Select the states that the part shall have first.</source>
@@ -3282,6 +3644,10 @@ Draw what a robot says, shows and does.</source>
         <translation>&lt;{0}&gt; の文章 {1}</translation>
     </message>
     <message>
+        <source>The timeout of {0} ends the part, and {1} does something on the way, which a timeout can not: let that state do it first.</source>
+        <translation>{0} の時間切れで部品が終わりますが、{1} が移るときに行う動作は時間切れではできません。先にその状態の動作にしてください。</translation>
+    </message>
+    <message>
         <source>The url of &lt;service&gt; cannot be {0}: begin with http://, https://, board:module/request, media: or a reference</source>
         <translation>&lt;service&gt; の url は {0} にはできません。http://、https://、board:モジュール/要求、media:、または参照で始めてください</translation>
     </message>
@@ -3450,6 +3816,10 @@ Draw what a robot says, shows and does.</source>
         <translation>すべての状態に共通のものの行き先が {0} で、それが部品全体になります。先に別の状態に向けるか、選択から外してください。</translation>
     </message>
     <message>
+        <source>What follows {0} depends on more than the end of the part: let {1} lead to one state, without a condition, first.</source>
+        <translation>{0} の続きが部品の終わりだけでは決まりません。先に {1} の行き先を、条件なしの一つの状態にしてください。</translation>
+    </message>
+    <message>
         <source>What people say raises an event by its name: give this event a name</source>
         <translation>人の言葉は名前でイベントを起こします。このイベントに名前を付けてください</translation>
     </message>
@@ -3494,6 +3864,10 @@ Draw what a robot says, shows and does.</source>
         <translation>引用符で囲んだ文字列</translation>
     </message>
     <message>
+        <source>above {0}</source>
+        <translation>が {0} より大きい</translation>
+    </message>
+    <message>
         <source>add &lt;provides&gt; to the module that writes it</source>
         <translation>書き込むモジュールに &lt;provides&gt; を加えてください</translation>
     </message>
@@ -3522,6 +3896,14 @@ Draw what a robot says, shows and does.</source>
         <translation>アプリケーション</translation>
     </message>
     <message>
+        <source>an event</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>と</translation>
+    </message>
+    <message>
         <source>application {0} now comes {1}</source>
         <translation>アプリケーション {0} の位置：{1}</translation>
     </message>
@@ -3534,16 +3916,32 @@ Draw what a robot says, shows and does.</source>
         <translation>application/{0} が使われていて、その状態のいくつかが複数の名前を持つことになります</translation>
     </message>
     <message>
-        <source>at least</source>
-        <translation>以上</translation>
+        <source>at least {0}</source>
+        <translation>が {0} 以上</translation>
     </message>
     <message>
-        <source>at most</source>
-        <translation>以下</translation>
+        <source>at most {0}</source>
+        <translation>が {0} 以下</translation>
+    </message>
+    <message>
+        <source>is not {0}</source>
+        <translation>が {0} 以外</translation>
+    </message>
+    <message>
+        <source>is one of {0}</source>
+        <translation>が {0} のどれか</translation>
     </message>
     <message>
         <source>back to the state before</source>
         <translation>前の状態に戻る</translation>
+    </message>
+    <message>
+        <source>below {0}</source>
+        <translation>が {0} より小さい</translation>
+    </message>
+    <message>
+        <source>button</source>
+        <translation>ボタン</translation>
     </message>
     <message>
         <source>cannot be {0}: write a name without / { } * and blanks at its ends</source>
@@ -3602,6 +4000,10 @@ Draw what a robot says, shows and does.</source>
         <translation>ed:accept が {0} を指していますが、この要素にも中にもその警告はありません。取り除いてください</translation>
     </message>
     <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
         <source>empty screen</source>
         <translation>空の画面</translation>
     </message>
@@ -3616,6 +4018,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>espeak-ng has no voice for {0}: this is shown, not heard; give the robot another voice, or speak another language</source>
         <translation>espeak-ng に {0} の声がありません。音にならず、画面に表示されます。別の声を用意するか、別の言語で話してください</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>イベント</translation>
     </message>
     <message>
         <source>event of a touch</source>
@@ -3642,6 +4048,10 @@ Draw what a robot says, shows and does.</source>
         <translation>すべての状態</translation>
     </message>
     <message>
+        <source>exists</source>
+        <translation>がある</translation>
+    </message>
+    <message>
         <source>folder of media</source>
         <translation>メディアのフォルダー</translation>
     </message>
@@ -3662,12 +4072,20 @@ Draw what a robot says, shows and does.</source>
         <translation>ここと、すべての状態に共通のところに</translation>
     </message>
     <message>
+        <source>high</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
         <source>hold text, numbers, true, false, lists and tables only</source>
         <translation>文字列、数、true、false、一覧、表だけを置けます</translation>
     </message>
     <message>
         <source>holds too</source>
         <translation>も成り立つ</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>画像</translation>
     </message>
     <message>
         <source>in the project</source>
@@ -3692,6 +4110,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>in {0}, {1}: {2} → {3}</source>
         <translation>{0}、{1}：{2} → {3}</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>入力欄</translation>
     </message>
     <message>
         <source>is empty: write something, or leave it out</source>
@@ -3734,16 +4156,12 @@ Draw what a robot says, shows and does.</source>
         <translation>は整数ではありません：{0}</translation>
     </message>
     <message>
-        <source>is not</source>
-        <translation>ではない</translation>
-    </message>
-    <message>
-        <source>is one of</source>
-        <translation>のどれか</translation>
-    </message>
-    <message>
         <source>is too large a number: {0}</source>
         <translation>は数が大きすぎます：{0}</translation>
+    </message>
+    <message>
+        <source>is {0}</source>
+        <translation>が {0}</translation>
     </message>
     <message>
         <source>it would have more than {0} states, because #back can lead back along ways of any length, or parts hold very many states</source>
@@ -3760,6 +4178,18 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>leads to</source>
         <translation>行き先</translation>
+    </message>
+    <message>
+        <source>lie</source>
+        <translation>が</translation>
+    </message>
+    <message>
+        <source>lies</source>
+        <translation>が</translation>
+    </message>
+    <message>
+        <source>list</source>
+        <translation>一覧</translation>
     </message>
     <message>
         <source>looks or foreign data changed ({0})</source>
@@ -3800,6 +4230,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>moved in the drawing</source>
         <translation>図の上で移動</translation>
+    </message>
+    <message>
+        <source>movie</source>
+        <translation>動画</translation>
     </message>
     <message>
         <source>must be [x, y, heading]: two numbers in metres and one in degrees</source>
@@ -3888,6 +4322,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>only while nothing happens</source>
         <translation>何も起こらない間だけ</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>または</translation>
     </message>
     <message>
         <source>order of languages {0} → {1}</source>
@@ -3994,6 +4432,10 @@ Draw what a robot says, shows and does.</source>
         <translation>開始の状態 {0} → {1}</translation>
     </message>
     <message>
+        <source>state</source>
+        <translation>状態</translation>
+    </message>
+    <message>
         <source>state {0}</source>
         <translation>状態 {0}</translation>
     </message>
@@ -4016,6 +4458,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>taken from</source>
         <translation>引き継ぎ元</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>文字</translation>
     </message>
     <message>
         <source>text size</source>
@@ -4090,6 +4536,10 @@ Draw what a robot says, shows and does.</source>
         <translation>これらは両立しません：{0}</translation>
     </message>
     <message>
+        <source>timeout</source>
+        <translation>時間切れ</translation>
+    </message>
+    <message>
         <source>timeout leads to</source>
         <translation>時間切れの行き先</translation>
     </message>
@@ -4154,6 +4604,10 @@ Draw what a robot says, shows and does.</source>
         <translation>この状況になることがあるか</translation>
     </message>
     <message>
+        <source>wide</source>
+        <translation>幅</translation>
+    </message>
+    <message>
         <source>{0} added</source>
         <translation>{0} を追加</translation>
     </message>
@@ -4184,6 +4638,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0} gone</source>
         <translation>{0} を削除</translation>
+    </message>
+    <message>
+        <source>{0} has something in every state, which the states around would get too: put it into its states first.</source>
+        <translation>{0} にはすべての状態に共通のものがあり、周りの状態にも加わってしまいます。先にそれぞれの状態に移してください。</translation>
     </message>
     <message>
         <source>{0} has the name {1} too: give one of them another</source>
@@ -4318,6 +4776,14 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} は今 {1}{2}</translation>
     </message>
     <message>
+        <source>{0} of the part begins and ends it: there is nothing in it.</source>
+        <translation>部品の {0} が始まりで終わりなので、中に何もありません。</translation>
+    </message>
+    <message>
+        <source>{0} of the part says or does something and then ends it: let an empty state after it be the end first.</source>
+        <translation>部品の {0} は何かをしてから部品を終えます。先に、その後の空の状態を終わりにしてください。</translation>
+    </message>
+    <message>
         <source>{0} raises {1}, but {2}: {3}</source>
         <translation>{0} は {1} を起こしますが、{2}：{3}</translation>
     </message>
@@ -4346,6 +4812,10 @@ Draw what a robot says, shows and does.</source>
         <translation>待つことなく {0}（{1}）。一度たどったら &lt;when&gt; が成り立たなくなるようにするか、時間切れか外からのイベントを待ってください</translation>
     </message>
     <message>
+        <source>{0} would be an end for which {1} waits: lead it to a state first.</source>
+        <translation>{0} は {1} が待つ終わりになります。先に行き先の状態を決めてください。</translation>
+    </message>
+    <message>
         <source>{0} {1} added: {2}</source>
         <translation>{0} {1} を追加：{2}</translation>
     </message>
@@ -4368,6 +4838,14 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0} {1}{2} gone</source>
         <translation>{0} {1}{2} を削除</translation>
+    </message>
+    <message>
+        <source>{0}, for {1}</source>
+        <translation>{0}、{1} の間</translation>
+    </message>
+    <message>
+        <source>{0}, within {1}</source>
+        <translation>{0}、{1} 以内</translation>
     </message>
     <message>
         <source>{0}: can not be made: {1}</source>
