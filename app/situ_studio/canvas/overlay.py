@@ -83,6 +83,7 @@ class Advice(QLabel):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
+        self._canvas = parent
         self.setFont(font(BODY))
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setWordWrap(True)
@@ -100,7 +101,7 @@ class Advice(QLabel):
         self.setVisible(bool(text))
 
     def place(self) -> None:
-        room = self.parentWidget().size()
+        room = self._canvas.size()
         wide = min(440, room.width() - 32)
         high = self.heightForWidth(wide)
         self.setGeometry((room.width() - wide) // 2, room.height() - high - 48, wide, high)

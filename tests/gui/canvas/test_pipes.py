@@ -43,10 +43,11 @@ def height(made: Any, spot: QPointF, token: str) -> int:
     """How many px of a colour lie above each other around a spot, where most do."""
     image: QImage = made.canvas.viewer.grab().toImage()
     at, wanted = made.hand.pixel(spot), made.canvas.look[token].rgb()
-    return max(
+    highest: int = max(
         sum(image.pixelColor(x, y).rgb() == wanted for y in range(at.y() - 20, at.y() + 20))
         for x in range(at.x() - 60, at.x() + 60)
     )
+    return highest
 
 
 @pytest.mark.parametrize("zoom", [1.0, 0.5, 0.4])
