@@ -36,7 +36,7 @@ class Arranging(QObject):
         self._running: list[QProcess] = []
         self._last: QProcess | None = None
         running = self._running
-        self.destroyed.connect(lambda: [_end(process) for process in running])
+        self.destroyed.connect(lambda: _end(*running))
         self._limit = QTimer(self)
         self._limit.setSingleShot(True)
         self._limit.setInterval(round(1000 * limit))
@@ -101,7 +101,8 @@ class Arranging(QObject):
         self.refused.emit(f"The layout failed ({why}): all cards stay where they are")
 
 
-def _end(process: QProcess) -> None:
-    if process.state() != QProcess.ProcessState.NotRunning:
-        process.kill()
-        process.waitForFinished(1000)
+def _end(*processes: QProcess) -> None:
+    for process in processes:
+        if process.state() != QProcess.ProcessState.NotRunning:
+            process.kill()
+            process.waitForFinished(1000)

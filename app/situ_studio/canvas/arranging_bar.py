@@ -15,6 +15,7 @@ class ArrangingBar(QFrame):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
+        self._room = parent
         self.setObjectName("arranging")
         line = QHBoxLayout(self)
         line.setContentsMargins(12, 6, 6, 6)
@@ -51,4 +52,4 @@ class ArrangingBar(QFrame):
 
     def place(self) -> None:
         self.adjustSize()
-        self.move((self.parentWidget().width() - self.width()) // 2, 12)
+        self.move((self._room.width() - self.width()) // 2, 12)
