@@ -18,6 +18,8 @@ import situ
 from situ.blackboard import keys
 from situ.blackboard.identity import KeyRole
 from situ.blackboard.keys import KnownKey, RobotKey, RobotKeys, token_keys
+from situ.document.export import deployable
+from situ.document.ready import load_ready
 
 if TYPE_CHECKING:
     from tests.faults.conftest import Runtime
@@ -29,11 +31,8 @@ SECRET = "Bea Lee"
 
 @pytest.fixture
 def people(runtime: Runtime, tmp_path: Path) -> dict[str, Path]:
-    """Folders with keys of an operator, a viewer and a module, at a robot that runs."""
-    project = shutil.copytree(LAB, tmp_path / "project")
-    with (project / "situ.toml").open("a") as text:
-        text.write('[privacy]\nprivate = ["user.**"]\n')
-    runtime.project = project
+    """Folders with keys of an operator, a viewer and a module, whom the robot knows."""
+    runtime.project = shutil.copytree(LAB, tmp_path / "project")
     runtime.state.mkdir()
     keys.new_robot(runtime.state / "keys")
     public = RobotKeys(runtime.state / "keys").public.decode()
@@ -46,8 +45,12 @@ def people(runtime: Runtime, tmp_path: Path) -> dict[str, Path]:
         keys.new_client(made[name], pair, "ward", RobotKey(public, ()))
     token = KnownKey(token_keys("token")[0].decode(), "viewer", door=True)
     keys.add_known(runtime.state / "keys", "wall", token)
-    runtime.start()
     return made
+
+
+def hide(project: Path) -> None:
+    with (project / "situ.toml").open("a") as text:
+        text.write('[privacy]\nprivate = ["user.**"]\n')
 
 
 @pytest.fixture
@@ -74,6 +77,8 @@ def listen(
 def test_who_subscribes_to_everything_hears_what_he_may(
     people: dict[str, Path], runtime: Runtime, context: zmq.Context[zmq.Socket[bytes]]
 ) -> None:
+    hide(runtime.project)
+    runtime.start()
     with (
         situ.connect(runtime.endpoint, keys=people["ann"], timeout=DEADLINE) as ann,
         situ.connect(runtime.endpoint, "face", keys=people["face"], timeout=DEADLINE) as face,
@@ -112,6 +117,8 @@ def test_who_subscribes_to_everything_hears_what_he_may(
 def test_a_viewer_by_the_websocket_door_hears_no_more(
     people: dict[str, Path], runtime: Runtime
 ) -> None:
+    hide(runtime.project)
+    runtime.start()
     with situ.connect(runtime.endpoint, keys=people["ann"], timeout=DEADLINE) as ann:
         assert ann.addresses.http is not None
         door = ann.addresses.http.partition("?")[0] + "board?token=token"
@@ -148,3 +155,35 @@ def test_a_viewer_by_the_websocket_door_hears_no_more(
     assert SECRET not in "".join(heard)
     assert "•••" in "".join(heard)
     assert not any(one.startswith(("t:", "trace")) for one in heard)
+
+
+def test_what_is_private_from_a_deploy_on_is_hidden_from_who_was_there_before(
+    people: dict[str, Path], runtime: Runtime, context: zmq.Context[zmq.Socket[bytes]]
+) -> None:
+    runtime.start()
+    where = runtime.endpoint
+    with (
+        situ.connect(where, keys=people["ann"], timeout=DEADLINE) as ann,
+        situ.connect(where, role="viewer", keys=people["tablet"], timeout=DEADLINE) as tablet,
+        tablet.watch("user.*") as changes,
+        listen(context, runtime, people["tablet"], ann) as ear,
+    ):
+        end = time.monotonic() + DEADLINE
+        while not ear.poll(0):
+            assert time.monotonic() < end
+            ann.set("user.name", "Cyd")
+        hide(runtime.project)
+        ann.deploy(deployable(load_ready(runtime.project)), "situ.toml", force_after=0)
+        while ann.progress().version != 1:
+            assert time.monotonic() < end
+        ann.set("user.name", SECRET)
+        while (change := changes.next(DEADLINE)) is not None and change.value != "•••":
+            assert change.value != SECRET
+        # It has come back, and hears what it may.
+        heard: list[bytes] = []
+        while not any(frame.startswith(b"masked:t:") for frame in heard):
+            assert time.monotonic() < end
+            ann.set("user.name", SECRET)
+            while ear.poll(0):
+                heard.append(ear.recv())
+    assert SECRET not in b"".join(heard).decode()

@@ -159,6 +159,11 @@ class Server:
         if frame.startswith(b"\x01" + topics.ECHO):
             self._publisher.send(frame[1:] + b"\n" + _ECHO, NOW)
 
+    def subscribe_anew(self) -> None:
+        """What somebody may hear is another now: with keys all show theirs and subscribe again."""
+        if self.gate is not None:
+            self._notices.close_all()
+
     def send(self, replies: Iterable[tuple[Any, bytes]], notices: Iterable[bytes]) -> None:
         """Sends; a peer that has gone or does not read loses its reply.
 

@@ -239,7 +239,10 @@ class Deciding:
     def _turn_to(self, project: Project, texts: dict[str, str]) -> None:
         """Another version runs: all that looks into its files looks into these."""
         files = {path: text for path, text in texts.items() if path != LOCAL_FILE}
+        others = bool(project.private) != bool(self._core.project.private)
         self._sessions.turn_to(project, files)
+        if others:
+            self._server.subscribe_anew()
         if self._recovery is not None:
             self._recovery.turn_to(project)
         for recorder in self._recorders:
