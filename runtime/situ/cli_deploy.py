@@ -277,7 +277,7 @@ def _turn(turn: Turn) -> list[str]:
         "rolled back": f"back to version {turn.version} by {turn.who}",
         "returned": f"back to version {turn.version} by itself",
         "refused": f"version {turn.version} of {turn.who} refused",
-        "given": f"version {turn.version}, the project's own folder,",
+        "given": f"version {turn.version} runs, what lies in the project's own folder",
     }[turn.did]
     why = f": {turn.why}" if turn.why else ""
     return [f"{when}  {did}{why}", *(f"    {line}" for line in turn.changed)]

@@ -195,6 +195,12 @@ def test_a_module_notices_nothing_of_a_script_that_is_deployed_alone(
         assert set(after) <= {"data", "situation", "condition"}
         assert board.get("robot/head") == {"yaw": 5}
         assert 'no="2"' in board.documents().files[FLOW]
+    # What was deployed runs again.
+    assert desk.stop() == 0
+    desk.start(*CORE)
+    with operator(desk) as board:
+        assert board.progress().version == 1
+        assert 'priority="20"' in board.documents().files["desk.spds.xml"]
 
 
 COUNTED = '<when><data tag="rounds" above="0"/></when></event>'

@@ -352,7 +352,7 @@ def _deploying(core: Core, session: Session, request: protocol.Deploying) -> pro
         raise No("role", "only an operator deploys: connect as one")
     if core.deployer is None:
         raise No(
-            "refused", "nothing is deployed to a robot that plays a scenario: it keeps nothing"
+            "refused", "a robot that plays a scenario keeps nothing: no version of it either"
         )
     try:
         return core.deployer.answer(request, session.writer)

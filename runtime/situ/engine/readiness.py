@@ -26,9 +26,10 @@ class Readiness:
         self._aside = aside
         self._parent = os.getppid()
 
-    def up(self, project: str, addresses: Addresses) -> None:
-        """All is ready."""
-        line = msgspec.json.encode({"project": project, **msgspec.to_builtins(addresses)}).decode()
+    def up(self, project: str, version: int, addresses: Addresses) -> None:
+        """All is ready. version: the one that runs (``situ.engine.versions``)."""
+        said = {"project": project, "version": version, **msgspec.to_builtins(addresses)}
+        line = msgspec.json.encode(said).decode()
         if self._supervised:
             self.notifier.tell(**{READY: "1", ADDRESSES: line})
             return
@@ -52,5 +53,6 @@ def say_ready(line: str, *, as_json: bool, aside: bool) -> None:
     if not as_json:
         said = msgspec.json.decode(line)
         screen = f" screen {said['http']}" if said["http"] is not None else ""
-        line = f"situ run: {said['project']} ready at {said['requests']}{screen}"
+        version = f" version {said['version']}" if said["version"] else ""
+        line = f"situ run: {said['project']}{version} ready at {said['requests']}{screen}"
     print(line, file=sys.stderr if aside else sys.stdout, flush=True)

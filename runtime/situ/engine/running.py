@@ -241,7 +241,7 @@ class Run:
                 waking,
                 readiness.notifier,
                 kept.durable,
-                partial(readiness.up, self._project.name),
+                partial(readiness.up, self._project.name, kept.version),
                 readiness.is_the_end,
             )
         return self._status(trace)
@@ -288,7 +288,7 @@ class Run:
         )
         addresses = await live.start()
         try:
-            self._readiness.up(project.name, addresses)
+            self._readiness.up(project.name, kept.version, addresses)
             self._readiness.beat(loop)
             if script is None:
                 await stopped.wait()
@@ -351,7 +351,7 @@ class Run:
             await asyncio.gather(start, return_exceptions=True)
             return 0
         try:
-            self._readiness.up(self._project.name, await start)
+            self._readiness.up(self._project.name, 0, await start)
             await stop
         finally:
             stop.cancel()

@@ -1,0 +1,145 @@
+"""``situ deploy``, ``rollback`` and ``history``: what they say, and their exit status.
+
+Against a robot in a process of its own: ``tests/faults/test_deploy.py``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from msgspec.structs import replace
+
+from situ import cli, cli_deploy
+from situ.blackboard.protocol import Deployment, Turn, Turns, Waits
+
+SPEECH = Waits("reception", "3", "speech", None)
+CHECKING = Deployment(id=1, version=2, asked=3, stands="checking")
+WAITING = replace(CHECKING, stands="waiting", waits=(SPEECH,))
+RUNS = Deployment(id=1, version=3, asked=3, stands="running", minute=60.0)
+COUNTS = replace(RUNS, minute=None)
+TURNS = (
+    Turn(1e9, 2, "operator:ann", "deployed"),
+    Turn(1e9, 3, "operator:ann", "deployed", "", ("reception.rbd.xml: timeout 20 → 25 s",)),
+    Turn(1e9, 2, "situ", "returned", "version 3 failed: the robot's process died"),
+)
+
+
+class Board:
+    """A robot of which it is known what it will tell, state by state."""
+
+    def __init__(self, states: list[Deployment], turns: Turns | None = None) -> None:
+        self._states = states
+        self._turns = turns
+        self.asked: list[Any] = []
+
+    def __enter__(self) -> Board:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def rollback(self, version: int | None, *, force_after: float | None) -> Deployment:
+        self.asked.append((version, force_after))
+        return self.progress()
+
+    def progress(self) -> Deployment:
+        return self._states.pop(0)
+
+    def history(self) -> Turns:
+        assert self._turns is not None
+        return self._turns
+
+    def sleep(self, seconds: float) -> None:
+        """Time passes by what is told."""
+
+
+@pytest.fixture
+def robot(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Board]:
+    made: list[Board] = []
+
+    def make(*states: Deployment, turns: Turns | None = None) -> Board:
+        made.append(Board(list(states), turns))
+        return made[-1]
+
+    monkeypatch.setattr(cli_deploy, "_connect", lambda *_: made[-1])
+    return make
+
+
+def test_it_says_what_it_waits_for_and_that_it_goes_back_by_itself(
+    robot: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    board = robot(CHECKING, WAITING, WAITING, RUNS)
+    assert cli.main(["rollback", "3", "--to", "tcp://robot:5570", "--force-after", "9"]) == 0
+    assert board.asked == [(3, 9.0)]
+    assert capsys.readouterr().out.splitlines() == [
+        "version 3 has come; the robot checks it",
+        "checked; waiting for speech of state 3 of reception",
+        "version 3 runs; back to version 2 by itself if it fails in its first minute",
+    ]
+
+
+def test_with_wait_it_ends_when_the_first_minute_is_over(
+    robot: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    robot(WAITING, RUNS, RUNS, replace(COUNTS, restart=("[mqtt]",)))
+    assert cli.main(["rollback", "--to", "tcp://robot:5570", "--wait"]) == 0
+    assert capsys.readouterr().out.splitlines()[-2:] == [
+        "version 3 counts: its first minute is over",
+        "when the robot is started again, these count too: [mqtt]",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("last", "told"),
+    [
+        (
+            replace(CHECKING, stands="refused", problems=("reception.rbd.xml:3:2: error …",)),
+            ["version 3 is refused; version 2 runs on", "reception.rbd.xml:3:2: error …"],
+        ),
+        (
+            replace(CHECKING, stands="returned", problems=("version 3 failed: a livelock",)),
+            ["version 2 runs again: version 3 failed: a livelock"],
+        ),
+    ],
+)
+def test_what_the_robot_does_not_take_has_the_exit_status_1(
+    robot: Any, capsys: pytest.CaptureFixture[str], last: Deployment, told: list[str]
+) -> None:
+    robot(CHECKING, last)
+    assert cli.main(["rollback", "--to", "tcp://robot:5570"]) == 1
+    assert capsys.readouterr().err.splitlines() == [f"situ: {line}" for line in told]
+
+
+@pytest.mark.parametrize(
+    ("turns", "status", "told"),
+    [
+        (Turns(id=1, turns=TURNS, version=2, kept=(0, 2, 3)), 1, "version 2 runs again: version 3"),
+        (Turns(id=1, turns=TURNS[:2], version=3, kept=(0, 2, 3)), 0, "version 3 runs"),
+        (Turns(id=1, turns=TURNS[:1], version=2, kept=(0, 2)), 1, "and version 3 not"),
+    ],
+)
+def test_a_robot_that_was_started_again_meanwhile_is_asked_what_became_of_it(
+    robot: Any, capsys: pytest.CaptureFixture[str], turns: Turns, status: int, told: str
+) -> None:
+    robot(WAITING, Deployment(id=1, version=turns.version), turns=turns)
+    assert cli.main(["rollback", "--to", "tcp://robot:5570"]) == status
+    assert told in "".join(capsys.readouterr())
+
+
+def test_the_history_is_told_in_words(robot: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    refused = Turn(1e9, 4, "operator:bob", "refused", "reception.rbd.xml:3:2: error …")
+    given = Turn(1e9, 0, "situ", "given", "it was changed since")
+    robot(turns=Turns(id=1, turns=(*TURNS, refused, given), version=0, kept=(0, 2, 3)))
+    assert cli.main(["history", "--to", "tcp://robot:5570"]) == 0
+    lines = [line.partition("  ")[2].strip() for line in capsys.readouterr().out.splitlines()]
+    assert lines == [
+        "version 2 deployed by operator:ann",
+        "version 3 deployed by operator:ann",
+        "reception.rbd.xml: timeout 20 → 25 s",
+        "back to version 2 by itself: version 3 failed: the robot's process died",
+        "version 4 of operator:bob refused: reception.rbd.xml:3:2: error …",
+        "version 0 runs, what lies in the project's own folder: it was changed since",
+        "",
+    ]
