@@ -23,12 +23,37 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 LEFT = Qt.MouseButton.LeftButton
 RECEPTION, REGISTER = "reception.rbd.xml", "register.rbd.xml"
 Start = Callable[..., Any]
-Copy = Callable[[str], Path]
+
+
+TOML = """[project]
+name = "reception"
+applications = ["reception.rbd.xml"]
+"""
+OUTER = """<application name="reception" xmlns:ed="urn:situ:editor">
+  <state no="1" name="start" ed:x="0" ed:y="0"><timeout next="2">5</timeout></state>
+  <state no="2" name="menu" ed:x="230" ed:y="0"><timeout next="11">5</timeout></state>
+  <state no="11" name="measure" ed:x="460" ed:y="0"><timeout next="12">5</timeout></state>
+  <state no="12" name="SPO2" ed:x="690" ed:y="0"><timeout next="13">5</timeout></state>
+  <state no="13" name="register" ed:x="690" ed:y="228">
+    <flow src="register.rbd.xml"/>
+    <expectedevents><event name="done" next="1"/></expectedevents>
+  </state>
+</application>
+"""
+INNER = """<application name="register" xmlns:ed="urn:situ:editor">
+  <state no="1" name="ask" ed:x="0" ed:y="0"><timeout next="2">5</timeout></state>
+  <state no="2" name="known" final="true" ed:x="230" ed:y="0"/>
+</application>
+"""
 
 
 @pytest.fixture
-def used(studio: Start, project: Copy) -> Any:
-    return studio(project("reception"))
+def used(studio: Start, tmp_path: Path) -> Any:
+    root = tmp_path / "reception"
+    root.mkdir()
+    for file, text in (("situ.toml", TOML), (RECEPTION, OUTER), (REGISTER, INNER)):
+        (root / file).write_text(text)
+    return studio(root)
 
 
 def holder(used: Any) -> str:
@@ -154,7 +179,7 @@ def command(used: Any, id: str) -> None:
 
 
 MEASURE = ("11", "12")
-"""Two states of the reception into which one way leads."""
+"""Two states into which one way leads."""
 
 
 def test_selected_states_become_a_part_in_one_step(used: Any) -> None:
@@ -207,7 +232,7 @@ def test_undo_inside_of_a_new_part_leads_back_out_of_it(used: Any) -> None:
 
 def test_states_that_are_no_part_are_refused_in_one_line(used: Any) -> None:
     before = used.session.document(RECEPTION)
-    choose_states(used, "2", "6")
+    choose_states(used, "2", "13")
     command(used, "part.make")
     assert "A part begins in one state" in used.window.status.said.text()
     assert used.session.document(RECEPTION) is before
@@ -293,7 +318,7 @@ def test_a_part_dropped_on_a_pipe_goes_between_and_a_new_name_is_a_new_part(used
     assert made.flow == "small-talk.rbd.xml"
     assert [(e.name, e.next) for e in made.events] == [("done", link[2])]
     assert used.session.document("small-talk.rbd.xml").states[0].name == "start"
-    assert document.state("2").events[int(link[1])].next == made.no
+    assert document.state("2").timeout.next == made.no
     assert used.session.undo_text == "Add part Small talk"
 
 

@@ -259,7 +259,7 @@ def test_undo_brings_a_note_back_and_the_file_keeps_everything(made: Any, check:
     assert drawing.drawn(again) == (FRAME, NOTE)
 
 
-@pytest.mark.parametrize("zoom", [1.0, 0.5, 0.25, 0.1])
+@pytest.mark.parametrize("zoom", [1.0, 0.1])
 def test_a_frames_title_is_seen_at_every_zoom(made: Any, zoom: float) -> None:
     canvas = made.canvas
     canvas.clear_selection()
