@@ -238,15 +238,21 @@ def test_states_that_are_no_part_are_refused_in_one_line(used: Any) -> None:
     assert used.session.document(RECEPTION) is before
 
 
-def test_a_new_part_that_was_not_saved_comes_back_after_a_crash(
-    used: Any, studio: Start, settings: Any
-) -> None:
+def test_a_new_part_that_was_not_saved_comes_back_after_a_crash(used: Any, studio: Start) -> None:
     choose_states(used, *MEASURE)
     used.answers.put("name", "vitals")
     command(used, "part.make")
-    used.window.recovery.keep()
-    kept = next((Path(settings.fileName()).parent / "recovery").glob("*.json")).read_text()
-    assert "vitals.rbd.xml" in kept
+    recovery = used.window.recovery
+    recovery.keep()
+    # As a process that is killed: its lock goes with it, its file stays.
+    recovery._lock.unlock()
+    recovery._file = recovery._lock = None
+    part = used.session.document("vitals.rbd.xml")
+    again = studio(used.session.root)
+    again.click(again.window.recovered.buttons[0])
+    assert again.session.document("vitals.rbd.xml") == part
+    assert again.session.document(RECEPTION).state("11").flow == "vitals.rbd.xml"
+    assert sorted(again.session.dirty) == [RECEPTION, "vitals.rbd.xml"]
 
 
 def test_a_part_is_dissolved_to_what_it_was_made_of(used: Any) -> None:
