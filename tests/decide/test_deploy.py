@@ -328,6 +328,16 @@ def test_a_version_that_waits_goes_on_waiting_over_a_return() -> None:
     assert run.versions() == [(1, 1), (3, 0), (3, 2)]
 
 
+def test_what_waits_takes_over_where_a_return_ends_the_last_action() -> None:
+    leaves = '<event next="2"><when><data tag="x" is="1"/></when></event>'
+    old = texts(state("1", events=leaves, actions=HELLO) + state("2"))
+    again = '<event name="go"><message topic="t" done="go">1</message></event>'
+    loops = texts(state("1", events=again, actions=HELLO))
+    run = Run(old).deploy(1, loops, force_after=0).deploy(2, SAYS)
+    run.at(3, inputs.Set({"x": 1}, "m")).at(4, inputs.Raise("go"))
+    assert run.versions() == [(1, 1), (4, 0), (4, 2)]
+
+
 def test_the_former_version_is_returned_to_from_a_snapshot() -> None:
     run = Run(CALM).deploy(1, LOOPS)
     run.robot, before = Robot(project_of(LOOPS), 1, LOOPS), run.robot

@@ -98,11 +98,42 @@ def test_what_waits_in_a_paused_application_is_judged_by_the_new_version() -> No
     assert entered(run.at(9, inputs.Resume(ANN))) == [(0, "1"), (9, "3")]
 
 
+def test_what_waits_for_it_waits_over_a_new_start() -> None:
+    run = Run(texts(state("1"))).at(1, inputs.Pause(ANN), inputs.Raise("go"))
+    run.deploy(2, texts(state("7", events=event("go", "8")) + state("8")))
+    assert entered(run.at(3, inputs.Resume(ANN))) == [(0, "1"), (2, "7"), (3, "8")]
+
+
+def test_a_suspended_application_that_starts_again_is_suspended_still() -> None:
+    old, new = (texts(state(no, screen("A")), PAUSING) for no in "17")
+    run = Run(old).at(1, BUSY).deploy(2, new).at(3, CALM)
+    assert run.trace.lines("suspend", "resume", "screen", since=2) == [
+        "3 resume app [] <authority",
+        "3 screen app 7 [t=A] <resume",
+    ]
+
+
+def test_a_movie_ends_with_its_state() -> None:
+    movie = f'<screen><components><movie id="m" {AT} src="a.webm"/></components></screen>'
+    run = Run(texts(state("1", movie))).deploy(2, texts(state("7")), force_after=0)
+    assert "2 cancelled app movie m <deployed" in run.since(2)
+
+
+def test_a_state_may_have_another_name() -> None:
+    run = Run(texts(state("1"))).deploy(1, texts(state("1").replace('no="1"', 'no="1" name="b"')))
+    assert run.look("application/app.name") == "b"
+
+
 def test_a_paused_application_that_starts_again_stays_paused() -> None:
     run = Run(texts(state("1"))).at(1, inputs.Pause(ANN))
     run.deploy(2, texts(state("2", timeout(3, 'next="3"')) + state("3")))
     assert entered(run.at(20, inputs.Resume(ANN)).at(22)) == [(0, "1"), (2, "2")]
     assert entered(run.at(23))[-1] == (23, "3")
+    actions = '<service name="s" url="http://x/" wait="true"/><launch program="p"/>'
+    run = Run(texts(state("1"))).at(1, inputs.Pause(ANN))
+    run.deploy(2, texts(state("2", actions=actions))).at(3, inputs.Finish("service"))
+    assert run.trace.of("action", action="launch") == []
+    assert run.at(4, inputs.Resume(ANN)).trace.one("action", action="launch")["t"] == 4
 
 
 # -- the timeout -------------------------------------------------------------
@@ -283,6 +314,10 @@ def test_what_an_event_began_goes_on_or_ends_too() -> None:
     assert run.at(3, inputs.Finish("service")).since(3, "data") == [
         "3 finished app service a ok null <-"
     ]
+    run = Run(files("a", "b")).at(1, inputs.Raise("go"))
+    run.deploy(2, files("a", "b", "c"), force_after=0)
+    assert run.since(2) == []
+    assert run.at(3, inputs.Finish("service")).trace.one("action", name="b")["t"] == 3
     run = Run(files("a", "b")).at(1, inputs.Raise("go")).deploy(2, files("b"), force_after=0)
     assert run.since(2)[0] == "2 cancelled app service a <deployed"
     assert run.trace.one("action", name="b")["t"] == 2
@@ -345,6 +380,13 @@ def test_one_that_can_not_have_it_is_suspended() -> None:
         "3 resume app [] <abandon",
         "3 event app resumed <resume",
     ]
+
+
+def test_who_it_needs_and_who_is_absent_is_warned_of() -> None:
+    needs = '<module name="app" resources="speech"><requires module="voice"/></module>'
+    run = Run(texts(state("1"), modules=needs))
+    run.deploy(1, texts(state("1", actions=HELLO), modules=needs))
+    assert "1 warning app needs voice, which is absent <acquire" in run.since(1)
 
 
 # -- applications ------------------------------------------------------------

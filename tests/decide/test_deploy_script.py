@@ -179,6 +179,23 @@ def test_until_and_limit_end_it_as_the_new_script_has_them(
     assert run.trace.situations() == [(0, "last"), (2, "a"), (left, "last")]
 
 
+def test_where_no_until_is_left_it_begins_again() -> None:
+    run = Run(script(situation("a", "", X, U), LAST)).at(1, inputs.Set({"x": 1, "u": 1}, "w"))
+    run.deploy(2, script(situation("a", "", X), LAST))
+    assert run.since(2) == ["2 situation last a <deployed"]
+
+
+def test_a_dwell_that_is_gone_and_comes_again_is_counted_anew() -> None:
+    dwells, plain = (script(situation("a", more, X), LAST) for more in ('dwell="9"', ""))
+    run = Run(dwells).at(1, x(1)).at(2, x(0)).deploy(3, plain).deploy(4, dwells)
+    assert run.at(5, x(1)).at(6, x(0)).at(20).trace.situations()[1:] == [
+        (1, "a"),
+        (3, "last"),
+        (5, "a"),
+        (14, "last"),
+    ]
+
+
 def test_one_that_had_ended_does_not_begin_again_by_a_deploy() -> None:
     ends = situation("a", 'limit="2"', X)
     run = Run(script(ends, LAST)).at(1, x(1)).at(4).deploy(5, script(ends, situation("b"), LAST))
@@ -226,16 +243,11 @@ def test_a_new_test_counts_from_the_deploy_and_within_from_the_last_set() -> Non
 
 
 def test_what_a_livelock_left_unjudged_is_judged() -> None:
-    rbd = (
-        state("0", events=event("go", "1"))
-        + state("1", events='<event next="2"/>')
-        + state("2", events='<event next="1"/>')
-    )
-    modules = '<modules><module name="app" resources="screen"/></modules>'
-    here = situation("here", "", when('tag="application/app.state" is="1"'), gives(app=1))
-    last = situation("last", "", gives(app=1))
-    run = Run(script(here, last, rbd=rbd, modules=modules)).at(1, inputs.Raise("go"))
-    assert run.trace.one("error")
-    run.deploy(2, script(situation("never", "", X), here, last, rbd=rbd, modules=modules))
-    at = run.look("application/app.state")
-    assert run.look("situation.name") == ("here" if at == "1" else "last")
+    """Two situations that each let the other hold: the last change of them was not judged."""
+    other = situation("a", "", when('tag="situation.name" isnot="a"'))
+    run = Run(script(other, LAST))
+    assert run.trace.one("error")["message"].startswith("livelock")
+    before = run.look("situation.name")
+    run.deploy(1, script(other, LAST, modules='<observe><data tag="x"/></observe>' + MODULES))
+    assert run.trace.of("situation")[-1]["t"] == 1
+    assert next(e["from"] for e in run.trace.of("situation") if e["t"] == 1) == before

@@ -97,7 +97,6 @@ class Debugger:
             for name, one in state.stopped.items()
             if name in running and any(one == kept.id for kept in fitting)
         }
-        state.passing = [name for name in state.passing if name in running]
         state.breakpoints = fitting
         self.restore(state)
         if len(fitting) < len(before):

@@ -455,8 +455,6 @@ class Machine:
         elif asked is not None and not missing:
             state.granted = asked
         self._publish(cause)
-        if not state.begun:
-            return
         if shows and not state.suspended:
             self.display.show(here, cause)
         self.timeouts.become(here.timeout, cause, stands=state.suspended)

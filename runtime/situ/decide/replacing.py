@@ -61,7 +61,7 @@ def _carry(
     new.presence.state = old.presence.state
     moved = {"test": new.conditions.carry(old.conditions, cause), "situation": {}}
     if old.settling.situations is not None and new.settling.situations is not None:
-        moved["situation"] = new.settling.situations.carry(old.settling.situations, live, cause)
+        moved["situation"] = new.settling.situations.carry(old.settling.situations, live)
     moved["action"] = moved["application"] = {}
     for number, machine in enumerate(old.machines):
         to = numbers.get(machine.name)
@@ -71,7 +71,7 @@ def _carry(
         moved["action"][number] = to
         kept[machine.name] = Takeover(machine, new.machines[to], cause)
         kept[machine.name].carry()
-    new.settling.carry(old.settling)
+    new.settling.debugger.state = old.settling.debugger.state
     for timer in live:
         kind, _, name = timer.owner.partition(":")
         if kind not in moved:

@@ -53,11 +53,6 @@ class Settling:
         self._shown = [one for one in machines if one.program.has_screens]
         self._heard = [one for one in machines if one.program.has_phrases]
 
-    def carry(self, old: Settling) -> None:
-        """Goes on in place of ``old``: a new version may do as much anew as an input may."""
-        self.moment, self.at_rest = old.moment, old.at_rest
-        self.debugger.state = old.debugger.state
-
     def settle(self) -> None:
         """Goes round until nothing is left; live screens at the end."""
         if self.situations is not None:

@@ -128,7 +128,7 @@ class Situations:
         for name, flips in self._flips.items():
             flips.value = self._board.look(name)
 
-    def carry(self, old: Situations, timers: list[Timer], cause: int) -> dict[int, int]:
+    def carry(self, old: Situations, timers: list[Timer]) -> dict[int, int]:
         """Goes on in place of ``old``, whose live timers are given: a situation of the same name
         stays current, ended or kept as it was, its dwell or limit counted on under the new length.
         All that is new or changed is to be judged. Gives new numbers by old ones.
@@ -148,11 +148,8 @@ class Situations:
                 seen.condition, seen.spent = source.condition is None, False
             if source.until is None:
                 seen.until = False
-            elif former.until != source.until:
-                self.state.untils[number] = cause
             self._count_on(number, was, former, timers)
         self.state.stale |= {moved[n]: told for n, told in old.state.stale.items() if n in moved}
-        self.state.untils |= {moved[n]: told for n, told in old.state.untils.items() if n in moved}
         at = old.state.current
         self.state.current = None if at is None else moved.get(at)
         self._gone = None if at is None or at in moved else old._sources[at].name
@@ -177,8 +174,7 @@ class Situations:
             end = max(now, began + duration(length))
             self._step.at(end, HOLD, f"situation:{number}", seen.token)
         elif source.until is None:
-            seen.kept = False
-            self.state.stale.setdefault(number, None)
+            seen.kept = seen.dwelt = False
 
     def judge_anew(self, because: int) -> int | None:
         """``observe`` where the script itself is another; ``because`` is the cause of all of it."""
