@@ -238,6 +238,8 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         choices = gestures.choices(self.document, self._picture.cards[uid].place, exit)
         menu = FollowMenu(choices, self.look.theme, self)
         menu.chosen.connect(lambda key: self._follow(uid, exit, key, spot))
+        menu.named.connect(lambda name: self._follow(uid, exit, "state", spot, name))
+        menu.offer_name(self.tr("New state “{}”"))
         menu.closed.connect(self._menu_closed)
         self.menu = menu
         corner = self.viewer.mapFromScene(at if at is not None else spot)
@@ -247,12 +249,14 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self.menu = None
         self.viewer.setFocus()
 
-    def _follow(self, uid: str, exit: str, key: str, spot: QPointF) -> None:
+    def _follow(self, uid: str, exit: str, key: str, spot: QPointF, name: str = "") -> None:
         card = self._picture.cards.get(uid)
         if card is None or (exit != NEW and card.exit(exit) is None):
             return
         x, y = layout.entry(spot.x(), spot.y())
         after, text, no = gestures.follow(self.document, card.place, exit, key, x, y)
+        if no is not None and name:
+            after, _ = gestures.rename(after, no, name)
         if text:
             self.edited.emit(after, text)
         if no is not None and ("state", no) in self._picture.uids:

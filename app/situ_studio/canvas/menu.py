@@ -15,9 +15,11 @@ from situ_studio.theme import FORM, Theme, font
 
 
 class FollowMenu(QFrame):
-    """chosen: the key of what was taken. closed: always, afterwards."""
+    """chosen: the key of what was taken. named: what was typed, for something new.
+    closed: always, afterwards."""
 
     chosen = Signal(str)
+    named = Signal(str)
     closed = Signal()
 
     def __init__(
@@ -32,6 +34,7 @@ class FollowMenu(QFrame):
         self.setObjectName("followMenu")
         self.choices = tuple(choices)
         self._theme = theme
+        self._naming = ""
         layout = QVBoxLayout(self)
         layout.setContentsMargins(5, 5, 5, 5)
         layout.setSpacing(4)
@@ -81,14 +84,25 @@ class FollowMenu(QFrame):
                 item = QListWidgetItem(icons.icon(choice.icon, color), choice.label)
                 item.setData(Qt.ItemDataRole.UserRole, choice.key)
                 self.list.addItem(item)
+        if self._naming and wanted:
+            words = self._naming.format(" ".join(text.split()))
+            self.list.addItem(QListWidgetItem(icons.icon("state", self._theme.text2), words))
         self.list.setCurrentRow(0)
+
+    def offer_name(self, words: str) -> None:
+        """Last of all is offered something new, called as was typed. words: with ``{}``."""
+        self._naming = words
 
     def _take(self, item: QListWidgetItem | None) -> None:
         if item is None:
             return
         key = item.data(Qt.ItemDataRole.UserRole)
+        name = " ".join(self.field.text().split())
         self.close()
-        self.chosen.emit(key)
+        if key is None:
+            self.named.emit(name)
+        else:
+            self.chosen.emit(key)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):

@@ -291,7 +291,7 @@ class RoutedPipe(PipeItem):
     def _hint(self) -> str:
         """The whole of what the pipe stands for."""
         source, target = self._output_port.node.face, self._input_port.node.face
-        hint = f"{source.hint(self._output_port.name)}\nleads to {target.hint().split(chr(10))[0]}"
+        hint = f"{source.hint(self._output_port.name)}\nleads to {target.hint().splitlines()[0]}"
         if self.route.folded:
             hint += "\nClick to go there, Alt and click to draw the way"
         return hint

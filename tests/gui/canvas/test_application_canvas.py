@@ -276,7 +276,7 @@ def test_an_exit_dropped_on_the_ground_asks_what_follows(made: Any, check: Check
     assert "3  names" in labels
     check(made)
     hand.type(menu.field, "question")
-    assert menu.list.count() == 1
+    assert menu.list.item(0).text() == "New question with Yes and No"
     QTest.keyClick(menu.field, Qt.Key.Key_Return)
     hand.settle()
     assert made.edits == ["Add state 6 after state 4"]
@@ -284,6 +284,21 @@ def test_an_exit_dropped_on_the_ground_asks_what_follows(made: Any, check: Check
     assert state.aside.position == (480, 440)
     assert made.document.states[3].events[0].next == "6"
     assert made.canvas.selection() == (("state", "6"),)
+    check(made)
+
+
+def test_a_name_that_nothing_has_is_offered_as_a_new_state(made: Any, check: Check) -> None:
+    made.hand.drag(made.hand.exit("4", "0"), QPointF(480, 500))
+    menu = made.canvas.menu
+    made.hand.type(menu.field, "names")
+    offered = [menu.list.item(i).text() for i in range(menu.list.count())]
+    assert offered == ["3  names", "New state “names”"]
+    made.hand.type(menu.field, " again")
+    QTest.keyClick(menu.field, Qt.Key.Key_Return)
+    made.hand.settle()
+    assert made.edits == ["Add state 6 after state 4"]
+    assert made.document.state("6").name == "names again"
+    assert made.document.states[3].events[0].next == "6"
     check(made)
 
 
@@ -727,7 +742,8 @@ def test_a_large_drawing_is_routed_in_slices(desk: Make, qt: QApplication) -> No
     # One edit touches only what it must.
     ways = {i: canvas.graph.pipe(i).route for i in canvas.graph.links}
     made.change(replace(made.document, states=(replace(states[0], name="first"), *states[1:])))
-    assert not canvas._piping.is_routing()
+    while canvas._piping.is_routing():
+        qt.processEvents()
     assert all(canvas.graph.pipe(i).route is way for i, way in ways.items())
     for moved in (states[0], states[9]):
         # The first has a pipe from every other: what takes longer follows in slices.
