@@ -537,6 +537,16 @@ COMMANDS: tuple[Command, ...] = (
         tip="A new transition of the selected state, or another target of the selected one.",
     ),
     _c(
+        "turn_pipe",
+        "Draw the folded pipe, or fold it",
+        "on_view",
+        argument="turn_pipe",
+        menu="Arrange",
+        when="has_drawn_exit",
+        contexts="exit",
+        tip="Long pipes are folded into a chip with the number of the state.",
+    ),
+    _c(
         "connect_states",
         "Connect one after the other",
         "on_view",

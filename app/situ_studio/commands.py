@@ -14,9 +14,11 @@ from situ.document.rbd import Application
 from situ.document.words import listed
 from situ.errors import SituError
 from situ_studio import kinds, places, projects
+from situ_studio.actions import command
 from situ_studio.find import Find, places_of
 from situ_studio.insert import NotHere, insert
 from situ_studio.lacking import lacking
+from situ_studio.menus import told
 from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
 from situ_studio.shortcuts import Shortcuts
@@ -341,15 +343,11 @@ class Commands(StateCommands):
         found = []
         for id, action in window.actions_.actions.items():
             if action.isEnabled() and action.isVisible() and id != "find":
-                from situ_studio.actions import command
-
                 one = command(id)
+                # What undo and redo would do stands in their actions only.
+                text = told(one) if "/" in one.menu else action.text().rstrip("…")
                 keys = action.shortcut().toString()
-                found.append(
-                    Find(
-                        action.text().rstrip("…"), one.icon, "text2", keys, action.trigger, one.menu
-                    )
-                )
+                found.append(Find(text, one.icon, "text2", keys, action.trigger, one.menu))
         project = self._session.project
         for file in self._session.files if project is not None else ():
             document = self._session.document(file)

@@ -19,6 +19,13 @@ def translated(text: str) -> str:
     return QCoreApplication.translate("actions", text) if text else ""
 
 
+def told(command: Command) -> str:
+    """A command as it is told outside of the menus, with its submenu: ``Select: Everything``."""
+    _, _, below = command.menu.partition("/")
+    text = translated(command.text).rstrip("…")
+    return f"{translated(below)}: {text}" if below else text
+
+
 class Actions(QObject):
     """The table as QActions of one window.
 

@@ -9,7 +9,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QLineEdit, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
 from situ_studio.actions import COMMANDS
-from situ_studio.menus import translated
+from situ_studio.menus import told, translated
 from situ_studio.theme import font
 
 CANVAS: tuple[tuple[str, str], ...] = (
@@ -35,7 +35,7 @@ def rows() -> Iterator[tuple[str, str, str]]:
                 if k
             )
             head, _, _ = command.menu.partition("/")
-            yield translated(head), keys, translated(command.text).rstrip("…")
+            yield translated(head), keys, told(command)
     for keys, text in CANVAS:
         canvas = QCoreApplication.translate("actions", "On the canvas")
         yield canvas, translated(keys), translated(text)

@@ -62,6 +62,9 @@ class StateCommands(QObject):
     def has_three_cards(self) -> bool:
         return self.on_graph() and self._cards() > 2
 
+    def has_drawn_exit(self) -> bool:
+        return self.on_graph() and self.has_exit()
+
     def can_step_exit(self) -> bool:
         return self.on_graph() and self.has_card_or_exit()
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 
 from situ_studio.actions import COMMANDS, MENUS, command
 from situ_studio.commands import Commands
+from situ_studio.menus import told
 from situ_studio.shortcuts import Shortcuts
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -60,7 +61,7 @@ def test_menus_toolbar_palette_and_help_show_the_table(studio: Start, project: C
     assert by_hand == []
     palette = {f.text for f in window.commands.everything()}
     can = [c.id for c in COMMANDS if actions[c.id].isEnabled() and actions[c.id].isVisible()]
-    assert {actions[i].text().rstrip("…") for i in can if i != "find"} <= palette
+    assert {told(command(i)) for i in can if i != "find"} <= palette
 
 
 def test_alt_and_a_letter_open_a_menu(studio: Start, project: Copy) -> None:
@@ -91,7 +92,7 @@ def test_the_list_of_shortcuts_has_every_key_and_is_filtered(studio: Start) -> N
         if one.shortcut:
             assert QKeySequence(one.shortcut).toString(
                 QKeySequence.SequenceFormat.NativeText
-            ) in rows[one.text.rstrip("…")].text(1)
+            ) in rows[told(one)].text(1)
     QTest.keyClicks(shown.field, "rename everywhere")
     assert [t for t, r in rows.items() if not r.isHidden()] == ["Rename everywhere"]
     shown.close()
@@ -247,6 +248,24 @@ def test_a_state_gets_one_more_transition_by_keys(studio: Start, project: Copy) 
     assert new.final
     used.key(Qt.Key.Key_Z, CONTROL)
     assert len(used.session.document("reception.rbd.xml").state("6").events) == count
+
+
+def test_a_folded_pipe_is_drawn_and_folded_again(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    canvas = used.window.current_view.canvas
+    used.select("state", "2", "timeout")
+    (id,) = (i for i in canvas.graph.links if canvas.link_place(i) == ("state", "2", "timeout"))
+    assert canvas.graph.pipe(id).route.folded
+    used.window.actions_.actions["turn_pipe"].trigger()
+    used.settle()
+    assert not canvas.graph.pipe(id).route.folded
+    used.window.actions_.actions["turn_pipe"].trigger()
+    used.settle()
+    assert canvas.graph.pipe(id).route.folded
+    used.select("state", "2", "event", "0")
+    used.window.actions_.actions["turn_pipe"].trigger()
+    said = used.window.status.said.text()
+    assert said == "Only long pipes are folded, and this one is not"
 
 
 def test_followers_and_what_leads_here_are_added_to_the_selection(

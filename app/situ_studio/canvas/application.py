@@ -221,6 +221,19 @@ class ApplicationCanvas(CommandedCanvas, Copying):
     def _on_dropped(self, leaving: Any, spot: QPointF) -> None:
         self._drop = leaving.node.uid, leaving.name, spot
 
+    def turn_pipe(self) -> None:
+        """Draws the selected transition's pipe where it is folded, or folds it again."""
+        place = self._one_exit()
+        for id in [i for i in self.graph.links if self.link_place(i) == place]:
+            pipe = self.graph.pipe(id)
+            if pipe is not None and pipe.route.folded:
+                self._piping.draw(self._picture, id)
+            elif self._piping.is_drawn(id):
+                self._piping.fold(id)
+                self._route()
+            else:
+                self.status.emit("Only long pipes are folded, and this one is not")
+
     def _ask_from(self, card: Card, exit: str) -> None:
         uid = self._picture.uids[card.place]
         self.viewer.reveal(self.card_area(uid))

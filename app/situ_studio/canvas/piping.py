@@ -118,6 +118,14 @@ class Piping(QObject):
         self._router.drawn.add(id)
         self.reroute(picture, {id[0]})
 
+    def fold(self, id: PipeId) -> None:
+        """A pipe that was drawn by ``draw`` is folded by the next ``route``, if it is long still."""
+        self._router.drawn.discard(id)
+
+    def is_drawn(self, id: PipeId) -> bool:
+        """Whether ``draw`` has drawn it."""
+        return id in self._router.drawn
+
     def is_routing(self) -> bool:
         """Whether routes are still being looked for."""
         return self._slices.isActive() or self.is_changing()
