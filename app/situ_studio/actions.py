@@ -659,6 +659,7 @@ COMMANDS: tuple[Command, ...] = (
         menu="Arrange",
         when="can_enter_part",
         tip="The states of the part stand here again; its file stays.",
+        contexts="state",
     ),
     _c(
         "connect",
