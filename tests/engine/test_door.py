@@ -226,6 +226,8 @@ def test_a_visitor_who_does_not_read_holds_nobody_up_and_finds_the_gap(
             for number in range(400):
                 reply = await ann.ask("set", tags={"picture": f"{number}:" + "x" * 50_000})
                 last = reply["versions"]["picture"]
+            # It has said nothing for as long as that took, which may be more than a lease.
+            assert (await slow.ask("hello", version=1, role="viewer"))["re"] == "welcome"
             # It reads again: what came, then what stands there now.
             snapshot = await slow.ask("watch", patterns=["picture"])
             assert snapshot["entries"]["picture"]["version"] == last

@@ -55,7 +55,10 @@ def one_line(topic: str) -> str:
 def masked(role: str) -> tuple[bytes, ...]:
     """Beginnings of the topics that this role hears masked, where the project has private
     values: a module needs the values of tags, a viewer does not."""
-    return {"viewer": (b"t:", b"m:", TRACE), "module": (TRACE,)}.get(role, ())
+    return _MASKED.get(role, ())
+
+
+_MASKED = {"viewer": (b"t:", b"m:", TRACE), "module": (TRACE,)}
 
 
 def is_open(role: str, topic: bytes) -> bool:
