@@ -221,6 +221,12 @@ def test_a_version_with_errors_can_not_be_read(versions: Versions) -> None:
         versions.project(1)
 
 
+def test_the_project_as_given_is_as_it_was_read(versions: Versions) -> None:
+    texts = versions.texts(versions.given)
+    Path(versions.given.root, FLOW).write_text("<application/>")
+    assert versions.texts(versions.given) == texts
+
+
 # -- history -------------------------------------------------------------------------
 
 

@@ -295,16 +295,19 @@ class Core:
                     self._mask.know(event.tag, event.value)
         if self.heard is not None:
             self.heard(events, at)
-        if self.deployer is not None and any(type(event) is trace.Deployed for event in events):
-            self.deployer.swapped(events)
+        swapped = False
         for event in events:
-            if type(event) is trace.Authority:
+            if type(event) is trace.Deployed:
+                swapped = True
+            elif type(event) is trace.Authority:
                 self.holders[event.resource] = event.to
                 passed = protocol.Authority(
                     resource=event.resource, source=event.source, to=event.to, seq=event.seq
                 )
                 topic = topics.authority(event.resource)
                 self._out.notices.append(wire.notice(topic, passed))
+        if swapped and self.deployer is not None:
+            self.deployer.swapped(events)
         if self.tracing[False]:
             lines = tuple(Raw(stamped(event, at)) for event in events)
             body = protocol.Events(events=lines)

@@ -165,9 +165,12 @@ class Deployer:
         current = self._versions.current
         if current.version != robot.version:
             # The process died between the swap and what is written of it.
-            self._choose(Current(robot.version, current.given, robot.deployment().former))
+            self._choose(Current(robot.version, self._given(), robot.deployment().former))
         elif current.former is not None:
             self._go_back(current.former)
+        pending = robot.deployment().pending
+        if pending is not None:
+            self._wish = Wish(pending, "", "deployed", None, "waiting", given=self._given())
 
     # -- what clients ask --------------------------------------------------------
 
@@ -383,7 +386,7 @@ class Deployer:
             return
         swaps, self._swaps = self._swaps, []
         wish, current = self._wish, self._versions.current
-        given, failed = current.given, current.version
+        given, failed = self._given(), current.version
         for event, failure in swaps:
             if event.writer == ROBOT:
                 if wish is not None and wish.number == failed:
@@ -391,7 +394,7 @@ class Deployer:
                 self._note(event.version, ROBOT, "returned", failure)
             elif wish is not None and wish.number == event.version:
                 wish.stands, given = "running", wish.given
-                self._note(event.version, wish.who, wish.did, "", wish.changed)
+                self._note(event.version, event.writer, wish.did, "", wish.changed)
             else:
                 self._note(event.version, event.writer, "deployed")
             failed = event.version
@@ -444,6 +447,10 @@ class Deployer:
         self._confirm = None
         if current.former is not None:
             self._confirm = self._clock() + self._minute() + SLACK
+
+    def _given(self) -> str:
+        """What lay in the project's own folder when a version was last chosen."""
+        return self._versions.current.given or fingerprint(self._versions.given)
 
     def _minute(self) -> float:
         """Seconds of its first minute that the version which runs has left."""

@@ -162,7 +162,9 @@ class Run:
     def _recorder(self, file: Path) -> Recorder:
         from situ.engine.record import OneFile, Recorder
 
-        return Recorder(OneFile(file, goes_on=self._goes_on()), sources(self._project))
+        versions, project = self._kept.versions, self._project
+        texts = sources(project) if versions is None else versions.texts(project)
+        return Recorder(OneFile(file, goes_on=self._goes_on()), texts)
 
     def _goes_on(self) -> bool:
         """Whether a run that was killed is taken up again."""

@@ -79,6 +79,8 @@ class Versions:
     def __init__(self, state: Path, given: Project) -> None:
         self.folder = state / FOLDER
         self.given = given
+        # As it was read, whatever is done to it while it runs.
+        self._texts = _texts(given)
         self.current = self._read()
 
     @property
@@ -110,11 +112,7 @@ class Versions:
 
     def texts(self, project: Project) -> dict[str, str]:
         """What a robot that does not have its files reads the project from."""
-        found = sources(project)
-        with contextlib.suppress(FileNotFoundError):
-            if project.toml is not None:
-                found[LOCAL_FILE] = (Path(project.root) / LOCAL_FILE).read_text("utf-8")
-        return found
+        return dict(self._texts) if project.root == self.given.root else _texts(project)
 
     def files(self, number: int) -> tuple[str, dict[str, Sent]]:
         """The main file and all files of a version; none of version 0. Raises UsageError."""
@@ -181,6 +179,12 @@ class Versions:
         self.folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         write(self.folder / "current", msgspec.json.encode(current))
 
+    def tidy(self) -> None:
+        """Removes what was on its way when a process died."""
+        shutil.rmtree(self.staging, ignore_errors=True)
+        for half in self.folder.glob("*.new"):
+            shutil.rmtree(half, ignore_errors=True)
+
     # -- history -----------------------------------------------------------------
 
     def note(self, turn: Turn) -> None:
@@ -226,6 +230,14 @@ class Versions:
             ) from None
 
 
+def _texts(project: Project) -> dict[str, str]:
+    found = sources(project)
+    with contextlib.suppress(FileNotFoundError):
+        if project.toml is not None:
+            found[LOCAL_FILE] = (Path(project.root) / LOCAL_FILE).read_text("utf-8")
+    return found
+
+
 def main_file(project: Project) -> str:
     """The file that the project is read from."""
     if project.toml is not None:
@@ -256,6 +268,7 @@ def version_to_run(versions: Versions, left: int | None, *, anew: bool = False) 
     begin ``anew`` with that. A version whose process dies in its first minute, and again when it
     goes on, is left for the one before it. Never raises.
     """
+    versions.tidy()
     current = versions.current
     given = fingerprint(versions.given)
     if current.version and (anew or given != current.given):
