@@ -382,7 +382,7 @@ def saved_again(desk: Any) -> None:
 
 def heard(desk: Any) -> None:
     """What a screen reader finds is what is drawn."""
-    drawing = QAccessible.queryAccessibleInterface(desk.canvas.viewer)
+    drawing: Any = QAccessible.queryAccessibleInterface(desk.canvas.viewer)
     cards = desk.canvas.graph.cards
     assert drawing.childCount() == len(cards)
     for index, card in enumerate(cards.values()):
