@@ -6,6 +6,7 @@ import asyncio
 import json
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from pathlib import Path
 from typing import Any
 
 import aiohttp
@@ -14,6 +15,7 @@ from yarl import URL
 
 from situ.decide.effects import Map
 from situ.decide.inputs import Set, Touch, Use
+from situ.document.project import Project
 from situ.engine.screen.server import LARGEST_MESSAGE
 
 PLACE = {"x": 0, "y": 0, "width": 10, "height": 10}
@@ -125,6 +127,42 @@ def test_the_page_runs_its_own_scripts_only_and_stands_in_no_frame(situation: An
         assert "SameSite=Strict" in cookie
         assert answer.headers["X-Content-Type-Options"] == "nosniff"
         assert door.key not in page
+
+    visit(situation, scenario)
+
+
+def test_of_what_is_shown_only_what_is_another_file_now_is_loaded_anew(
+    situation: Any, tmp_path: Path
+) -> None:
+    names = ("same.png", "other.png", "ward.png")
+    new = tmp_path / "new"
+    (new / "media").mkdir(parents=True)
+    for name in names:
+        (situation.media / name).write_bytes(b"old")
+        (new / "media" / name).write_bytes(b"old" if name == "same.png" else b"new")
+    components = [{"id": name, "type": "image", "src": name, **PLACE} for name in names[:2]]
+    value = {"background": "ward.png", "components": components}
+
+    async def scenario(door: Door) -> None:
+        async with door.socket() as socket:
+            door.side.performer.perform(Map("screen", "lab", value))
+            while (shown := (await door.shown(socket))["screen"]) is None:
+                pass
+            assert [one["src"] for one in shown["components"]] == [
+                "/media/same.png",
+                "/media/other.png",
+            ]
+            project = Project(root=str(new), name="test", media="media")
+            door.side.performer.turn_to(project)
+            shown = (await door.shown(socket))["screen"]
+            assert [one["src"] for one in shown["components"]] == [
+                "/media/same.png",
+                "/media/other.png?edition=1",
+            ]
+            assert shown["background"] == "/media/ward.png?edition=1"
+            address = door.root + shown["background"]
+            async with door.client.get(address) as answer:
+                assert await answer.read() == b"new"
 
     visit(situation, scenario)
 

@@ -147,9 +147,9 @@ class Performer:
     def turn_to(self, project: Project) -> None:
         """Another version of the project runs: its media and its settings are served. What the
         robot itself is, its adapter and the places that it knows, stays."""
-        self._media.turn_to(project)
         if self._screen is not None:
-            self._screen.turn_to(forms(project))
+            self._screen.turn_to(project, forms(project))
+        self._media.turn_to(project)
 
     def open_door(self, addresses: Addresses, keys: KeysOf | None = None) -> None:
         """The core is there: the screen's server leads to it at ``/board``."""

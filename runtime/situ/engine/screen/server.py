@@ -9,18 +9,21 @@ screen stands the blackboard's WebSocket door, for whoever knows the same token.
 from __future__ import annotations
 
 import asyncio
+import filecmp
 import hmac
 import logging
 import secrets
 from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 import msgspec
 from aiohttp import WSCloseCode, WSMsgType, web
 from msgspec import UNSET, Struct, UnsetType
 
 from situ.decide.inputs import AnyInput, Set, Touch, Use
+from situ.document.project import Project
 from situ.engine.media import MediaFolder
 from situ.engine.screen.content import Content, Shown, content
 from situ.engine.screen.door import Door
@@ -138,6 +141,8 @@ class ScreenServer:
         self._content = Content()
         self._caption: dict[str, str] | None = None
         self._captions = False
+        # How often a file that was shown became another one, by its address.
+        self._editions: dict[str | None, int] = {}
         self._lang = "en"
         self._pages: dict[web.WebSocketResponse, asyncio.Event] = {}
         self._runner: web.AppRunner | None = None
@@ -192,10 +197,21 @@ class ScreenServer:
             await self._runner.cleanup()
             self._runner = None
 
-    def turn_to(self, forms: Forms) -> None:
-        """Other media stand in the folder, and these forms: open pages are to look anew."""
+    def turn_to(self, project: Project, forms: Forms) -> None:
+        """From here on the media of this project, and these forms. What is shown stays; a picture
+        of which there is another one under its name is loaded anew, and no other."""
+        shown = [one.page.get("src") for one in self._content.components or ()]
+        addresses = {str(src) for src in (*shown, self._content.background) if src}
+        before = {address: self._file_of(address) for address in addresses}
+        self._media.turn_to(project)
+        for address, file in before.items():
+            if not _same(file, self._file_of(address)):
+                self._editions[address] = self._editions.get(address, 0) + 1
         self._beside.forms = forms
         self._tell()
+
+    def _file_of(self, address: str) -> Path | None:
+        return self._media.find(unquote(address).removeprefix("/media/"))
 
     # -- what is shown -----------------------------------------------------------
 
@@ -228,12 +244,28 @@ class ScreenServer:
         state = {
             "revision": self._content.revision,
             "since": self._content.since,
-            "screen": self._content.page(),
+            "screen": self._page(),
             "captions": self._captions,
             "caption": self._caption,
             "lang": self._lang,
         }
         return msgspec.json.encode({"show": state})
+
+    def _page(self) -> dict[str, Any] | None:
+        """The content, with addresses under which a page does not have another file already."""
+        page = self._content.page()
+        if page is None or not self._editions:
+            return page
+        components = [
+            {**one, "src": self._edition(one["src"])} if "src" in one else one
+            for one in page["components"]
+        ]
+        return {"background": self._edition(page["background"]), "components": components}
+
+    def _edition(self, address: str | None) -> str | None:
+        if address not in self._editions:
+            return address
+        return f"{address}?edition={self._editions[address]}"
 
     # -- requests ----------------------------------------------------------------
 
@@ -388,6 +420,16 @@ class ScreenServer:
             self._log.info("%s was used when it was gone already", used.component)
             return None
         return shown
+
+
+def _same(one: Path | None, other: Path | None) -> bool:
+    """Whether two files have the same content; a missing one is like a missing one only."""
+    if one is None or other is None:
+        return one is other
+    try:
+        return one.samefile(other) or filecmp.cmp(one, other, shallow=False)
+    except OSError:
+        return False
 
 
 def _token(request: web.Request) -> str:
