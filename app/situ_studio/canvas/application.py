@@ -252,7 +252,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         menu = FollowMenu(choices, self.look.theme, self)
         menu.chosen.connect(lambda key: self._follow(uid, exit, key, spot))
         menu.named.connect(lambda name: self._follow(uid, exit, "state", spot, name))
-        menu.offer_name(self.tr("New state “{}”"))
+        menu.offer_name(self.tr("New state “{0}”"))
         menu.closed.connect(self._menu_closed)
         self.menu = menu
         corner = self.viewer.mapFromScene(at if at is not None else spot)

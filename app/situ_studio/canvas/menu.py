@@ -90,7 +90,7 @@ class FollowMenu(QFrame):
         self.list.setCurrentRow(0)
 
     def offer_name(self, words: str) -> None:
-        """Last of all is offered something new, called as was typed. words: with ``{}``."""
+        """Last of all is offered something new, called as was typed. words: with ``{0}``."""
         self._naming = words
 
     def _take(self, item: QListWidgetItem | None) -> None:

@@ -16,6 +16,7 @@ from situ_studio.canvas.live import LiveView, strength
 from situ_studio.canvas.pipe_labels import PipeLabel
 from situ_studio.canvas.routes import Point, Route
 from situ_studio.canvas.style import Look
+from situ_studio.language import tr
 
 CORNER = 8.0
 UNDER, ABOVE = -1.0, -0.5
@@ -291,10 +292,11 @@ class RoutedPipe(PipeItem):
     def _hint(self) -> str:
         """The whole of what the pipe stands for."""
         source, target = self._output_port.node.face, self._input_port.node.face
-        hint = f"{source.hint(self._output_port.name)}\nleads to {target.hint().splitlines()[0]}"
+        goal = tr("leads to {0}").format(target.hint().splitlines()[0])
+        lines = [source.hint(self._output_port.name), goal]
         if self.route.folded:
-            hint += "\nClick to go there, Alt and click to draw the way"
-        return hint
+            lines.append(tr("Click to go there, Alt and click to draw the way"))
+        return "\n".join(lines)
 
     def draw_path(self, start_port: Any, end_port: Any = None, cursor_pos: Any = None) -> None:
         """Routes come from the router, all together."""
