@@ -70,6 +70,14 @@ def test_the_trace_is_masked_as_it_comes_and_as_it_was(who: dict[str, str], hand
     assert "Ann" not in json.dumps(told)
 
 
+def test_what_was_private_while_nobody_looked_is_known_too(hand: Hand) -> None:
+    hand.hello("tablet", role="viewer")
+    hand.ask("ann", "set", tags={"user.name": "Dee"})
+    hand.ask("ann", "set", tags={"user.name": None, "greeting": "Hello Dee!"})
+    entries = hand.ask("tablet", "get", names=["greeting"])["entries"]
+    assert entries["greeting"]["value"] == HIDDEN
+
+
 def test_messages_and_what_people_may_say_are_masked_for_a_viewer(hand: Hand) -> None:
     hand.hello("tablet", role="viewer")
     masked(hand)
