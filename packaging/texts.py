@@ -21,6 +21,8 @@ import runtime_texts
 from situ_studio import actions, kinds
 from situ_studio.kinds import said
 from situ_studio.language import LANGUAGES
+from situ_studio.panels import conditions
+from situ_studio.panels.pairs import PAIRS
 from situ_studio.runtime_words import GLUE
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -39,9 +41,13 @@ def gathered() -> Iterator[tuple[str, str]]:
     for kind in kinds.KINDS:
         for text in _shown(kind):
             yield "kinds", text
-    for pairs in (said.TESTS, said.GROUPS, said.TYPES):
-        for _, text in pairs:
+    for table in (said.TESTS, said.GROUPS, said.TYPES, conditions.CHOICES):
+        for _, text in table:
             yield "kinds", text
+    for pairs in PAIRS.values():
+        yield "kinds", pairs.noun
+        for column in pairs.columns:
+            yield "kinds", column.words
     for command in actions.COMMANDS:
         for text in (*_shown(command), *command.menu.split("/")):
             yield "actions", text

@@ -92,6 +92,10 @@
         <translation>動作</translation>
     </message>
     <message>
+        <source>Authority</source>
+        <translation>実行権</translation>
+    </message>
+    <message>
         <source>Tag</source>
         <translation>タグ</translation>
     </message>
@@ -106,6 +110,10 @@
     <message>
         <source>Ago</source>
         <translation>経過</translation>
+    </message>
+    <message>
+        <source>Blackboard</source>
+        <translation>ブラックボード</translation>
     </message>
     <message>
         <source>{0} s</source>
@@ -140,6 +148,10 @@
         <translation>内容</translation>
     </message>
     <message>
+        <source>Trace</source>
+        <translation>トレース</translation>
+    </message>
+    <message>
         <source>stays</source>
         <translation>そのまま</translation>
     </message>
@@ -168,8 +180,80 @@
         <translation>モジュール</translation>
     </message>
     <message>
+        <source>{0} s idle</source>
+        <translation>{0} 秒（操作のない間）</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>時間切れ</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>秒数</translation>
+    </message>
+    <message>
+        <source>Leads to</source>
+        <translation>行き先</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>Only if</source>
+        <translation>条件</translation>
+    </message>
+    <message>
         <source>Always</source>
         <translation>すべての状態</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Situation {0}</source>
+        <translation>状況 {0}</translation>
+    </message>
+    <message>
+        <source>Takes over</source>
+        <translation>引き継ぐ</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>Resources</source>
+        <translation>リソース</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>データ</translation>
+    </message>
+    <message>
+        <source>Needs</source>
+        <translation>必要なもの</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>Provides</source>
+        <translation>提供するもの</translation>
     </message>
     <message>
         <source>state {0}</source>
@@ -263,6 +347,30 @@
         <source>, </source>
         <translation>、</translation>
     </message>
+    <message>
+        <source>The layout is being made</source>
+        <translation>配置を計算しています</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>the state&apos;s speech</source>
+        <translation>状態の発話</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>leads to {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to go there, Alt and click to draw the way</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AddTest</name>
@@ -277,6 +385,10 @@
 </context>
 <context>
     <name>ApplicationCanvas</name>
+    <message>
+        <source>New state “{0}”</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>No state yet. Drag State from the palette to here.</source>
         <translation>まだ状態がありません。パレットから「状態」をここにドラッグしてください。</translation>
@@ -683,6 +795,10 @@ Draw what a robot says, shows and does.</source>
         <translation>戻る</translation>
     </message>
     <message>
+        <source>Find usages</source>
+        <translation>使用箇所を検索</translation>
+    </message>
+    <message>
         <source>Nothing is selected.</source>
         <translation>何も選ばれていません。</translation>
     </message>
@@ -823,7 +939,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>Make a part: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>部品にする：{0}</translation>
     </message>
     <message>
         <source>{0} has {1} states and {2} ways out: double-click it to look inside.</source>
@@ -831,7 +947,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>Dissolve part {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>部品 {0} を解く</translation>
     </message>
     <message>
         <source>{0} runs this application: it can not be a part of it.</source>
@@ -839,7 +955,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>Add part {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>部品 {0} を追加</translation>
     </message>
     <message>
         <source>{0} has errors: it can be read, not changed.</source>
@@ -1643,6 +1759,10 @@ Draw what a robot says, shows and does.</source>
         <translation>前の文書</translation>
     </message>
     <message>
+        <source>Draw the folded pipe, or fold it</source>
+        <translation>畳んだ線を描く・線を畳む</translation>
+    </message>
+    <message>
         <source>English</source>
         <translation>English</translation>
     </message>
@@ -1753,6 +1873,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>List</source>
         <translation>一覧</translation>
+    </message>
+    <message>
+        <source>Long pipes are folded into a chip with the number of the state.</source>
+        <translation>長い線は、状態の番号を示す札に畳まれます。</translation>
     </message>
     <message>
         <source>Lower edges</source>
@@ -2485,12 +2609,20 @@ Draw what a robot says, shows and does.</source>
         <translation>部品</translation>
     </message>
     <message>
+        <source>Part of the answer</source>
+        <translation>答えの部分</translation>
+    </message>
+    <message>
         <source>Pattern</source>
         <translation>パターン</translation>
     </message>
     <message>
         <source>People may answer while the robot still speaks.</source>
         <translation>ロボットが話している間でも答えられます。</translation>
+    </message>
+    <message>
+        <source>Phrase</source>
+        <translation>言葉</translation>
     </message>
     <message>
         <source>Place and size</source>
@@ -2969,6 +3101,10 @@ Draw what a robot says, shows and does.</source>
         <translation>文字</translation>
     </message>
     <message>
+        <source>datum</source>
+        <translation>データ</translation>
+    </message>
+    <message>
         <source>exists</source>
         <translation>ある</translation>
     </message>
@@ -2979,6 +3115,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>is</source>
         <translation>である</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>がありません</translation>
     </message>
     <message>
         <source>is not</source>
@@ -2995,6 +3135,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>list</source>
         <translation>一覧</translation>
+    </message>
+    <message>
+        <source>need</source>
+        <translation>必要なもの</translation>
     </message>
     <message>
         <source>none</source>
@@ -3021,8 +3165,20 @@ Draw what a robot says, shows and does.</source>
         <translation>オブジェクト</translation>
     </message>
     <message>
+        <source>or module</source>
+        <translation>またはモジュール</translation>
+    </message>
+    <message>
+        <source>phrase</source>
+        <translation>言葉</translation>
+    </message>
+    <message>
         <source>plain</source>
         <translation>無地</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>結果</translation>
     </message>
     <message>
         <source>right</source>
@@ -3055,6 +3211,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>the first that fits</source>
         <translation>最初に合うもの</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>値</translation>
     </message>
     <message>
         <source>yes or no</source>

@@ -206,9 +206,11 @@ class AccessibleViewer(QAccessibleWidget):
         QAccessible.deleteAccessibleInterface(QAccessible.uniqueId(part))
 
     def forget_all(self) -> None:
-        """The viewer is gone."""
+        """The viewer is gone: this, which Qt may keep, keeps nothing of it."""
         for path in list(self._parts):
             self._forget(path)
+        self._keys, self._values, self._chosen = None, {}, ()
+        del self.viewer, self.speaker
 
 
 class AccessiblePart(QAccessibleInterface):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
 
+from situ_studio.language import tr
 from situ_studio.theme import BODY, Theme, font
 
 
@@ -28,9 +29,9 @@ class ArrangingBar(QFrame):
         progress.setRange(0, 0)
         progress.setFixedSize(96, 6)
         progress.setTextVisible(False)
-        progress.setAccessibleName("The layout is being made")
+        progress.setAccessibleName(tr("The layout is being made"))
         line.addWidget(progress)
-        self.stop = QPushButton("Cancel")
+        self.stop = QPushButton(tr("Cancel"))
         self.stop.clicked.connect(self.cancelled)
         line.addWidget(self.stop)
         self.hide()

@@ -6,7 +6,7 @@ import time
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, QRectF, QTimer, Signal
 
 from situ_studio.canvas.graph import Graph, LinkId
 from situ_studio.canvas.viewer import Viewer
@@ -59,6 +59,8 @@ class Filling(QObject):
             self._at.setdefault(link.source, []).append(id)
             self._at.setdefault(link.target, []).append(id)
         self._seen_before = False
+        # Qt sorts all items anew whenever one makes the scene larger: it is told at once.
+        self._viewer.scene().setSceneRect(_extent(cards))
         self._slices.start()
         late = set(self._waiting)
         return (
@@ -88,6 +90,8 @@ class Filling(QObject):
             self.filled.emit()
 
     def _end(self) -> None:
+        if self._slices.isActive():
+            self._viewer.scene().setSceneRect(QRectF())
         self._waiting, self._at = [], {}
         self._slices.stop()
 
@@ -123,3 +127,11 @@ class Filling(QObject):
 
         order = {uid: -place for place, uid in enumerate(cards)}
         self._waiting.sort(key=lambda uid: (is_seen(uid), order[uid]))
+
+
+def _extent(cards: Mapping[str, Any]) -> QRectF:
+    every = cards.values()
+    left, top = min(card.x for card in every), min(card.y for card in every)
+    right = max(card.x + card.width for card in every)
+    bottom = max(card.y + card.height for card in every)
+    return QRectF(left, top, right - left, bottom - top).adjusted(-1000, -1000, 1000, 1000)

@@ -6,6 +6,7 @@ from typing import Any
 
 from situ.document import rbd
 from situ_studio.kinds.kind import Field, Kind, Section
+from situ_studio.language import tr
 
 
 def _params(value: Any) -> str:
@@ -283,7 +284,7 @@ REPEAT = Kind(
     help="Says the state's speech once more; only in an event that leads nowhere.",
     sections=(_ENDING,),
     make=lambda _: rbd.Repeat(),
-    summary=lambda v: "the state's speech",
+    summary=lambda v: tr("the state's speech"),
 )
 
 ACTIONS = (

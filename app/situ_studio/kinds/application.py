@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from situ.document import drawing, rbd
 from situ_studio.kinds.kind import Field, Kind, Section
+from situ_studio.language import tr
 
 _TIMEOUT = Field(
     attribute="timeout",
@@ -183,7 +184,7 @@ TIMEOUT = Kind(
         ),
     ),
     make=lambda _: rbd.Timeout(seconds=30),
-    summary=lambda v: f"{v.seconds:g} s",
+    summary=lambda v: tr("{0} s").format(f"{v.seconds:g}"),
     palette="application",
 )
 COLORS = (

@@ -6,6 +6,7 @@ from situ.document import modules, spds, words
 from situ.document.condition import Test
 from situ_studio.kinds.kind import Field, Kind, Section
 from situ_studio.kinds.said import TESTS, TYPES, type_words
+from situ_studio.language import tr
 
 SITUATION = Kind(
     name="situation",
@@ -74,7 +75,7 @@ ENTRY = Kind(
         ),
     ),
     make=lambda name: spds.Entry(module=name, priority=10),
-    summary=lambda v: "none" if v.priority is None else str(v.priority),
+    summary=lambda v: tr("none") if v.priority is None else str(v.priority),
 )
 MODULE = Kind(
     name="module",

@@ -18,7 +18,7 @@ class Authority(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         titles = (tr("Resource"), tr("Held by"), tr("Since"), tr("Also asked for by"), tr("Does"))
         widths = (120, 140, 80, 220)
-        super().__init__("Authority", [self.tr(t) for t in titles], widths, theme, parent)
+        super().__init__(tr("Authority"), titles, widths, theme, parent)
 
     def show_moment(self, moment: Moment, t: float) -> None:
         """Every resource that is held, asked for or mapped, by name, at ``t`` seconds."""

@@ -21,7 +21,7 @@ FRESH = 2.0
 class Blackboard(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         titles = (tr("Tag"), tr("Value"), tr("Set by"), tr("Ago"))
-        super().__init__("Blackboard", [self.tr(t) for t in titles], (200, 320, 140), theme, parent)
+        super().__init__(tr("Blackboard"), titles, (200, 320, 140), theme, parent)
 
     def show_moment(self, moment: Moment, t: float, private: Sequence[str] = ()) -> None:
         """The board at ``t`` seconds. private: patterns of tags whose values are not shown."""

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, Q
 from situ.document.condition import Condition, Group, GroupName, Test
 from situ_studio.icon_widgets import IconButton, IconLabel
 from situ_studio.kinds import GROUPS, TESTS
+from situ_studio.language import translated
 from situ_studio.layouts import clear
 from situ_studio.panels.fields import Choice, Line, Number
 from situ_studio.theme import Theme
@@ -21,7 +22,7 @@ Path = tuple[int, ...]
 
 # `exists` has only two values, so it is two tests to the designer.
 _MISSING = "missing"
-_CHOICES = (*TESTS, (_MISSING, "is missing"))
+CHOICES = (*TESTS, (_MISSING, "is missing"))
 
 
 class TestBox(QFrame):
@@ -52,7 +53,7 @@ class TestBox(QFrame):
         second.setSpacing(6)
         self.test = Choice(theme)
         self.test.setAccessibleName(self.tr("Test"))
-        self.test.offer(_CHOICES)
+        self.test.offer(tuple((test, translated(words)) for test, words in CHOICES))
         self.test.setFixedWidth(98)
         second.addWidget(self.test)
         self.value = Line()
@@ -130,7 +131,7 @@ class GroupBox(QFrame):
         first.addWidget(IconLabel(theme, "condition", "condition", 15))
         self.kind = Choice(theme)
         self.kind.setAccessibleName(self.tr("Group"))
-        self.kind.offer(GROUPS)
+        self.kind.offer(tuple((kind, translated(words)) for kind, words in GROUPS))
         self.kind.committed.connect(lambda kind: self.changed.emit(str(kind)))
         first.addWidget(self.kind, 1)
         first.addWidget(AddTest(theme, self.added.emit))
@@ -163,7 +164,7 @@ class AddTest(IconButton):
         menu = QMenu(self)
         menu.addAction(self.tr("A test"), lambda: add("test"))
         for kind, words in GROUPS:
-            menu.addAction(words.capitalize(), partial(add, kind))
+            menu.addAction(translated(words).capitalize(), partial(add, kind))
         self.setMenu(menu)
         self.setPopupMode(self.ToolButtonPopupMode.InstantPopup)
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")

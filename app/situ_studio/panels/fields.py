@@ -32,6 +32,7 @@ from PySide6.QtWidgets import (
 
 from situ.document.rbd import AGAIN, BACK
 from situ_studio import icons
+from situ_studio.language import translated
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -388,7 +389,7 @@ def offer(
     """Gives a field the words that it can complete or choose from."""
     if isinstance(widget, Choice):
         if editor == "choice":
-            widget.offer(tuple((value or None, text) for value, text in choices))
+            widget.offer(tuple((value or None, translated(text)) for value, text in choices))
         elif editor == "next":
             widget.offer(next_choices(vocabulary, empty))
         elif editor == "state":

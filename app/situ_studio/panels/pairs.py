@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 from situ.document import modules, rbd
 from situ_studio.icon_widgets import IconButton
 from situ_studio.kinds import TYPES
+from situ_studio.language import translated
 from situ_studio.panels.fields import Choice, Line
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
@@ -116,7 +117,9 @@ class PairsEditor(QWidget):
     def add(self) -> None:
         """One more at the end; its first field gets the focus."""
         made = self._pairs.make(self._vocabulary)
-        self.changed.emit((*self._members, made), self.tr("Add a {0}").format(self._pairs.noun))
+        self.changed.emit(
+            (*self._members, made), self.tr("Add a {0}").format(translated(self._pairs.noun))
+        )
         if self._fields:
             field = self._fields[-1][0]
             field.setFocus()
@@ -142,11 +145,11 @@ class PairsEditor(QWidget):
                 field: Line | Choice
                 if column.choices:
                     field = Choice(self._theme)
-                    field.offer(column.choices)
+                    field.offer(tuple((v, translated(text)) for v, text in column.choices))
                 else:
                     field = Line()
-                    field.setPlaceholderText(column.words)
-                field.setAccessibleName(column.words)
+                    field.setPlaceholderText(translated(column.words))
+                field.setAccessibleName(translated(column.words))
                 field.setMinimumWidth(30)
                 field.committed.connect(
                     lambda v, i=index, c=column: self._change(i, c.attribute, v)
@@ -174,8 +177,8 @@ class PairsEditor(QWidget):
         else:
             changed = replace(member, **{attribute: value})
         every = (*self._members[:index], changed, *self._members[index + 1 :])
-        self.changed.emit(every, self.tr("Change a {0}").format(self._pairs.noun))
+        self.changed.emit(every, self.tr("Change a {0}").format(translated(self._pairs.noun)))
 
     def _remove(self, index: int) -> None:
         every = (*self._members[:index], *self._members[index + 1 :])
-        self.changed.emit(every, self.tr("Remove a {0}").format(self._pairs.noun))
+        self.changed.emit(every, self.tr("Remove a {0}").format(translated(self._pairs.noun)))

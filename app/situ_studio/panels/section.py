@@ -96,7 +96,9 @@ class SectionEditor(QWidget):
         else:
             self.pairs = self._body = PairsEditor(theme, section.editor)
             self.pairs.changed.connect(self._tell)
-            self._plus(self.tr("Add a {0}").format(PAIRS[section.editor].noun), self.pairs.add)
+            self._plus(
+                self.tr("Add a {0}").format(translated(PAIRS[section.editor].noun)), self.pairs.add
+            )
         column.addWidget(self._body)
 
     def _plus(self, tip: str, pressed: Any) -> IconButton:

@@ -21,7 +21,7 @@ _LOUD = ("transition", "situation", "authority", "error", "warning")
 class Trace(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         titles = (tr("Time"), tr("What"), tr("Because of"), tr("Details"))
-        super().__init__("Trace", [self.tr(t) for t in titles], (90, 120, 90), theme, parent)
+        super().__init__(tr("Trace"), titles, (90, 120, 90), theme, parent)
         self._follows = True
         bar = self.verticalScrollBar()
         bar.rangeChanged.connect(self._on_range)

@@ -7,9 +7,9 @@ from functools import partial
 from typing import Any
 
 from situ.document import modules, rbd, spds
-from situ.document import words as said
 from situ_studio import kinds, words
 from situ_studio.edit import Place
+from situ_studio.language import tr, translated
 
 Editable = dict[int, tuple[Place, str, str]]
 """Column to place, attribute and label of what is edited there."""
@@ -51,7 +51,8 @@ def _icon(value: Any) -> tuple[str, str]:
 
 
 def _seconds(timeout: rbd.Timeout) -> str:
-    return f"{timeout.seconds:g} s" + (" idle" if timeout.idle else "")
+    text = tr("{0} s idle") if timeout.idle else tr("{0} s")
+    return text.format(f"{timeout.seconds:g}")
 
 
 def _part_rows(document: rbd.Application, place: Place, part: Any) -> list[Node]:
@@ -63,14 +64,14 @@ def _part_rows(document: rbd.Application, place: Place, part: Any) -> list[Node]
                 at,
                 part.screen,
                 ("screen", "text2"),
-                ("Screen", "", "", part.screen.touched or ""),
+                (tr("Screen"), "", "", part.screen.touched or ""),
                 below=lambda: [
                     Node(
                         (*at, c.id),
                         c,
                         _icon(c),
                         (_title(c), c.id, getattr(c, "event", None) or "", _summary(c)),
-                        {1: ((*at, c.id), "id", "Id")},
+                        {1: ((*at, c.id), "id", tr("Id"))},
                     )
                     for c in part.screen.components
                 ],
@@ -88,12 +89,12 @@ def _part_rows(document: rbd.Application, place: Place, part: Any) -> list[Node]
                 part.timeout,
                 ("timeout", "text2"),
                 (
-                    "Timeout",
+                    tr("Timeout"),
                     _seconds(part.timeout),
                     words.leads_to(document, part.timeout.next) if part.timeout.next else "",
                     "",
                 ),
-                {1: (at, "seconds", "Seconds"), 2: (at, "next", "Leads to")},
+                {1: (at, "seconds", tr("Seconds")), 2: (at, "next", tr("Leads to"))},
             )
         )
     return rows
@@ -101,7 +102,7 @@ def _part_rows(document: rbd.Application, place: Place, part: Any) -> list[Node]
 
 def _title(value: Any) -> str:
     kind = kinds.kind_of(value)
-    return kind.title if kind is not None else ""
+    return translated(kind.title) if kind is not None else ""
 
 
 def _summary(value: Any) -> str:
@@ -112,7 +113,7 @@ def _summary(value: Any) -> str:
 def _action(place: Place, action: rbd.Action) -> Node:
     editable: Editable = {}
     if isinstance(action, rbd.Speech):
-        editable = {1: (place, "text", "Text")}
+        editable = {1: (place, "text", tr("Text"))}
     ends = ", ".join(e for e in (action.done, action.failed) if e)
     return Node(
         place, action, _icon(action), (_title(action), _summary(action), ends, ""), editable
@@ -122,15 +123,15 @@ def _action(place: Place, action: rbd.Action) -> Node:
 def _event(document: rbd.Application, place: Place, event: rbd.Event) -> Node:
     guard = ""
     if event.when is not None:
-        guard = f"if {said.condition(event.when)}"
+        guard = tr("if {0}").format(words.condition_words(event.when))
     phrases = ", ".join(f"“{s.text}”" for s in event.says)
     details = "; ".join(w for w in (guard, phrases) if w)
     return Node(
         place,
         event,
         ("event", "text2"),
-        ("Event", event.name or "", words.leads_to(document, event.next), details),
-        {1: (place, "name", "Event"), 2: (place, "next", "Leads to")},
+        (tr("Event"), event.name or "", words.leads_to(document, event.next), details),
+        {1: (place, "name", tr("Event")), 2: (place, "next", tr("Leads to"))},
         partial(_below_event, place, event),
         event.when is not None or bool(event.actions),
     )
@@ -140,7 +141,7 @@ def _below_event(place: Place, event: rbd.Event) -> list[Node]:
     actions = [_action((*place, "action", str(i)), a) for i, a in enumerate(event.actions)]
     if event.when is None:
         return actions
-    cells = ("Only if", said.condition(event.when), "", "")
+    cells = (tr("Only if"), words.condition_words(event.when), "", "")
     return [Node((*place, "when"), event.when, ("guard", "condition"), cells), *actions]
 
 
@@ -151,7 +152,7 @@ def application_rows(document: rbd.Application) -> Iterator[Node]:
             ("always",),
             always,
             ("always", "text2"),
-            ("Always", "", "", ""),
+            (tr("Always"), "", "", ""),
             below=lambda: _part_rows(document, ("always",), always),
         )
     for state in document.states:
@@ -163,7 +164,7 @@ def application_rows(document: rbd.Application) -> Iterator[Node]:
             state,
             ("start", "start") if start else ("state", "state"),
             (state.no, state.name, "", " ".join(speech.split())),
-            {0: (place, "no", "Number"), 1: (place, "name", "Name")},
+            {0: (place, "no", tr("Number")), 1: (place, "name", tr("Name"))},
             partial(_part_rows, document, place, state),
             bool(state.screen or state.actions or state.events or state.timeout),
         )
@@ -172,13 +173,13 @@ def application_rows(document: rbd.Application) -> Iterator[Node]:
 def script_rows(document: spds.Spds) -> Iterator[Node]:
     for number, situation in enumerate(document.situations, start=1):
         place = ("situation", situation.name)
-        holds = said.condition(situation.condition) or "always"
+        holds = words.condition_words(situation.condition) or tr("always")
         yield Node(
             place,
             situation,
             ("situation", "situation"),
-            (f"Situation {number}", situation.name, situation.extends or "", holds),
-            {1: (place, "name", "Name"), 2: (place, "extends", "Takes over")},
+            (tr("Situation {0}").format(number), situation.name, situation.extends or "", holds),
+            {1: (place, "name", tr("Name")), 2: (place, "extends", tr("Takes over"))},
             partial(_entries, place, situation),
             bool(situation.entries),
         )
@@ -188,8 +189,8 @@ def script_rows(document: spds.Spds) -> Iterator[Node]:
             place,
             module,
             ("module", "module"),
-            ("Module", module.name, "", " ".join(module.resources)),
-            {1: (place, "name", "Name"), 3: (place, "resources", "Resources")},
+            (tr("Module"), module.name, "", " ".join(module.resources)),
+            {1: (place, "name", tr("Name")), 3: (place, "resources", tr("Resources"))},
         )
     for data in document.observe:
         place = ("data", data.tag)
@@ -198,8 +199,8 @@ def script_rows(document: spds.Spds) -> Iterator[Node]:
             place,
             data,
             ("data", "data"),
-            ("Data", data.tag, "", about),
-            {1: (place, "tag", "Tag")},
+            (tr("Data"), data.tag, "", about),
+            {1: (place, "tag", tr("Tag"))},
         )
 
 
@@ -209,8 +210,8 @@ def _entries(place: Place, situation: spds.Situation) -> list[Node]:
             (*place, "entry", str(i)),
             e,
             ("module", "module"),
-            ("Priority", e.module, "", "none" if e.priority is None else str(e.priority)),
-            {3: ((*place, "entry", str(i)), "priority", "Priority")},
+            (tr("Priority"), e.module, "", tr("none") if e.priority is None else str(e.priority)),
+            {3: ((*place, "entry", str(i)), "priority", tr("Priority"))},
         )
         for i, e in enumerate(situation.entries)
     ]
@@ -223,11 +224,11 @@ def information_rows(document: modules.Modules) -> Iterator[Node]:
             place,
             module,
             ("module", "module"),
-            ("Module", module.name, " ".join(module.resources), module.description),
+            (tr("Module"), module.name, " ".join(module.resources), module.description),
             {
-                1: (place, "name", "Name"),
-                2: (place, "resources", "Resources"),
-                3: (place, "description", "Does"),
+                1: (place, "name", tr("Name")),
+                2: (place, "resources", tr("Resources")),
+                3: (place, "description", tr("Does")),
             },
             partial(_needed_and_provided, place, module),
             bool(module.requires or module.provides),
@@ -241,7 +242,7 @@ def _needed_and_provided(place: Place, module: modules.Module) -> list[Node]:
                 (*place, "requires", str(i)),
                 r,
                 ("link", "text2"),
-                ("Needs", r.data or r.module or "", "", "" if r.data else "module"),
+                (tr("Needs"), r.data or r.module or "", "", "" if r.data else tr("module")),
             )
             for i, r in enumerate(module.requires)
         ),
@@ -250,7 +251,7 @@ def _needed_and_provided(place: Place, module: modules.Module) -> list[Node]:
                 (*place, "provides", str(i)),
                 o,
                 ("data", "data"),
-                ("Provides", o.data, "", kinds.type_words(o.type, o.unit)),
+                (tr("Provides"), o.data, "", kinds.type_words(o.type, o.unit)),
             )
             for i, o in enumerate(module.provides)
         ),

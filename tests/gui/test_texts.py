@@ -1,0 +1,185 @@
+"""The texts of the studio: all are translated, none is forgotten, and none is cut."""
+
+from __future__ import annotations
+
+import re
+import runpy
+import shutil
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from lxml import etree
+from PySide6.QtCore import QAbstractItemModel, QModelIndex, Qt, QTranslator
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QComboBox, QWidget
+from tests.gui.conftest import Studio
+
+from situ.resources import resource
+from situ_studio import language
+
+ROOT = Path(__file__).resolve().parents[2]
+HOLES = re.compile(r"\{\d*\}|%n|%\d")
+
+
+def messages(file: Path) -> Iterator[tuple[str, str, str]]:
+    """(context, English, translation) of a .ts file; nothing for what is not translated."""
+    for context in etree.parse(file).getroot().iter("context"):
+        for message in context.iter("message"):
+            translation = message.find("translation")
+            done = translation is not None and translation.get("type") is None
+            yield (
+                context.findtext("name") or "",
+                message.findtext("source") or "",
+                (translation.text or "") if done and translation is not None else "",
+            )
+
+
+JAPANESE = list(messages(resource("i18n", "studio_ja.ts")))
+
+
+def test_every_text_has_its_japanese() -> None:
+    assert [text for _, text, said in JAPANESE if not said] == []
+
+
+def test_a_translation_has_the_values_of_its_text() -> None:
+    other = [
+        (text, said)
+        for _, text, said in JAPANESE
+        if sorted(HOLES.findall(text)) != sorted(HOLES.findall(said))
+    ]
+    assert other == []
+
+
+def test_the_files_for_translators_are_those_of_the_sources(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    there = resource("i18n")
+    for file in there.iterdir():
+        shutil.copy(file, tmp_path)
+    monkeypatch.setattr(sys, "path", [*sys.path, str(ROOT / "packaging")])
+    runpy.run_path(str(ROOT / "packaging" / "texts.py"))["renew"](tmp_path)
+    made = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
+    for file in there.iterdir():
+        assert made[file.name] == file.read_bytes(), f"{file.name}: run python packaging/texts.py"
+
+
+# -- a language that says everything in brackets ---------------------------------------------
+
+
+class Brackets(QTranslator):
+    """Says ``⟦Save⟧`` for Save: whatever has no brackets was never asked for."""
+
+    def translate(
+        self, context: Any, sourceText: Any, disambiguation: Any = None, n: int = -1
+    ) -> str:
+        return f"⟦{sourceText}⟧" if sourceText else ""
+
+    def isEmpty(self) -> bool:
+        return False
+
+
+@pytest.fixture
+def brackets(qt: QApplication) -> Iterator[None]:
+    translator = Brackets()
+    qt.installTranslator(translator)
+    language._runtime.cache_clear()
+    yield
+    qt.removeTranslator(translator)
+    language._runtime.cache_clear()
+
+
+ASIDE = {"Situ", "Studio", "Ctrl", "Alt", "Shift", "Del", "Enter", "Return", "Tab", "Esc", "Home"}
+ASIDE |= {"English", "PgUp", "PgDown", "Space", "NodeGraph", "Nodes"}
+"""Keys, names, and the menus of NodeGraphQt, which are never shown."""
+
+
+def own_words(folder: Path) -> set[str]:
+    """Every word that a person wrote into the project, and the names of its files."""
+    found: set[str] = set()
+    for file in (folder, *folder.rglob("*")):
+        found |= words(str(file.name))
+        if file.suffix == ".xml":
+            for element in etree.parse(file).iter():
+                texts = [element.text, element.tail, *map(str, element.attrib.values())]
+                found |= {word for text in texts for word in words(text or "")}
+        elif file.suffix == ".toml":
+            found |= words(file.read_text())
+    return found
+
+
+def words(text: str) -> set[str]:
+    return set(re.findall(r"[A-Za-z]{2,}", text))
+
+
+def shown(window: QWidget) -> Iterator[tuple[str, str]]:
+    """(where, text) of everything that the widgets of a window say, to eyes and ears."""
+    for widget in (window, *window.findChildren(QWidget)):
+        name = type(widget).__name__
+        for what in (
+            "text", "title", "placeholderText", "toolTip", "windowTitle", "accessibleName",
+            "accessibleDescription", "whatsThis",
+        ):  # fmt: skip
+            ask = getattr(widget, what, None)
+            if callable(ask) and not (what == "text" and hasattr(widget, "cursorPosition")):
+                yield f"{name}.{what}", str(ask())
+        if isinstance(widget, QComboBox):
+            yield from ((f"{name} entry", widget.itemText(i)) for i in range(widget.count()))
+        if isinstance(widget, QAbstractItemView) and widget.model() is not None:
+            yield from cells(name, widget.model())
+    for action in window.findChildren(QAction):
+        yield "a command", action.text()
+        yield "a command's hint", action.toolTip()
+
+
+def cells(name: str, model: QAbstractItemModel) -> Iterator[tuple[str, str]]:
+    for column in range(model.columnCount()):
+        yield f"{name} heading", str(model.headerData(column, Qt.Orientation.Horizontal) or "")
+    waiting = [QModelIndex()]
+    while waiting:
+        parent = waiting.pop()
+        for row in range(model.rowCount(parent)):
+            for column in range(model.columnCount(parent)):
+                index = model.index(row, column, parent)
+                for role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
+                    yield f"{name} row", str(index.data(role) or "")
+            waiting.append(model.index(row, 0, parent))
+
+
+PLACES: dict[str, list[tuple[str, ...]]] = {
+    "reception": [
+        (), ("always",), ("state", "1"), ("state", "7"), ("state", "16"), ("state", "7", "screen"),
+        ("state", "7", "event", "2"), ("state", "7", "timeout"), ("state", "7", "action", "1"),
+        ("state", "4", "screen", "component", "0"), ("note", "0"), ("frame", "0"),
+    ],
+    "conversation": [
+        (), ("situation", "invited"), ("situation", "sound"), ("module", "nod"),
+        ("data", "sound.slap"), ("data", "hand.waving"),
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PLACES)
+def test_nothing_is_said_in_english_only(
+    brackets: None, studio: Callable[..., Studio], project: Callable[[str], Path], name: str
+) -> None:
+    folder = project(name)
+    known = own_words(folder) | ASIDE
+    window = studio(folder).window
+    window.open_file("conversation.spds.xml" if name == "conversation" else "reception.rbd.xml")
+    english: dict[str, str] = {}
+    for mode in ("graph", "outline"):
+        window.show_mode(mode)
+        for place in PLACES[name]:
+            window.select(place)
+            QApplication.processEvents()
+            english |= {
+                text: where
+                for where, text in shown(window)
+                if words(re.sub(r"⟦.*⟧", "", text.replace(str(folder), ""), flags=re.DOTALL))
+                - known
+            }
+
+    assert "\n".join(f"{where}: {text}" for text, where in english.items()) == ""
