@@ -119,7 +119,7 @@ class Piping(QObject):
         self.reroute(picture, {id[0]})
 
     def fold(self, id: PipeId) -> None:
-        """A pipe that was drawn by ``draw`` is folded by the next ``route``, if it is long still."""
+        """A pipe that ``draw`` drew is folded by the next ``route``, if it is long still."""
         self._router.drawn.discard(id)
 
     def is_drawn(self, id: PipeId) -> bool:
