@@ -236,8 +236,8 @@ class Player:
         if len(self.canvas.graph.cards) > 4:
             self.canvas.cut()
 
-    def mark_start(self) -> None:
-        self.canvas.mark_start()
+    def snap_to_grid(self) -> None:
+        self.canvas.snap_to_grid()
 
     def connect_selected(self) -> None:
         self.canvas.connect_selected()
@@ -344,7 +344,7 @@ WEIGHTS = {
     "resize": 1,
     "copy_and_paste": 1,
     "cut": 1,
-    "mark_start": 1,
+    "snap_to_grid": 1,
     "connect_selected": 1,
     "step_to_exit": 1,
     "slice": 1,
