@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from situ.blackboard.protocol import Deployment, Role, Turn, Waits
     from situ.document.project import Project
 
+LINES = 40
+"""Lines of what changes that are told."""
 POLL = 0.2
 """Seconds between two questions how far it is."""
 
@@ -95,7 +97,7 @@ def _connect(args: argparse.Namespace, role: Role) -> Board:
 def _deploy(args: argparse.Namespace) -> int:
     with _connect(args, "operator") as board:
         files, main = _only_spds(args.project, board) if args.spds else _whole(args.project)
-        for line in _changes(board, files):
+        for line in _changes(args.project, board, files):
             print(line)
         size = sum(map(len, files.values()))
         print(f"{len(files)} file{'s' * (len(files) != 1)}, {size / 1000:,.0f} kB", flush=True)
@@ -145,18 +147,26 @@ def _only_spds(path: str, board: Board) -> tuple[dict[str, bytes], None]:
     return {theirs.spds_file: data}, None
 
 
-def _changes(board: Board, files: dict[str, bytes]) -> list[str]:
-    """What the robot would do differently, in plain words; its media are left to the robot."""
+def _changes(path: str, board: Board, files: dict[str, bytes]) -> list[str]:
+    """What the robot would do differently, in plain words; its media are left to the robot. Raises
+    ProjectError where it is another project: the robot would not take it."""
     from situ.cli_diff import told
     from situ.document.diff import compare
+    from situ.errors import ProjectError
 
     robots = board.documents().files
     texts = {path: data.decode() for path, data in files.items() if path.endswith(_TEXTS)}
     before, after = _read(robots), _read({**robots, **texts} if len(files) == 1 else texts)
     if before is None or after is None:
         return []
+    if before.name != after.name:
+        raise ProjectError(
+            f"{path}: is the project {after.name}, and this robot runs {before.name}: deploy it to "
+            "its own robot, or give it that name"
+        )
     changes = [change for change in compare(before, after) if change.behaviour]
-    return told(changes) if changes else ["The robot will act the same; its media may differ."]
+    lines = told(changes) if changes else ["The robot will act the same; its media may differ."]
+    return lines if len(lines) <= LINES else [*lines[:LINES], f"and {len(lines) - LINES} more"]
 
 
 _TEXTS = (".xml", ".toml", ".po")
@@ -209,7 +219,7 @@ def _states(board: Board, state: Deployment) -> Iterator[Deployment]:
 
 def _told(state: Deployment, before: int) -> str:
     if state.stands == "checking":
-        return f"version {state.asked} has come; the robot checks it"
+        return f"the robot checks version {state.asked}"
     if state.stands == "waiting":
         forced = "" if state.forced is None else "; at the latest when its time is over"
         return f"checked; waiting for {', '.join(map(_waited, state.waits)) or 'a moment'}{forced}"

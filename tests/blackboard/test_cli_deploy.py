@@ -74,7 +74,7 @@ def test_it_says_what_it_waits_for_and_that_it_goes_back_by_itself(
     assert cli.main(["rollback", "3", "--to", "tcp://robot:5570", "--force-after", "9"]) == 0
     assert board.asked == [(3, 9.0)]
     assert capsys.readouterr().out.splitlines() == [
-        "version 3 has come; the robot checks it",
+        "the robot checks version 3",
         "checked; waiting for speech of state 3 of reception",
         "version 3 runs; back to version 2 by itself if it fails in its first minute",
     ]

@@ -414,6 +414,9 @@ def test_a_flow_with_errors_is_refused_with_them_and_the_old_version_runs_on(
         )
         == 2
     )
+    den = project(tmp_path / "den", settings=('name = "desk"', 'name = "den"'))
+    assert cli.main(["deploy", str(den), "--to", robot.endpoint]) == 2
+    assert "is the project den, and this robot runs desk" in capsys.readouterr().err
     assert cli.main(["history", "--to", robot.endpoint, "--json"]) == 0
     turns = json.loads(capsys.readouterr().out)["turns"]
     assert [turn["did"] for turn in turns] == ["refused"]
