@@ -87,7 +87,9 @@ def test_a_watch_tells_its_user_of_gaps_as_the_vectors_say() -> None:
 def test_every_kind_of_request_and_every_code_is_in_the_conversation() -> None:
     asked = {step["send"]["do"] for step in STEPS}
     # What is said and answered in the robot's service is told by requests.json alone.
-    services = {"attend", "perform", "serve", "answer"}
+    services = {"attend", "perform", "serve", "answer", "bundle", "fetch"}
+    # So is what has become of a version, which takes a state folder.
+    services |= {"progress", "history"}
     kinds = {str(kind.__struct_config__.tag) for kind in protocol.Request.__subclasses__()}
     assert asked >= kinds - services
     # These two are for strangers and for crowds.
