@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, Qt
 from PySide6.QtWidgets import (
+    QGraphicsItem,
     QGraphicsPathItem,
     QGraphicsSceneMouseEvent,
     QStyleOptionGraphicsItem,
@@ -49,6 +50,7 @@ class CurvedPipe(RoutedPipe):
 
     def set_curve(self, start: QPointF, end: QPointF, part: float = 0.5) -> None:
         self.prepareGeometryChange()
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, False)
         self._part = part
         link = self.link
         self._pill_text = None

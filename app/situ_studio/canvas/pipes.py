@@ -80,6 +80,8 @@ class RoutedPipe(PipeItem):
         self._way: QPainterPath | None = None
         self._gap: QPainterPath | None = None
         self._chip = ""
+        # Without a way it lies in the drawing's corner: Qt would paint it there at each frame.
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, True)
         self.setZValue(UNDER)
         self.setAcceptHoverEvents(True)
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIsSelectable, True)
@@ -108,6 +110,7 @@ class RoutedPipe(PipeItem):
             if self._label is not None:
                 area = area.united(self._label.reach().adjusted(-2, -2, 2, 2))
         self._rect = area
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, area.isEmpty())
         self.update()
 
     def path(self) -> QPainterPath:
