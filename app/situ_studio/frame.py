@@ -226,7 +226,7 @@ class Frame(QMainWindow):
         )
 
     def focusNextPrevChild(self, next: bool) -> bool:
-        return tab_order.next_stop(self.panels_in_order, 1 if next else -1)
+        return tab_order.next_stop(self.panels_in_order, self.documents, 1 if next else -1)
 
     def next_panel(self, way: int) -> None:
         """The focus goes to the next panel (1), or to the one before (-1)."""

@@ -40,10 +40,14 @@ def _stops_at(widget: QWidget) -> bool:
     return bool(takes) and widget.isVisible() and widget.isEnabled() and not widget.focusProxy()
 
 
-def next_stop(panels: Iterable[QWidget], way: int) -> bool:
-    """Moves the focus one widget on (1) or back (-1), round the end; False where none takes it."""
+def next_stop(panels: Iterable[QWidget], home: QWidget, way: int) -> bool:
+    """Moves the focus one widget on (1) or back (-1), round the end; False where none takes it.
+
+    From what is no panel, such as a field over the window that closes, it goes to ``home``.
+    """
     every = [w for panel in panels if panel.isVisible() for w in stops(panel)]
-    return _focus(every, _now(every), way)
+    here = _now(every)
+    return _focus(every if here >= 0 else stops(home) or every, here, 1 if here < 0 else way)
 
 
 def next_panel(panels: Iterable[QWidget], way: int) -> bool:

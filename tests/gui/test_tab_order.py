@@ -65,7 +65,7 @@ def test_f6_goes_round_the_panels_and_leaves_the_drawing(studio: Start, project:
     used.select("state", "2")
     window.current_view.canvas.viewer.setFocus()
     visited = []
-    for _ in range(10):
+    for _ in range(14):
         used.key(Qt.Key.Key_F6)
         focus = focused()
         visited.append(next(p for p in window.panels_in_order if _holds(p, focus)))
@@ -82,6 +82,17 @@ def test_f6_goes_round_the_panels_and_leaves_the_drawing(studio: Start, project:
     assert visited.index(window.inspector) < visited.index(window.toolbar)
     used.key(Qt.Key.Key_F6, SHIFT)
     assert _holds(visited[-2], focused())
+
+
+def test_after_something_was_found_the_focus_is_in_the_drawing(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.key(Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
+    used.type("save profile")
+    used.key(Qt.Key.Key_Return)
+    assert used.window.current_view.selected == (("state", "9"),)
+    assert focused() is used.window.current_view.canvas.viewer
 
 
 def _holds(panel: QWidget, widget: QWidget) -> bool:
