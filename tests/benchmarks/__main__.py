@@ -9,21 +9,20 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
-from tests.benchmarks import deciding, documents_read, drawing, live, messages
+from tests.benchmarks import deciding, documents_read, drawing, editing, live, messages
 from tests.benchmarks.harness import ROUNDS, Bench, Missing, Result, measure, table
 
 BENCHES: tuple[Bench, ...] = (
     *documents_read.BENCHES,
     *deciding.BENCHES,
     *drawing.BENCHES,
+    *editing.BENCHES,
     *messages.BENCHES,
     *live.BENCHES,
 )
 
 UNBUILT = {
-    "edit": "editor: one edit at 5,000 states",
     "events": "editor: 1,000 trace events a second",
-    "layout": "automatic layout of 1,000 states",
 }
 """Figures that have no row yet; docs/performance.md names them too."""
 
@@ -38,6 +37,8 @@ FIGURES = (
     "memory",
     "frame",
     "open",
+    "edit",
+    "layout",
     *UNBUILT,
 )
 """What the project is measured by; every row is ``of`` one of them."""

@@ -11,13 +11,17 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from tests.benchmarks import documents
+from tests.benchmarks.bare import bare, stock_graph
 from tests.benchmarks.harness import CPU, Bench, Goal, Missing, Row, Sample, each
 
-SIZES = (1_000, 5_000)
-OPENED = SIZES[0]
+SIZES = (100, 1_000, 5_000)
+STOCK = 1_000
+OPENED = 1_000
 WINDOW = (1_100, 760)
 
 BARE = "a bare scene"
+STEP = 24.0
+"""Px that a drawing is moved by from frame to frame."""
 
 
 def _name(size: int, zoom: str) -> str:
@@ -25,7 +29,7 @@ def _name(size: int, zoom: str) -> str:
 
 
 @contextlib.contextmanager
-def _qt() -> Iterator[Any]:
+def qt() -> Iterator[Any]:
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     try:
         from situ_studio import main
@@ -42,16 +46,24 @@ def _qt() -> Iterator[Any]:
 @contextlib.contextmanager
 def _frames() -> Iterator[Mapping[str, Sample]]:
     samples: dict[str, Sample] = {}
-    with _qt() as app:
+    with qt() as app:
         shown = []
         for size in SIZES:
-            canvas = _canvas(documents.dialogue(size))
-            view = _bare(canvas)
-            shown += [canvas, view]
+            canvas = _whole(documents.dialogue(size), app)
+            beside = {"out": bare(canvas, "out"), "in": bare(canvas, "in")}
+            stock = stock_graph(canvas) if size == STOCK else None
+            shown += [canvas, *beside.values(), *([stock] if stock is not None else [])]
             app.processEvents()
-            for zoom in ("out", "in"):
-                samples[_name(size, zoom)] = _frame(canvas, canvas.viewer, zoom)
-                samples[f"{BARE}, {_name(size, zoom)}"] = _frame(canvas, view, zoom)
+            for zoom, view in beside.items():
+                name = _name(size, zoom)
+                samples[name] = _frame(canvas, canvas.viewer, zoom)
+                samples[f"{BARE}, {name}"] = _frame(canvas, view, zoom)
+                if stock is not None:
+                    samples[f"NodeGraphQt as it comes, {name}"] = _frame(canvas, stock, zoom)
+            samples[f"{size:,} states, moved along"] = _frame(canvas, canvas.viewer, "in", STEP)
+            samples[f"{BARE}, {size:,} states, moved along"] = _frame(
+                canvas, beside["in"], "in", STEP
+            )
         yield samples
         for widget in shown:
             widget.close()
@@ -60,21 +72,26 @@ def _frames() -> Iterator[Mapping[str, Sample]]:
 
 @contextlib.contextmanager
 def _opening() -> Iterator[Mapping[str, Sample]]:
-    data = documents.dialogue(OPENED)
-    with _qt() as app:
+    data, large = documents.dialogue(OPENED), documents.dialogue(SIZES[-1])
+    with qt() as app:
 
         def opened() -> None:
-            canvas = _canvas(data)
+            canvas = _filled(data, app)
             canvas.viewer.viewport().repaint()
             _closed(canvas)
 
-        model = _canvas(data)
+        def begun() -> None:
+            canvas = _canvas(large)
+            canvas.viewer.viewport().repaint()
+            _closed(canvas)
 
-        def bare() -> None:
+        model = _filled(data, app)
+
+        def parsed() -> None:
             from lxml import etree
 
             etree.fromstring(data)
-            view = _bare(model)
+            view = bare(model, "in")
             view.viewport().repaint()
             _closed(view)
 
@@ -82,7 +99,11 @@ def _opening() -> Iterator[Mapping[str, Sample]]:
             widget.close()
             widget.deleteLater()
 
-        yield {"read and shown": _once(opened, app), f"parse, {BARE}": _once(bare, app)}
+        yield {
+            "read and shown": _once(opened, app),
+            "read, the first cards shown": _once(begun, app),
+            f"parse, {BARE}": _once(parsed, app),
+        }
         _closed(model)
 
 
@@ -122,34 +143,35 @@ def _canvas(data: bytes) -> Any:
     return canvas
 
 
-def _bare(canvas: Any) -> Any:
-    """A view with a rectangle and a text a card and a line a transition, where the canvas has
-    them."""
-    from PySide6.QtCore import QLineF
-    from PySide6.QtGui import QPainter
-    from PySide6.QtWidgets import QGraphicsScene, QGraphicsView
-
-    scene = QGraphicsScene()
-    for uid, node in canvas.graph.nodes.items():
-        box = node.view.sceneBoundingRect()
-        scene.addRect(box)
-        scene.addSimpleText(f"question {uid}").setPos(box.topLeft())
-    for id in canvas.graph.links:
-        pipe = canvas.graph.pipe(id)
-        way = pipe.sceneTransform().map(pipe.path())
-        scene.addLine(QLineF(way.pointAtPercent(0), way.pointAtPercent(1)))
-    view = QGraphicsView(scene)
-    scene.setParent(view)
-    view.setRenderHint(QPainter.RenderHint.Antialiasing)
-    view.resize(*WINDOW)
-    view.show()
-    return view
+def _filled(data: bytes, app: Any) -> Any:
+    """A canvas with all cards."""
+    canvas = _canvas(data)
+    while canvas.filling.is_filling:
+        app.processEvents()
+    return canvas
 
 
-def _frame(canvas: Any, view: Any, zoom: str) -> Sample:
+def _whole(data: bytes, app: Any) -> Any:
+    """A canvas with all cards and the ways of all pipes."""
+    canvas = _filled(data, app)
+    while canvas._piping.is_routing():
+        app.processEvents()
+    return canvas
+
+
+def _frame(canvas: Any, view: Any, zoom: str, step: float = 0.0) -> Sample:
+    """step: px that the drawing moves by before each frame, to and fro."""
+
     def frames(times: int) -> None:
-        for _ in range(times):
+        here = 0
+        for turn in range(times):
+            if step:
+                way = 1 if turn // 40 % 2 == 0 else -1
+                here += way
+                canvas.viewer._set_viewer_pan(way * step, 0.0)
+                _aim(canvas, view)
             view.viewport().repaint()
+        canvas.viewer._set_viewer_pan(-here * step, 0.0)
 
     one = each(frames, CPU, unit=1e-3)
 
@@ -157,29 +179,61 @@ def _frame(canvas: Any, view: Any, zoom: str) -> Sample:
         canvas.zoom_to_fit()
         if zoom == "in":
             canvas.set_zoom(1.0)
-        if view is not canvas.viewer:
-            view.setTransform(canvas.viewer.transform())
-            middle = canvas.viewer.viewport().rect().center()
-            view.centerOn(canvas.viewer.mapToScene(middle))
+        _aim(canvas, view)
         return one()
 
     return sample
 
 
+def _aim(canvas: Any, view: Any) -> None:
+    """Has the view show what the canvas shows."""
+    if view is canvas.viewer:
+        return
+    if hasattr(view, "_scene_range"):
+        view._scene_range = canvas.viewer.seen()
+        view._update_scene()
+        return
+    view.setTransform(canvas.viewer.transform())
+    view.setSceneRect(canvas.viewer.seen())
+
+
 BENCHES = (
     Bench(
         "frame",
-        tuple(
-            Row(
-                f"editor: frame at {_name(size, zoom)}",
-                "frame",
-                _name(size, zoom),
-                f"{BARE}, {_name(size, zoom)}",
-                "ms",
-                Goal(1.5),
-            )
-            for size in SIZES
-            for zoom in ("out", "in")
+        (
+            *(
+                Row(
+                    f"editor: frame at {_name(size, zoom)}",
+                    "frame",
+                    _name(size, zoom),
+                    f"{BARE}, {_name(size, zoom)}",
+                    "ms",
+                    Goal(1.5),
+                )
+                for size in SIZES
+                for zoom in ("out", "in")
+            ),
+            *(
+                Row(
+                    f"editor: frame at {size:,} states, moved along",
+                    "frame",
+                    f"{size:,} states, moved along",
+                    f"{BARE}, {size:,} states, moved along",
+                    "ms",
+                    Goal(1.5),
+                )
+                for size in SIZES
+            ),
+            *(
+                Row(
+                    f"editor: frame at {_name(STOCK, zoom)}, beside NodeGraphQt",
+                    "frame",
+                    _name(STOCK, zoom),
+                    f"NodeGraphQt as it comes, {_name(STOCK, zoom)}",
+                    "ms",
+                )
+                for zoom in ("out", "in")
+            ),
         ),
         _frames,
     ),
@@ -193,6 +247,13 @@ BENCHES = (
                 f"parse, {BARE}",
                 "s",
                 Goal(1.0, of="ours"),
+            ),
+            Row(
+                f"editor: read {SIZES[-1]:,} states and show the first on the canvas",
+                "open",
+                "read, the first cards shown",
+                f"parse, {BARE}",
+                "s",
             ),
         ),
         _opening,
