@@ -32,9 +32,11 @@ def choose(studio: Studio, language: str) -> Studio:
     # As an input method does, which Japanese letters come by.
     typed = QInputMethodEvent()
     typed.setCommitString(language)
-    QApplication.sendEvent(QApplication.focusWidget(), typed)
+    field = QApplication.focusWidget()
+    assert field is not None
+    QApplication.sendEvent(field, typed)
     studio.settle()
-    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Return)
+    QTest.keyClick(field, Qt.Key.Key_Return)
     while before in windows.windows:
         QApplication.processEvents()
     (window,) = windows.windows
@@ -60,14 +62,18 @@ def test_nothing_that_is_open_is_lost_with_the_language(
     one = studio(project("reception"))
     one.window.open_file("register.rbd.xml")
     one.select("state", "2")
-    one.fill(one.window.inspector.form.field("name"), "another name")
+    form = one.window.inspector.form
+    assert form is not None
+    one.fill(form.field("name"), "another name")
     session, changed = one.session, one.session.document("register.rbd.xml")
     one.window.show_mode("outline")
     other = choose(one, "日本語").window
     assert other.session is session
     assert session.document("register.rbd.xml") is changed
-    assert (other.current_file, other.current_view.mode) == ("register.rbd.xml", "outline")
-    assert other.current_view.selected == (("state", "2"),)
+    view = other.current_view
+    assert view is not None
+    assert (other.current_file, view.mode) == ("register.rbd.xml", "outline")
+    assert view.selected == (("state", "2"),)
     assert other.tabs.files() == ["reception.rbd.xml", "register.rbd.xml"]
     made = Studio(other)
     made.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
@@ -80,9 +86,12 @@ def test_the_canvas_looks_where_it_looked(
 ) -> None:
     one = studio(project("reception"))
     one.key(Qt.Key.Key_Plus, Qt.KeyboardModifier.ControlModifier)
-    looking = one.window.current_view.call("looking")
-    other = choose(one, "日本語").window
-    assert other.current_view.call("looking") == pytest.approx(looking, abs=2)
+    view = one.window.current_view
+    assert view is not None
+    looking = view.call("looking")
+    view = choose(one, "日本語").window.current_view
+    assert view is not None
+    assert view.call("looking") == pytest.approx(looking, abs=2)
 
 
 def test_the_language_is_kept_for_the_next_start(
@@ -117,6 +126,7 @@ def test_each_window_has_a_project_of_its_own(
     _, second = windows.windows
     second.open_project(project("conversation"))
     assert first.session.project.name == "reception"
+    assert second.session.project is not None
     assert second.session.project.name == "conversation"
     second.close()
     first.settle()

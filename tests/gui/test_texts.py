@@ -14,11 +14,21 @@ import pytest
 from lxml import etree
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, Qt, QTranslator
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QComboBox, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QHeaderView,
+    QLabel,
+    QToolButton,
+    QWidget,
+)
 from tests.gui.conftest import Studio
 
 from situ.resources import resource
 from situ_studio import language
+from situ_studio.icon_widgets import Elided
 
 ROOT = Path(__file__).resolve().parents[2]
 HOLES = re.compile(r"\{\d*\}|%n|%\d")
@@ -183,3 +193,69 @@ def test_nothing_is_said_in_english_only(
             }
 
     assert "\n".join(f"{where}: {text}" for text, where in english.items()) == ""
+
+
+# -- room ------------------------------------------------------------------------------------
+
+
+def cut(window: QWidget, ours: set[str]) -> Iterator[str]:
+    """What does not have the room that its text needs. ours: texts of the studio, which must never
+    be shortened; what a person wrote may be.
+    """
+    for widget in window.findChildren(QWidget):
+        if not widget.isVisibleTo(window) or widget.visibleRegion().isEmpty():
+            continue
+        name = type(widget).__name__
+        if isinstance(widget, Elided):
+            if widget.text() in ours and widget.toolTip():
+                yield f"{name}: {widget.text()}, {widget.width()} px"
+        elif isinstance(widget, QLabel) and widget.text() and widget.pixmap().isNull():
+            room, wanted = widget.contentsRect(), widget.sizeHint()
+            if widget.wordWrap():
+                if widget.heightForWidth(widget.width()) > widget.height() + 1:
+                    yield f"{name}: {widget.text()}"
+            elif widget.fontMetrics().horizontalAdvance(widget.text()) > room.width() + 1:
+                yield f"{name}: {widget.text()}, {wanted.width()} px into {widget.width()}"
+        elif isinstance(widget, QAbstractButton) and widget.text():
+            shows = not isinstance(widget, QToolButton) or (
+                widget.toolButtonStyle() != Qt.ToolButtonStyle.ToolButtonIconOnly
+            )
+            needed = widget.fontMetrics().horizontalAdvance(widget.text().replace("&", ""))
+            if shows and needed > widget.width():
+                yield f"{name}: {widget.text()}, {needed} px into {widget.width()}"
+        elif isinstance(widget, QHeaderView) and widget.orientation() == Qt.Orientation.Horizontal:
+            for column in range(widget.count()):
+                if widget.sectionSizeHint(column) > widget.sectionSize(column) > 0:
+                    text = widget.model().headerData(column, Qt.Orientation.Horizontal)
+                    yield f"heading {text}"
+
+
+@pytest.mark.parametrize("code", ["en", "ja"])
+@pytest.mark.parametrize("name", PLACES)
+def test_no_text_is_cut(
+    studio: Callable[..., Studio],
+    project: Callable[[str], Path],
+    qt: QApplication,
+    name: str,
+    code: str,
+) -> None:
+    speaking = qt.findChild(language.Speaking) or language.Speaking(qt)
+    speaking.use(code)
+    try:
+        made = studio(project(name))
+        window = made.window
+        ours = {said if code == "ja" else text for _, text, said in JAPANESE}
+        window.open_file("conversation.spds.xml" if name == "conversation" else "reception.rbd.xml")
+        found: set[str] = set()
+        for mode in ("graph", "outline"):
+            window.show_mode(mode)
+            for place in PLACES[name]:
+                window.select(place)
+                made.settle()
+                found.update(cut(window, ours))
+        window.show_welcome()
+        made.settle()
+        found.update(cut(window, ours))
+        assert sorted(found) == []
+    finally:
+        speaking.use("en")
