@@ -89,6 +89,8 @@ def _works(window: Any) -> dict[str, Callable[[int], None]]:
 
 
 def _edit(window: Any, work: Callable[[int], None], app: Any) -> Sample:
+    from PySide6.QtCore import QEvent
+
     turn = 0
 
     def several(times: int) -> None:
@@ -96,8 +98,9 @@ def _edit(window: Any, work: Callable[[int], None], app: Any) -> Sample:
         for _ in range(times):
             turn += 1
             work(turn)
-            window.repaint()
             window.current_view.canvas.viewer.viewport().repaint()
+            # What else of the window has to be painted.
+            app.sendPostedEvents(None, QEvent.Type.UpdateRequest)
 
     one = each(several, CPU, unit=1e-3)
 
