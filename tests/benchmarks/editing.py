@@ -46,7 +46,7 @@ def _window(size: int, app: Any) -> Iterator[Any]:
         (root / "situ.toml").write_text(PROJECT)
         (root / "dialogue.rbd.xml").write_bytes(documents.dialogue(size))
         settings = QSettings(f"{folder}/settings.ini", QSettings.Format.IniFormat)
-        window = MainWindow(Session(), settings, list)
+        window: Any = MainWindow(Session(), settings, list)
         window.resize(1_280, 800)
         window.show()
         window.open_project(root)
@@ -72,7 +72,9 @@ def _works(window: Any) -> dict[str, Callable[[int], None]]:
     canvas = window.current_view.canvas
 
     def move(turn: int) -> None:
-        to = {("state", "7"): (240.0 + turn % 2 * 8, 480.0)}
+        to: dict[tuple[str, ...], tuple[float, float]] = {
+            ("state", "7"): (240.0 + turn % 2 * 8, 480.0)
+        }
         window.commit(*gestures.move(canvas.document, to))
 
     def connect(turn: int) -> None:
