@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
 from situ_studio import icons
-from situ_studio.actions import COMMANDS, MENUS, Command
+from situ_studio.actions import COMMANDS, MENUS, SUBMENU_ICONS, Command
 from situ_studio.theme import Theme
 
 
@@ -69,6 +69,9 @@ class Actions(QObject):
             if command.icon:
                 made = icons.icon(command.icon, theme.color("text2"), 18)
                 self.actions[command.id].setIcon(made)
+        for title, name in SUBMENU_ICONS.items():
+            if title in self._menus:
+                self._menus[title].setIcon(icons.icon(name, theme.color("text2"), 18))
 
     def refresh(self) -> None:
         """Enables, shows and checks every command as it can be done now."""
@@ -94,6 +97,7 @@ class Actions(QObject):
             menu.addAction(self.actions[command.id])
         for menu in self._menus.values():
             menu.aboutToShow.connect(self.refresh)
+        self.set_theme(self._theme)
 
     def context_menu(self, context: str, parent: QWidget) -> QMenu:
         """What can be done now in a context, in the table's order; a line between its menus."""
@@ -143,14 +147,14 @@ class Actions(QObject):
                 menu.menuAction().setVisible(there)
 
     def fill_toolbar(self, bar: QToolBar, end: Literal["left", "right"]) -> None:
-        """Puts the commands of one end into the toolbar."""
-        first = True
+        """Puts the commands of one end into the toolbar; a line between those of two menus."""
+        before = ""
         for command in COMMANDS:
             if command.toolbar != end:
                 continue
-            if command.rule and not first:
+            if before and command.menu.partition("/")[0] != before:
                 bar.addSeparator()
-            first = False
+            before = command.menu.partition("/")[0]
             action = self.actions[command.id]
             bar.addAction(action)
             button = bar.widgetForAction(action)
