@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QSettings, Qt
+from PySide6.QtCore import QByteArray, QEvent, QSettings, Qt
 from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -276,6 +276,12 @@ class Frame(QMainWindow):
         )
         for panel in panels:
             panel.set_theme(theme)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.DevicePixelRatioChange and hasattr(self, "actions_"):
+            # The icons hold pictures for the screens that there were.
+            self.set_theme(self.theme)
+        return super().event(event)
 
     def size_docks(self) -> None:
         """The panels' usual sizes, unless a person has changed them before."""

@@ -10,8 +10,13 @@ from PySide6.QtSvg import QSvgRenderer
 
 from situ.resources import resource
 
-SCALES = (1.0, 2.0, 3.0)
-"""Device pixel ratios for which an icon holds a picture."""
+
+def scales() -> list[float]:
+    """The device pixel ratios of the screens: for each an icon holds a picture.
+
+    A window that comes to a screen with another one makes its icons anew.
+    """
+    return sorted({screen.devicePixelRatio() for screen in QGuiApplication.screens()})
 
 
 @lru_cache(maxsize=512)
@@ -35,8 +40,11 @@ def _picture(name: str, color: str, size: int, scale: float, opacity: float) -> 
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setOpacity(opacity)
-    renderer(name, color).render(painter)
+    if opacity < 1:
+        painter.setOpacity(opacity)
+        painter.drawPixmap(picture.rect(), _picture(name, color, size, scale, 1.0))
+    else:
+        renderer(name, color).render(painter)
     painter.end()
     picture.setDevicePixelRatio(scale)
     return picture
@@ -57,7 +65,7 @@ def icon(name: str, color: QColor | str, size: int = 16, on: QColor | str | None
     on: the colour where its widget is checked, if it differs.
     """
     made = QIcon()
-    for scale in SCALES:
+    for scale in scales():
         plain = QColor(color).name()
         checked = QColor(on).name() if on is not None else plain
         for state, shade in ((QIcon.State.Off, plain), (QIcon.State.On, checked)):

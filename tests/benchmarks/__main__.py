@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
-from tests.benchmarks import deciding, documents_read, drawing, editing, live, messages
+from tests.benchmarks import deciding, documents_read, drawing, editing, live, messages, window
 from tests.benchmarks.harness import ROUNDS, Bench, Missing, Result, measure, table
 
 BENCHES: tuple[Bench, ...] = (
@@ -17,6 +17,7 @@ BENCHES: tuple[Bench, ...] = (
     *deciding.BENCHES,
     *drawing.BENCHES,
     *editing.BENCHES,
+    *window.BENCHES,
     *messages.BENCHES,
     *live.BENCHES,
 )
@@ -39,6 +40,7 @@ FIGURES = (
     "open",
     "edit",
     "layout",
+    "start",
     *UNBUILT,
 )
 """What the project is measured by; every row is ``of`` one of them."""

@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
-from situ.blackboard.client import Call, client_keys, person
-from situ.blackboard.link import Link
-from situ.blackboard.protocol import Entry as Standing
 from situ.errors import BlackboardError
 from situ_studio.live.log import TraceFields, TraceLog
+
+if TYPE_CHECKING:
+    from situ.blackboard.client import Call
+    from situ.blackboard.link import Link
+    from situ.blackboard.protocol import Entry as Standing
 
 
 class LinkState(Struct, frozen=True):
@@ -91,6 +93,10 @@ class RobotLink(QObject):
 
         Raises UsageError where it is no address, or where the keys are not right.
         """
+        # Sockets, asyncio and all: a tenth of the start, and most people draw without a robot.
+        from situ.blackboard.client import client_keys, person
+        from situ.blackboard.link import Link
+
         self.disconnect_robot()
         keys = client_keys(endpoint)
         link = Link(endpoint, person(keys=keys), keys=keys)

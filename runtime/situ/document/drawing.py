@@ -11,8 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from functools import lru_cache
+from html import escape
 from xml.etree import ElementTree
-from xml.sax.saxutils import escape
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -154,5 +154,5 @@ def _written(value: Drawn) -> str:
     name = "ed:note" if isinstance(value, Note) else "ed:frame"
     said = "".join(f' {n}="{text.translate(ATTRIBUTE)}"' for n, text in given.items() if text)
     if isinstance(value, Note):
-        return f"<{name}{said}>{escape(value.text)}</{name}>"
+        return f"<{name}{said}>{escape(value.text, quote=False)}</{name}>"
     return f"<{name}{said}/>"

@@ -1,0 +1,60 @@
+"""The start: quick, and sharp on every screen."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QEvent, QSize
+from PySide6.QtWidgets import QApplication
+
+from situ_studio import icons
+
+Start = Callable[..., Any]
+Copy = Callable[[str], Path]
+
+NOT_AT_THE_START = {"asyncio", "http.client", "setuptools", "ssl", "zmq", "PySide6.QtNetwork"}
+"""What takes long to import, and what nobody needs who opens a project and draws."""
+
+OPEN = """
+import sys
+from PySide6.QtCore import QSettings
+from situ_studio import main
+
+qt = main.application()
+window = main.create_window(sys.argv[1], QSettings(sys.argv[2], QSettings.Format.IniFormat))
+window.show()
+main.settle(window)
+assert window.current_view.canvas is not None
+print(*sorted(set(sys.modules) & set(sys.argv[3:])))
+"""
+
+
+def test_opening_an_example_imports_nothing_that_only_a_robot_needs(
+    project: Copy, tmp_path: Path
+) -> None:
+    opened = subprocess.run(
+        [sys.executable, "-c", OPEN, project("reception"), tmp_path / "s.ini", *NOT_AT_THE_START],
+        env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    assert opened.stdout.split() == []
+
+
+def test_on_a_screen_with_another_ratio_icons_are_made_anew(
+    studio: Start, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used = studio()
+    action = used.window.actions_.actions["save"]
+    assert action.icon().pixmap(QSize(18, 18), 1.5).devicePixelRatio() == 1.0
+    monkeypatch.setattr(icons, "scales", lambda: [1.0, 1.5])
+    QApplication.sendEvent(used.window, QEvent(QEvent.Type.DevicePixelRatioChange))
+    sharp = action.icon().pixmap(QSize(18, 18), 1.5)
+    assert (sharp.devicePixelRatio(), sharp.size()) == (1.5, QSize(27, 27))
