@@ -44,6 +44,8 @@ def test_what_fits_is_never_larger_on_the_page_than_the_lint_says(
         plain = {"type": kind.element, "event": "e"}
         stage.show(*(plain | {name: getattr(one, name) for name in fields} for one in made))
         await stage.component(made[-1].id).wait_for()
+        # Letters are laid out anew once their font has come.
+        await stage.page.evaluate("document.fonts.ready")
         sizes = await stage.page.evaluate(SIZES)
         told = 0
         for one in made:

@@ -139,8 +139,8 @@ from PySide6.QtCore import QSettings, QTimer
 from situ_studio import main, places
 settings = QSettings(sys.argv[2], QSettings.Format.IniFormat)
 made = main.create_window
-def create(path, _, theme):
-    window = made(path, settings, theme)
+def create(path, _, theme, language):
+    window = made(path, settings, theme, language)
     def edit():
         document = window.session.document("reception.rbd.xml")
         window.commit(places.change(document, ("state", "2"), name="killed"), "Rename")
