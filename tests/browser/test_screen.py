@@ -327,6 +327,7 @@ def test_a_movie_plays_to_its_end_and_says_so(play: Any, media: Path) -> None:
     async def scenario(stage: Any) -> None:
         stage.show(text("One"), clip, actions=(7,))
         video = stage.page.locator("video")
+        await video.wait_for()
         await stage.page.wait_for_function("() => document.querySelector('video').currentTime > 0")
         # A text that changes does not begin it anew; meanwhile it runs faster than in life.
         await video.evaluate("one => { one.playbackRate = 16; one.mark = 1; }")
