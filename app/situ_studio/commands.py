@@ -295,7 +295,8 @@ class Commands(StateCommands):
         except NotHere as refused:
             self._window.say(str(refused))
             return
-        self._window.commit(after, text)
+        if text:
+            self._window.commit(after, text)
         self._window.fill_in(place, "timeout" if name == "timeout" else "")
 
     # -- looking -----------------------------------------------------------------------

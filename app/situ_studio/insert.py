@@ -13,6 +13,10 @@ from situ_studio.edit import Document, Place
 from situ_studio.kinds import Kind
 
 
+ABOVE = 176.0
+"""How far above the others the card *In every state* is put."""
+
+
 class NotHere(ValueError):
     """A thing of this kind can not be put there; the text says what to select first."""
 
@@ -20,6 +24,7 @@ class NotHere(ValueError):
 def insert(document: Document, kind: Kind, at: Place) -> tuple[Document, Place, str]:
     """The document with a new thing of ``kind`` at or in ``at``, its place, and the step's name.
 
+    Where there can be but one and it is there already: its place, and no step ("").
     Raises NotHere, with a line for the user.
     """
     if isinstance(document, rbd.Application):
@@ -39,6 +44,8 @@ def _into_application(
         no = changes.free_number(document)
         after = places.change(document, (), states=(*document.states, kind.make(no)))
         return after, ("state", no), f"Add state {no}"
+    if kind is kinds.ALWAYS:
+        return _always(document)
     if kind.name in places.DRAWN:
         return _drawn(document, kind)
     root = places.root(at)
@@ -78,13 +85,29 @@ def _into_application(
     return after, (*root, "action", str(len(part.actions))), text
 
 
+def _always(document: rbd.Application) -> tuple[Document, Place, str]:
+    """What is part of every state: one card, above all others."""
+    if document.always is not None:
+        return document, ("always",), ""
+    made = kinds.ALWAYS.make("")
+    corner = _corner(document)
+    if corner is not None:
+        made = replace(made, aside=made.aside.at(corner[0], corner[1] - ABOVE))
+    return places.change(document, (), always=made), ("always",), f"Add {kinds.ALWAYS.title}"
+
+
+def _corner(document: rbd.Application) -> tuple[float, float] | None:
+    """The upper left corner of all states that have a place."""
+    spots = [at for state in document.states if (at := state.aside.position) is not None]
+    return (min(x for x, _ in spots), min(y for _, y in spots)) if spots else None
+
+
 def _drawn(document: rbd.Application, kind: Kind) -> tuple[Document, Place, str]:
     """A note or a frame above all cards, where nothing is in its way."""
     made = kind.make(kind.title)
-    spots = [at for state in document.states if (at := state.aside.position) is not None]
-    if spots:
-        left, top = min(x for x, _ in spots), min(y for _, y in spots)
-        made = replace(made, x=left, y=top - made.height - 24)
+    corner = _corner(document)
+    if corner is not None:
+        made = replace(made, x=corner[0], y=corner[1] - made.height - 24)
     count = sum(1 for one in drawing.drawn(document) if type(one) is type(made))
     return drawing.add(document, made), (kind.name, str(count)), f"Add {kind.name}"
 

@@ -314,7 +314,11 @@ def test_a_name_that_is_nearly_expected_was_meant() -> None:
             "The failure of this speech",
             "“1”",
         ),
-        (state("1", "<timeout>5</timeout>", event("f", "1")), "give the timeout a next", "“1”"),
+        (
+            state("1", "<timeout>5</timeout>", event("f", "1")),
+            "let the timeout lead to a state",
+            "“1”",
+        ),
         (
             state("1", "", event("f", "2", '<message topic="t" done="go"/>'))
             + state("2", "", event("g", "1")),

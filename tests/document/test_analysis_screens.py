@@ -222,7 +222,7 @@ def test_the_components_of_always_lie_above() -> None:
     (problem,) = found(project(text + one.format("")))
     assert problem.place == ("state", "1", "screen", "a")
     assert "“home” lies over it" in problem.message
-    assert "of <always>, which lies above the states" in problem.message
+    assert "(part of every state, and above" in problem.message
     assert found(project(text + one.format('always="false"'))) == []
 
 
@@ -233,7 +233,7 @@ def test_the_always_of_an_outer_application_lies_above_that_of_a_part() -> None:
     (problem,) = found(project(holder, p=part))
     assert problem.file.endswith(PART)
     assert problem.place == ("always", "screen", "b")
-    assert f"of <always> of {FILE}" in problem.message
+    assert f"part of every state of {FILE}" in problem.message
 
 
 def test_a_kept_screen_lies_below_the_always_of_the_state_that_keeps_it() -> None:

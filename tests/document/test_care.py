@@ -84,7 +84,7 @@ def test_the_timeout_of_always_cuts_off_too_and_its_mend_is_made_there() -> None
     project = whole(shared + state(acts=MORNING) + END)
     (problem,) = told(project, "speech-over-timeout")
     assert problem.place == ("state", "1", "action", "0")
-    assert "the timeout of always" in problem.message
+    assert "the timeout of every state" in problem.message
     after = mended(project, problem)
     assert told(after, "speech-over-timeout") == []
     assert after.applications["a0.rbd.xml"].always.timeout.idle  # type: ignore[union-attr]

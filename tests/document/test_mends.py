@@ -91,10 +91,15 @@ TABLE: list[tuple[str, dict[str, str], str, bool]] = [
     (
         "misplaced-repeat",
         {"a.rbd.xml": EVENTS.format('<event name="e" next="2"><repeat/></event>')},
-        "Take <repeat> out",
+        "Take out what says it again",
         False,
     ),
-    ("misplaced-repeat", {"a.rbd.xml": ACTIONS.format("<repeat/>")}, "Take <repeat> out", False),
+    (
+        "misplaced-repeat",
+        {"a.rbd.xml": ACTIONS.format("<repeat/>")},
+        "Take out what says it again",
+        False,
+    ),
     (
         "reserved-tag",
         {"a.rbd.xml": ACTIONS.format('<clear tag="robot/**"/>')},
@@ -111,7 +116,7 @@ TABLE: list[tuple[str, dict[str, str], str, bool]] = [
     (
         "empty-condition",
         {"a.rbd.xml": EVENTS.format('<event name="e" next="2"><when/></event>')},
-        "Take the empty <when> out",
+        "Take the empty condition out",
         False,
     ),
     (
@@ -121,7 +126,7 @@ TABLE: list[tuple[str, dict[str, str], str, bool]] = [
                 '<event name="e" next="2"><when><any/><data tag="t" is="1"/></when></event>'
             )
         },
-        "Take the empty <any> out",
+        "Take the empty condition out",
         False,
     ),
     # scripts

@@ -94,12 +94,12 @@ CHECKING = [
     ("bad-time", CONDITION.format('@<data tag="a" is="1" within="0"/>'), "within"),
     ("bad-time", CONDITION.format('@<data tag="a" is="1" for="-1"/>'), "for"),
     ("bad-value", CONDITION.format('@<data tag="a" exists="yes"/>'), '"true" or "false"'),
-    ("bad-value", CONDITION.format('@<data tag="a" in="1, 2"/>'), "must be a list"),
-    ("bad-value", CONDITION.format('@<data tag="a" in="[NaN]"/>'), "must be a list"),
+    ("bad-value", CONDITION.format('@<data tag="a" in="1, 2"/>'), "needs a list"),
+    ("bad-value", CONDITION.format('@<data tag="a" in="[NaN]"/>'), "needs a list"),
     ("bad-value", EVENTS.format('<event name="a" next="1">@<say> </say></event>'), "<say>"),
     ("bad-value", ACTIONS.format('@<sound src=""/>'), "src"),
     # states
-    ("no-state", '@<application name="a"/>', "add a <state>"),
+    ("no-state", '@<application name="a"/>', "add one"),
     ("dangling-start", '@<application name="a" start="2"><state no="1"/></application>', '"2"'),
     ("double-state", '<application name="a"><state no="1"/>@<state no="1"/></application>', "two"),
     (
@@ -128,19 +128,19 @@ CHECKING = [
             f'</screen></always><state no="1"><screen><components>@<text id="t" {AT}/></components>'
             "</screen></state></application>"
         ),
-        "<always>",
+        "every state",
     ),
     # events and actions
-    ("event-without-next", EVENTS.format("@<event/>"), "next"),
+    ("event-without-next", EVENTS.format("@<event/>"), "let it lead to a state"),
     ("say-without-name", EVENTS.format('<event next="1">@<say>go</say></event>'), "name"),
-    ("visible-action", EVENTS.format('<event name="a">@<speech>hi</speech></event>'), "<speech>"),
+    ("visible-action", EVENTS.format('<event name="a">@<speech>hi</speech></event>'), "A speech"),
     ("visible-action", EVENTS.format('<event name="a">@<sound src="http://a"/></event>'), "state"),
     (
         "visible-action",
         EVENTS.format('<event name="a">@<robot resource="base" command="stop"/></event>'),
-        "<robot>",
+        "A robot",
     ),
-    ("misplaced-repeat", EVENTS.format('<event name="a" next="1">@<repeat/></event>'), "next"),
+    ("misplaced-repeat", EVENTS.format('<event name="a" next="1">@<repeat/></event>'), "say again"),
     ("misplaced-repeat", ACTIONS.format("@<repeat/>"), "event"),
     ("reserved-tag", ACTIONS.format('@<set tag="robot/head">1</set>'), '"robot/head"'),
     ("reserved-tag", ACTIONS.format('@<append tag="module/b/head">1</append>'), "another tag"),
@@ -150,14 +150,14 @@ CHECKING = [
     (
         "empty-condition",
         EVENTS.format('<event name="a" next="1">@<when/></event>'),
-        "<when> is empty",
+        "is empty",
     ),
-    ("empty-condition", SITUATION.format("@<condition/>"), "<condition> is empty"),
-    ("empty-condition", SITUATION.format("@<until/>"), "<until> is empty"),
-    ("empty-condition", CONDITION.format("@<none/>"), "<none> is empty"),
+    ("empty-condition", SITUATION.format("@<condition/>"), "is empty"),
+    ("empty-condition", SITUATION.format("@<until/>"), "is empty"),
+    ("empty-condition", CONDITION.format("@<none/>"), "is empty"),
     ("reference-in-script", CONDITION.format('@<data tag="a" is="{b}"/>'), '"{b}"'),
     # situations
-    ("no-situation", '@<spds name="a"/>', "add a <situation>"),
+    ("no-situation", '@<spds name="a"/>', "add one"),
     (
         "double-situation",
         '<spds name="a"><situation name="s"/>@<situation name="s"/></spds>',
@@ -238,12 +238,12 @@ CHECKING = [
 ]
 
 WARNINGS = [
-    ("unobserved-tag", CONDITION.format('@<data tag="a.b" is="1"/>'), "<observe>"),
-    ("reserved-tag", ACTIONS.format('@<clear tag="robot/**"/>'), "never touches"),
+    ("unobserved-tag", CONDITION.format('@<data tag="a.b" is="1"/>'), "data observed"),
+    ("reserved-tag", ACTIONS.format('@<clear tag="robot/**"/>'), "never cleared"),
     (
         "text-and-params",
         ACTIONS.format('@<message topic="t">a<param name="b">1</param></message>'),
-        "params",
+        "values",
     ),
 ]
 

@@ -40,6 +40,7 @@ from situ_studio.canvas.projection import (
 )
 from situ_studio.copying import Copying
 from situ_studio.edit import Place
+from situ_studio.insert import insert
 from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 
@@ -308,10 +309,15 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         if kind.name in places.DRAWN:
             self.add_drawn(kind.name, spot)
             return
+        x, y = gestures.snap(spot.x() - 88), gestures.snap(spot.y() - 58)
+        if kind.name == ALWAYS and self.document.always is None:
+            after, made, text = insert(self.document, kind, ())
+            self._edit(gestures.move(after, {made: (x, y)})[0], text)
+            self.select([made])
+            return
         if kind.name not in ("state", "part"):
             super().drop_kind(kind, spot)
             return
-        x, y = gestures.snap(spot.x() - 88), gestures.snap(spot.y() - 58)
         place = self.place_at(spot)
         if kind.name == "part":
             self.part_asked.emit(QPointF(x, y), place if exit_of(place) is not None else ())

@@ -490,7 +490,8 @@ class Canvas(QWidget):
         except NotHere as error:
             self.status.emit(str(error))
             return
-        self.edited.emit(after, text)
+        if text:
+            self.edited.emit(after, text)
         self.select([made])
 
     def _on_menu(self, item: Any, at: QPoint) -> None:

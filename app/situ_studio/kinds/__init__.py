@@ -71,11 +71,11 @@ from situ_studio.kinds.script import (
 
 KINDS: tuple[Kind, ...] = (
     APPLICATION,
-    ALWAYS,
     STATE,
     PART,
     EVENT,
     TIMEOUT,
+    ALWAYS,
     SCREEN,
     *ACTIONS,
     *COMPONENTS,

@@ -116,11 +116,12 @@ ALWAYS = Kind(
     value=rbd.Always,
     title="In every state",
     icon="always",
-    help="What is part of every state.",
+    help="What is part of every state: a Home button, a timeout, what people may say at any time.",
     fields=(_TIMEOUT,),
     sections=(Section(title="Screen", attribute="screen", editor="components"), _EVENTS),
     make=lambda _: rbd.Always(),
     summary=lambda v: ", ".join(e.name or "" for e in v.events),
+    palette="application",
 )
 EVENT = Kind(
     name="event",

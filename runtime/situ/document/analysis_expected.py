@@ -257,7 +257,7 @@ class _Expected:
         else:
             do = "add an expected event of this name there, or raise another"
             if isinstance(raiser.value, Timeout):
-                do = "give the timeout a next, or add an expected event of this name"
+                do = "let the timeout lead to a state, or add an expected event of this name"
             mend = self._add(raiser, first)
         message = f"{_what(raiser)} raises {words.quoted(name)}, but {why}: {do}"
         search.warn(
@@ -337,7 +337,7 @@ def _what(raiser: Raiser) -> str:
     if isinstance(value, Screen):
         return "A touch on this screen"
     if isinstance(value, Timeout):
-        return "This timeout without a next"
+        return "This timeout, which leads to no state,"
     if raiser.field == "event":
         return f"This {value.element}"
     return f"The {'failure' if raiser.field == 'failed' else 'end'} of this {value.element}"

@@ -325,8 +325,8 @@ class _Loops:
             listed = words.listed(words.state(self.states[no]) for no in several)
             who = f"The states {listed} can lead to each other for ever"
         message = (
-            f"{who} without waiting ({words.listed(taken)}): let a <when> fail once it was "
-            "followed, or wait for a timeout or for an event from outside"
+            f"{who} without waiting ({words.listed(taken)}): let a condition fail once "
+            "it was followed, or wait for a timeout or for an event from outside"
         )
         self.search.warn(self.ways.file, "livelock", message, aside, place)
 
@@ -343,7 +343,7 @@ def _entered_from(ways: Ways, reached: set[str]) -> dict[str, list[str]]:
 
 
 def _called(event: Event, place: Place) -> str:
-    return words.event(event) + (" of always" if place[0] == "always" else "")
+    return words.event(event) + (" of every state" if place[0] == "always" else "")
 
 
 def raises(actions: Iterable[Action]) -> bool:

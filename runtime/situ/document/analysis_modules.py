@@ -156,7 +156,7 @@ def _never_wins(
             where, place = _declaration(script, name)
             message = (
                 f'The module "{name}" can never hold authority: no situation gives it a '
-                f'priority; add <module name="{name}" priority="…"/> to one'
+                "priority; give it one in a situation"
             )
             search.warn(file, "never-wins", message, where, place)
         return

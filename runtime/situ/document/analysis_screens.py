@@ -211,7 +211,7 @@ class _Boxes:
         outside = next((one for one in uppers if one.screen != box.screen), None)
         if outside is not None:
             where = "" if outside.file == box.file else f" of {outside.file}"
-            why += f" (of <always>{where}, which lies above the states)"
+            why += f" (part of every state{where}, and above what a state itself shows)"
         message = f"{_called(box)} is covered: {why}; move them apart, or take one away"
         self._search.warn(
             box.file,

@@ -18,6 +18,7 @@ from situ.document.analysis_data import events, holders
 from situ.document.analysis_loops import search_loops
 from situ.document.analysis_search import Search
 from situ.document.analysis_ways import Dead, Way, Ways
+from situ.document.care_every import home
 from situ.document.condition import Condition, Group, Test
 from situ.document.finding import Place
 from situ.document.mend import written
@@ -126,17 +127,19 @@ def _tell_never_taken(search: Search, ways: Ways, state: State, dead: Dead) -> N
     if dead.why == "back":
         why = "in the start state there is nowhere to go back to: name a state"
     elif dead.why == "left":
-        why = f"the state is left first, as {others} without a name {holds} then: give it a <when>"
+        why = (
+            f"the state is left first, as {others} without a name {holds} then: give it a condition"
+        )
     elif len(dead.by) == 1 and _event(ways, dead.by[0]).when is None:
-        why = f"{others} comes first and has no <when>: put this one before it, or give it one"
+        why = f"{others} comes first, on no condition: put this one before it, or give it one"
         mend = _move_up(search, ways, dead)
     else:
-        why = f"whenever it could be, {others} comes first: change a <when>, or their order"
+        why = f"whenever it could be, {others} comes first: change a condition, or their order"
     search.warn(ways.file, "event-never-taken", f"{what}: {why}", aside, dead.place, mend)
 
 
 def _position(place: Place, beside: Place) -> str:
-    where = "" if place[:-1] == beside[:-1] or beside[-1] == "timeout" else " of always"
+    where = "" if place[:-1] == beside[:-1] or beside[-1] == "timeout" else " of every state"
     where = where if place[0] == "always" else ""
     return f"event {int(place[-1]) + 1}{where}"
 
@@ -214,7 +217,7 @@ def _dead_ends(search: Search, ways: Ways, reached: set[str]) -> set[str]:
         place: Place = ("state", state.no)
         message = (
             f"Nothing leads out of the state {words.state(state)}: add an event or a timeout "
-            'with a next, or say final="true" if this is meant to be the end'
+            "that leads on, or say that it may end here, if that is meant"
         )
         change = search.put(ways.file, place, "final", True)
         mend = search.mend(ways.file, "Say that it is meant to be the end", change)
@@ -251,7 +254,8 @@ def _no_way_back(
         more = f" and {len(lost) - 4} more" if len(lost) > 4 else ""
         message = (
             f"There is no way back to the start from {several}{more}: add an event or a timeout "
-            "that leads there, or a Home button to always"
+            "that leads there, or a Home button to every state"
         )
         place = ("state", lost[0].no)
-        search.warn(ways.file, "no-way-back", message, lost[0].aside, place)
+        mend = home(search, ways.file, ways.application, lost)
+        search.warn(ways.file, "no-way-back", message, lost[0].aside, place, mend)

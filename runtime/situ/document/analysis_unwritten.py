@@ -170,7 +170,7 @@ def _required(search: Search, file: str, modules: Modules) -> None:
             mend: Mend | None = None
             if one.data is not None and not data.is_written(one.data):
                 near = _near(one.data, data.written)
-                do = "add <provides> to the module that writes it"
+                do = "let the module that writes it provide it"
                 if near is not None:
                     do = f"did you mean {words.quoted(near)}?"
                     change = search.put(file, place, "data", near)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from situ.document import names, words
 from situ.document.analysis_data import shown_names
 from situ.document.analysis_search import Search
+from situ.document.care_every import home
 from situ.document.care_mend import puts
 from situ.document.care_speech import literal
 from situ.document.care_ways import Way, backward, few, forward, may_be_part, serves, sources
@@ -48,9 +49,10 @@ def only_waiting(search: Search, file: str, application: Application, along: lis
         return
     message = (
         f"From {few(lost)} nobody comes back to the start but by waiting for a timeout: add a "
-        "button or a phrase that leads back, best Home to always"
+        "button or a phrase that leads back, best a Home button in every state"
     )
-    search.warn(file, "no-way-back-by-hand", message, lost[0].aside, ("state", lost[0].no))
+    mend = home(search, file, application, lost)
+    search.warn(file, "no-way-back-by-hand", message, lost[0].aside, ("state", lost[0].no), mend)
 
 
 def _waits(application: Application, state: State) -> float:
@@ -181,7 +183,7 @@ def _keeps(
             if secret is not None:
                 message = (
                     f"This keeps the screen of {words.state(holder)}, with {shown(secret)}, where "
-                    "anyone passes: give it a screen of its own, or <screen/>"
+                    "anyone passes: give it a screen of its own, or an empty one"
                 )
                 place = ("state", state.no)
                 search.warn(file, "private-shown", message, state.aside, place)

@@ -116,7 +116,7 @@ def isnot_alone(search: Search) -> None:
                 continue
             message = (
                 f"This holds too while {shown(test.tag)} is missing, as when its sensor is off: "
-                f'add <data tag="{test.tag}" exists="true"/> beside it'
+                f"ask beside it that {shown(test.tag)} exists"
             )
             mend: Mend | None = None
             if in_all:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from situ.document import names, words
 from situ.document.analysis_data import actions, placed_actions, screens
 from situ.document.analysis_search import Search
+from situ.document.care_every import repeat
 from situ.document.care_mend import puts
 from situ.document.care_ways import expected, few, may_be_part, serves
 from situ.document.datatypes import shown
@@ -55,11 +56,11 @@ def cut_off(search: Search, file: str, application: Application) -> None:
         if length <= timeout.seconds:
             continue
         where = ("state", state.no) if state.timeout is not None else ("always",)
-        whose = "the timeout" if state.timeout is not None else "the timeout of always"
+        whose = "the timeout" if state.timeout is not None else "the timeout of every state"
         message = (
             f"This takes about {round(length)} s to say, but {whose} leaves the state after "
-            f'{words.seconds(timeout.seconds)}: give it more time, or idle="true", so that it '
-            "counts from the end of the speech"
+            f"{words.seconds(timeout.seconds)}: give it more time, or let it count "
+            "only when idle, which is from the end of the speech"
         )
         said = "Let the timeout count from the end of the speech"
         mend = puts(search, file, (*where, "timeout"), timeout, said, idle=True)
@@ -123,10 +124,11 @@ def no_repeat(search: Search, file: str, application: Application, by_hand: set[
     if not mute:
         return
     message = (
-        f"Who has not understood cannot hear it again in {few(mute)}: add an event with "
-        "<repeat/>, best to always, and a button or a phrase for it"
+        f"Who has not understood cannot hear it again in {few(mute)}: add a button or a phrase "
+        "that says it again, best a Repeat button in every state"
     )
-    search.warn(file, "no-repeat", message, mute[0].aside, ("state", mute[0].no))
+    mend = repeat(search, file, application, mute)
+    search.warn(file, "no-repeat", message, mute[0].aside, ("state", mute[0].no), mend)
 
 
 def _asks(state: State, by_hand: set[str]) -> bool:

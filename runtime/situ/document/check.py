@@ -151,7 +151,7 @@ def _authority(found: Findings, application: Application, project: Project) -> N
     ):
         said = (
             f"{project.spds_file} gives {shown(application.name)} no priority in any situation: "
-            f'add <module name="{application.name}" priority="…"/> to one'
+            "give it one"
         )
         mend = _give_priority(project, script, application)
         found.error("application-without-priority", said, application.aside, mend=mend)
@@ -163,7 +163,7 @@ def _authority(found: Findings, application: Application, project: Project) -> N
         if resource not in declared and resource:
             said = (
                 f"{shown(application.name)} uses {shown(resource)} here but does not declare it: "
-                f"add it to the resources of its <module>"
+                "add it to the resources of its module"
             )
             at = application.aside if aside.index < 0 else aside
             mend = _give_resource(project, application, resource)

@@ -105,7 +105,7 @@ class _Check:
     def run(self) -> None:
         application, error = self.application, self.found.error
         if not application.states:
-            said = "The application has no state: add a <state>"
+            said = "The application has no state: add one"
             error("no-state", said, application.aside)
         elif application.start is not None and application.start not in self.numbers:
             said = (
@@ -187,8 +187,8 @@ class _Check:
             self.action(action, (*place, "action", str(index)), (*path, "actions", index))
             if isinstance(action, Repeat):
                 said = (
-                    "<repeat> cannot stand among a state's actions: put it into an event without "
-                    "next, or take it out"
+                    "Saying again cannot stand among a state's actions: put it into an event that "
+                    "leads nowhere, or take it out"
                 )
                 at = (*place, "action", str(index))
                 self.misplaced(said, action, at, (*path, "actions", index))
@@ -203,11 +203,11 @@ class _Check:
         for there, name in (
             (state.timeout, "timeout"),
             (state.screen, "screen"),
-            (state.actions, "backgroundactions"),
+            (state.actions, "actions"),
         ):
             if there:
                 said = (
-                    f"A state with a flow has no <{name}> of its own: "
+                    f"A state that runs a part has no {name} of its own: "
                     "move it into a state beside it, or into the part"
                 )
                 error("flow-with-content", said, state.aside, place)
@@ -239,7 +239,7 @@ class _Check:
         self.found.error("dangling-next", said, held.aside, place, made or None)
 
     def misplaced(self, said: str, repeat: Repeat, place: Place, path: Path) -> None:
-        made = self.mend("Take <repeat> out", take_out(path, repeat))
+        made = self.mend("Take out what says it again", take_out(path, repeat))
         self.found.error("misplaced-repeat", said, repeat.aside, place, made)
 
     def timeout(self, timeout: Timeout | None, place: Place, path: Path) -> None:
@@ -255,7 +255,9 @@ class _Check:
         for index, component in enumerate(screen.components):
             at = (*place, component.id)
             if component.id in seen or component.id in always:
-                where = "on this screen" if component.id in seen else "here and in <always>"
+                where = (
+                    "on this screen" if component.id in seen else "here and in what every state has"
+                )
                 said = f"There are two components {shown(component.id)} {where}: rename one"
                 free = another(component.id, {one.id for one in screen.components} | always)
                 rename = change((*path, "components", index), component, "id", free)
@@ -273,7 +275,8 @@ class _Check:
         if event.name is None:
             if event.next is None:
                 said = (
-                    "An event without a name needs a next: it is taken as soon as its <when> holds"
+                    "An event without a name is taken as soon as its condition holds: let it lead "
+                    "to a state"
                 )
                 error("event-without-next", said, event.aside, place)
             if event.says:
@@ -284,13 +287,16 @@ class _Check:
             self.action(action, at, (*path, "actions", index))
             if isinstance(action, VISIBLE_ACTIONS):
                 said = (
-                    f"<{action.element}> cannot stand in an event: what the robot visibly does "
-                    "belongs to a state; move it to the state that next names"
+                    f"A {action.element} action cannot stand in an event: what the robot visibly "
+                    "does belongs to a state; move it to the state to which the event leads"
                 )
                 made = self.move(event, action, (*path, "actions", index))
                 error("visible-action", said, action.aside, at, made)
             elif isinstance(action, Repeat) and event.next is not None:
-                said = "<repeat> belongs in an event without next: take next out, or <repeat>"
+                said = (
+                    "Only an event that leads nowhere can say again: take that out, or let the "
+                    "event lead nowhere"
+                )
                 self.misplaced(said, action, at, (*path, "actions", index))
 
     def move(self, event: Event, action: Action, path: Path) -> Mend | None:
@@ -315,13 +321,15 @@ class _Check:
         elif isinstance(action, Clear):
             if names.is_reserved(action.tag):
                 said = (
-                    f"<clear> never touches what the robot itself keeps, so {shown(action.tag)} "
-                    "has no effect: take it out, or name a tag of your own"
+                    "What the robot itself keeps is never cleared, so clearing "
+                    f"{shown(action.tag)} has no effect: take it out, or name a tag of your own"
                 )
                 made = self.mend("Take it out", take_out(path, action))
                 self.found.warning("reserved-tag", said, action.aside, place, made)
         elif isinstance(action, Message) and action.params and action.text:
-            said = "<message> sends its params, so its text is never sent: take one of them out"
+            said = (
+                "A message with values sends these, so its text is never sent: take one of them out"
+            )
             made = self.mend("Take the text out", change(path, action, "text", ""))
             self.found.warning("text-and-params", said, action.aside, place, made)
 
@@ -333,7 +341,7 @@ class _Check:
             return
         if _URL.match(url) is None:
             said = (
-                f"The url of <service> cannot be {shown(url)}: begin with http://, https://, "
+                f"The address of a service cannot be {shown(url)}: begin with http://, https://, "
                 "board:module/request, media: or a reference"
             )
             self.found.error("bad-url", said, service.aside, place)

@@ -49,7 +49,10 @@ def check_modules(found: Findings, modules: Modules) -> None:
         seen.add(module.name)
         for index, one in enumerate(module.requires):
             if (one.data is None) == (one.module is None):
-                said = "<requires> names either data or a module: give it exactly one of the two"
+                said = (
+                    "What a module requires is either data or a module: give it exactly one of "
+                    "the two"
+                )
                 found.error("bad-requires", said, one.aside, (*place, "requires", str(index)))
 
 
@@ -88,7 +91,7 @@ def _listed(resources: tuple[str, ...]) -> str:
 
 def _situations(found: Findings, script: Spds) -> None:
     if not script.situations:
-        said = "The script has no situation: add a <situation>"
+        said = "The script has no situation: add one"
         found.error("no-situation", said, script.aside, mend=_default(found, script, 0))
         return
     known = {situation.name for situation in script.situations}
@@ -141,7 +144,7 @@ def _last(found: Findings, script: Spds, last: Situation) -> None:
     place = ("situation", last.name)
     if last.condition is not None:
         said = (
-            "The last situation must always hold, so that there is one: take its <condition> "
+            "The last situation must always hold, so that there is one: take its condition "
             "out, or add a situation without one below it"
         )
         at = (*place, "condition")
@@ -190,7 +193,7 @@ def _entries(found: Findings, script: Spds, project: Project) -> None:
                 found.error("double-module", said, entry.aside, place, mend)
             if entry.module not in declared and not unread:
                 said = (
-                    f"No module {shown(entry.module)} is declared: add it to <modules> here "
+                    f"No module {shown(entry.module)} is declared: add it to the modules here "
                     "with its resources, or to the module information"
                 )
                 found.error(
@@ -260,7 +263,7 @@ def _observed(found: Findings, script: Spds, project: Project) -> None:
                 if test.tag in told or _is_observed(test.tag, observed):
                     continue
                 told.add(test.tag)
-                said = f"{shown(test.tag)} is used but not observed: add it to <observe>"
+                said = f"{shown(test.tag)} is used but not observed: add it to the data observed"
                 offered = _observe(found, script, test.tag, provided)
                 found.warning("unobserved-tag", said, test.aside, place, offered)
 

@@ -167,8 +167,8 @@ def _visit(
         if problem is not None:
             found.error(*problem, value.aside, place)
     elif look.is_condition and not value.children:
-        said = f"<{element.name}> is empty: put a <data> into it, or take it out"
-        mend = _without(found, document, value, place, element.name)
+        said = "This condition is empty: put a test into it, or take it out"
+        mend = _without(found, document, value, place)
         found.error("empty-condition", said, value.aside, place, mend)
 
 
@@ -183,7 +183,7 @@ def _once(found: Findings, document: Any, value: Any, place: Place, field: str) 
     return Mend(found.file, "Name each once", (made,), safe=True) if once != held else None
 
 
-def _without(found: Findings, document: Any, value: Any, place: Place, name: str) -> Mend | None:
+def _without(found: Findings, document: Any, value: Any, place: Place) -> Mend | None:
     """To take out an empty condition."""
     way = follow(document, place)
     if way is None or way[1][-1] is not value:
@@ -194,7 +194,7 @@ def _without(found: Findings, document: Any, value: Any, place: Place, name: str
         made = take_out(path, value)
     else:
         made = change(path[:-1], values[-2], last, None)
-    return Mend(found.file, f"Take the empty <{name}> out", (made,))
+    return Mend(found.file, "Take the empty condition out", (made,))
 
 
 def _is_sound(look: _Look, value: Any, script: bool) -> bool:
@@ -230,11 +230,9 @@ def _judge_test(test: TestName, value: str, script: bool) -> tuple[str, str] | N
                 f"A script cannot compare with a reference: {shown(value)}; write the value itself"
             )
     elif test == "exists" and value not in ("true", "false"):
-        return "bad-value", (f'The exists of <data> must be "true" or "false", not {shown(value)}')
+        return "bad-value", (f'Whether it exists must be "true" or "false", not {shown(value)}')
     elif test == "in" and not _is_array(value):
-        return "bad-value", (
-            f'The in of <data> must be a list such as ["a", "b"], not {shown(value)}'
-        )
+        return "bad-value", (f'“Is one of” needs a list such as ["a", "b"], not {shown(value)}')
     return None
 
 
