@@ -105,6 +105,16 @@ COMMANDS: tuple[Command, ...] = (
         rule=True,
     ),
     _c(
+        "save_copy",
+        "Save a copy…",
+        "save_copy",
+        icon="copy",
+        shortcut="Ctrl+Shift+S",
+        menu="File",
+        when="has_project",
+        tip="The project goes into another folder as it is here, and you go on there.",
+    ),
+    _c(
         "close_tab",
         "Close tab",
         "close_tab",
@@ -113,6 +123,14 @@ COMMANDS: tuple[Command, ...] = (
         menu="File",
         when="has_document",
         rule=True,
+    ),
+    _c(
+        "close_window",
+        "Close window",
+        "close_window",
+        icon="close",
+        shortcut="Ctrl+Shift+W",
+        menu="File",
     ),
     _c("quit", "Quit", "quit", icon="quit", shortcut="Ctrl+Q", menu="File", rule=True),
     _c(
@@ -729,7 +747,9 @@ SUBMENU_ICONS = {
     "View/Colours": "theme",
     "View/Language": "language",
     "Arrange/Align": "align_left",
+    "Insert": "plus",
 }
+"""Of submenus, and of a menu that is one in a context menu."""
 
 
 def command(id: str) -> Command:

@@ -157,7 +157,7 @@ class FindAnything(QFrame):
         self._model = QStandardItemModel(self)
         self.list.setModel(self._model)
         self.list.clicked.connect(lambda index: self._run(index.data(FOUND)))
-        column.addWidget(self.list)
+        column.addWidget(self.list, 1)
         self.nothing = QLabel(self.tr("Nothing here has that in its name or text."))
         self.nothing.setProperty("role", "dim")
         self.nothing.setContentsMargins(8, 4, 8, 8)
@@ -189,8 +189,10 @@ class FindAnything(QFrame):
             if found is not None:
                 scored.append((found, position, one))
         self._model.clear()
-        # Of what fits equally well the shorter one is meant, and commands stand first.
-        for _, _, one in sorted(scored, key=lambda s: (s[0], len(s[2].text), s[1]))[:MOST]:
+        if query:
+            # Of what fits equally well the shorter one is meant, and commands stand first.
+            scored.sort(key=lambda s: (s[0], len(s[2].text), s[1]))
+        for _, _, one in scored[:MOST]:
             item = QStandardItem(one.text)
             item.setData(one, FOUND)
             item.setAccessibleText(f"{one.text} {one.detail}".strip())

@@ -70,7 +70,7 @@ class Actions(QObject):
                 made = icons.icon(command.icon, theme.color("text2"), 18)
                 self.actions[command.id].setIcon(made)
         for title, name in SUBMENU_ICONS.items():
-            if title in self._menus:
+            if "/" in title and title in self._menus:
                 self._menus[title].setIcon(icons.icon(name, theme.color("text2"), 18))
 
     def refresh(self) -> None:
@@ -120,6 +120,8 @@ class Actions(QObject):
                 tail = head
             if tail and tail not in below:
                 below[tail] = menu.addMenu(translated(tail))
+                name = SUBMENU_ICONS.get(command.menu, SUBMENU_ICONS.get(tail, ""))
+                below[tail].setIcon(icons.icon(name, self._theme.color("text2"), 18))
             below.get(tail, menu).addAction(action)
         return menu
 
@@ -132,7 +134,7 @@ class Actions(QObject):
             return self._menus[title]
         head, _, tail = title.rpartition("/")
         parent: QMenuBar | QMenu = self._menu(head, bar) if head else bar
-        if head:
+        if head and not (parent.actions() and parent.actions()[-1].menu()):
             parent.addSeparator()
         menu = parent.addMenu(translated(tail) if head else _with_key(tail))
         menu.setToolTipsVisible(True)

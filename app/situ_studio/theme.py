@@ -52,6 +52,7 @@ class Theme(Struct, frozen=True, kw_only=True):
     text2: str
     text3: str
     accent: str
+    accent_over: str
     on_accent: str
     accent_soft: str
     accent_line: str
@@ -112,6 +113,7 @@ LIGHT = Theme(
     text2="#4A5364",
     text3="#5F6878",
     accent="#2D5BD0",
+    accent_over="#244BB0",
     on_accent="#FFFFFF",
     accent_soft="#E7EEFC",
     accent_line="#B5C8F5",
@@ -160,6 +162,7 @@ DARK = Theme(
     text2="#B1B9C7",
     text3="#919BAC",
     accent="#82A6FF",
+    accent_over="#A3BEFF",
     on_accent="#0D1424",
     accent_soft="#1F2B49",
     accent_line="#3B5596",

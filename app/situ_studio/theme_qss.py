@@ -19,14 +19,15 @@ QMainWindow, QDialog {{ background: {panel}; }}
 QMainWindow::separator {{ background: {line}; width: 1px; height: 1px; }}
 QToolTip {{ background: {text}; color: {panel}; border: 0; padding: 4px 8px; font-size: 12px; }}
 
-QMenuBar {{ background: {panel}; color: {text2}; padding: 0 8px; font-size: 13px; }}
+QMenuBar {{ background: {panel}; color: {text2}; padding: 0 4px; spacing: 0; font-size: 13px; }}
 QMenuBar::item {{ padding: 6px 8px; border-radius: 6px; background: transparent; }}
 QMenuBar::item:selected, QMenuBar::item:pressed {{ background: {hover}; color: {text}; }}
 QMenu {{ background: {panel}; border: 1px solid {line_strong}; padding: 4px; }}
 QMenu::item {{ padding: 5px 28px 5px 8px; border-radius: 4px; }}
 QMenu::item:selected {{ background: {accent_soft}; color: {text}; }}
 QMenu::item:disabled {{ color: {text3}; }}
-QMenu::icon {{ padding-left: 8px; }}
+QMenu::icon {{ margin-left: 6px; border: 1px solid transparent; border-radius: 4px; padding: 1px; }}
+QMenu::icon:checked {{ background: {accent_soft}; border-color: {accent}; }}
 QMenu::separator {{ height: 1px; background: {line}; margin: 4px 8px; }}
 
 QToolBar {{ background: {panel}; border: 0; border-bottom: 1px solid {line};
@@ -40,35 +41,42 @@ QToolBar QToolButton:pressed, QToolBar QToolButton:checked {{ background: {accen
 QToolBar QToolButton:disabled {{ color: {text3}; }}
 QToolBar QToolButton[role="outlined"] {{ border: 1px solid {line_strong}; color: {text};
   padding: 0 2px 0 10px; min-height: 26px; max-height: 26px; }}
-QToolBar QToolButton:focus {{ border: 1px solid {accent}; }}
+QToolBar QToolButton:focus {{ border: 2px solid {accent}; padding: 0 3px; min-height: 24px;
+  max-height: 24px; }}
+QToolBar QToolButton[role="outlined"]:focus {{ padding: 0 1px 0 9px; }}
 
 QPushButton {{ border: 1px solid {line_strong}; border-radius: 6px; background: {panel};
   color: {text}; padding: 0 12px; min-height: 26px; font-weight: 500; }}
 QPushButton:hover {{ background: {hover}; }}
 QPushButton:pressed {{ background: {accent_soft}; }}
-QPushButton:focus {{ border-color: {accent}; }}
+QPushButton:focus {{ border: 2px solid {accent}; padding: 0 11px; min-height: 24px; }}
 QPushButton:disabled {{ color: {text3}; }}
 QPushButton[role="filled"] {{ background: {accent}; border-color: {accent}; color: {on_accent};
   font-weight: 600; }}
+QPushButton[role="filled"]:hover {{ background: {accent_over}; border-color: {accent_over}; }}
+QPushButton[role="filled"]:focus {{ border-color: {text}; }}
 QPushButton[role="mend"] {{ border-color: {accent_line}; color: {accent}; font-size: 12px;
   padding: 0 8px; min-height: 20px; border-radius: 5px; }}
 QPushButton[role="bare"], QToolButton[role="bare"] {{ border: 1px solid transparent;
   background: transparent; border-radius: 6px; padding: 0; color: {text2}; }}
 QPushButton[role="bare"]:hover, QToolButton[role="bare"]:hover {{ background: {hover}; }}
-QToolButton[role="bare"]:focus, QPushButton[role="bare"]:focus {{ border-color: {accent}; }}
+QToolButton[role="bare"]:focus, QPushButton[role="bare"]:focus {{ border: 2px solid {accent};
+  padding: 0; }}
 QPushButton[role="link"] {{ border: 1px solid transparent; background: transparent;
   color: {text2}; padding: 0 4px; }}
 QPushButton[role="link"]:hover {{ color: {accent}; }}
-QPushButton[role="link"]:focus {{ border-color: {accent}; }}
+QPushButton[role="link"]:focus {{ border: 2px solid {accent}; padding: 0 3px; }}
 QPushButton[role="search"] {{ border: 1px solid {line}; background: {field}; color: {text3};
   font-weight: 400; text-align: left; padding: 0 8px; }}
 QPushButton[role="search"]:hover {{ border-color: {line_strong}; background: {hover}; }}
-QPushButton[role="search"]:focus {{ border-color: {accent}; }}
+QPushButton[role="search"]:focus {{ border: 2px solid {accent}; padding: 0 7px; }}
 QPushButton[role="palette"] {{ border: 1px solid {line}; color: {text}; font-size: 12px;
   font-weight: 400; text-align: left; padding: 0 7px; min-height: 26px; max-height: 26px; }}
 QPushButton[role="palette"][dense="true"] {{ min-height: 22px; max-height: 22px; }}
 QPushButton[role="palette"]:hover {{ border-color: {line_strong}; background: {hover}; }}
-QPushButton[role="palette"]:focus {{ border-color: {accent}; }}
+QPushButton[role="palette"]:focus {{ border: 2px solid {accent}; padding: 0 6px;
+  min-height: 24px; max-height: 24px; }}
+QPushButton[role="palette"][dense="true"]:focus {{ min-height: 20px; max-height: 20px; }}
 
 QLabel {{ background: transparent; }}
 QLabel[role="heading"] {{ font-size: 12px; font-weight: 600; }}
@@ -118,12 +126,15 @@ QComboBox QAbstractItemView, QAbstractItemView[role="completions"] {{ background
   selection-background-color: {accent_soft}; selection-color: {text}; }}
 QComboBox QAbstractItemView::item, QAbstractItemView[role="completions"]::item {{
   min-height: 24px; padding: 0 4px; border-radius: 4px; }}
+QComboBox QAbstractItemView::item:selected, QAbstractItemView[role="completions"]::item:selected {{
+  background: {accent_soft}; color: {text}; }}
 QCheckBox {{ spacing: 8px; min-height: 24px; background: transparent; }}
 QCheckBox::indicator {{ width: 14px; height: 14px; border: 1px solid {line_strong};
   border-radius: 4px; background: {field}; }}
 QCheckBox::indicator:checked {{ background: {accent}; border-color: {accent}; }}
-QCheckBox:focus {{ color: {accent}; }}
-QCheckBox::indicator:focus {{ border-color: {accent}; }}
+QCheckBox:focus {{ outline: 0; }}
+QCheckBox::indicator:hover {{ border-color: {pipe}; }}
+QCheckBox::indicator:focus {{ border: 2px solid {accent}; width: 12px; height: 12px; }}
 
 QTreeView, QListView, QTableView {{ background: {panel}; border: 0; outline: 0;
   alternate-background-color: {row_alt}; selection-background-color: {accent_soft};
@@ -136,8 +147,9 @@ QTreeView QLineEdit, QTableView QLineEdit, QListView QLineEdit {{ border-radius:
   min-height: 20px; max-height: 22px; padding: 0 4px; }}
 QHeaderView {{ background: {panel}; }}
 QHeaderView::section {{ background: {panel}; color: {text2}; border: 0;
-  border-bottom: 1px solid {line}; padding: 0 8px; height: 31px; font-size: 12px;
+  border-bottom: 1px solid {line}; padding: 0 3px; height: 31px; font-size: 12px;
   font-weight: 600; }}
+QHeaderView::section:first {{ padding-left: 12px; }}
 QScrollArea, QAbstractScrollArea {{ border: 0; }}
 QScrollArea > #qt_scrollarea_viewport {{ background: {panel}; }}
 QScrollArea[role="page"] {{ border-top: 1px solid {line}; }}

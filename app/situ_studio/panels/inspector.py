@@ -20,6 +20,19 @@ from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
 
+class _Scroll(QScrollArea):
+    """Its bar lies over the form's right margin: where it comes, nothing moves."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.verticalScrollBar().rangeChanged.connect(self._on_range)
+
+    def _on_range(self, low: int, high: int) -> None:
+        bar = self.verticalScrollBar()
+        self.setViewportMargins(0, 0, -bar.sizeHint().width() if high > low else 0, 0)
+        bar.parentWidget().raise_()
+
+
 class Inspector(QWidget):
     """Shows one selected place; several or none are told in words."""
 
@@ -53,9 +66,9 @@ class Inspector(QWidget):
         self._back = IconButton(theme, "left", self.tr("Back"), "text2", 14)
         self._back.setFixedSize(20, 20)
         self._back.clicked.connect(self._on_back)
-        line.addWidget(self._back)
+        line.addWidget(self._back, 0, Qt.AlignmentFlag.AlignVCenter)
         self._icon = IconLabel(theme, "state", "state", 18)
-        line.addWidget(self._icon)
+        line.addWidget(self._icon, 0, Qt.AlignmentFlag.AlignVCenter)
         self._title = Elided("", "subject")
         line.addWidget(self._title, 1)
         self._pill = QLabel()
@@ -64,7 +77,7 @@ class Inspector(QWidget):
         self.usages = IconButton(theme, "search", self.tr("Find usages"), "text3", 14)
         self.usages.setFixedSize(22, 22)
         self.usages.clicked.connect(self.usages_asked)
-        line.addWidget(self.usages)
+        line.addWidget(self.usages, 0, Qt.AlignmentFlag.AlignVCenter)
         self._notice = QLabel()
         self._notice.setProperty("role", "refused")
         self._notice.setWordWrap(True)
@@ -76,7 +89,7 @@ class Inspector(QWidget):
         self._words.setWordWrap(True)
         self._words.setContentsMargins(12, 12, 12, 12)
         column.addWidget(self._words)
-        self._scroll = QScrollArea()
+        self._scroll = _Scroll()
         self._scroll.setWidgetResizable(True)
         self._scroll.setFrameShape(QFrame.Shape.NoFrame)
         self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -32,6 +32,8 @@ def offered(document: Document | None) -> tuple[Kind, ...]:
 
 LOWEST = 80
 """Px of the palette that are seen in the lowest window."""
+NARROW = 94
+"""Px of a column where the panel is as narrow as it begins; a longer word gets both."""
 
 
 class PaletteItem(ThemedButton):
@@ -140,14 +142,33 @@ class Palette(QWidget):
 
     def _fill(self) -> None:
         clear(self._grid)
-        for index, kind in enumerate(self._kinds):
-            item = PaletteItem(self._theme, kind)
-            item.setProperty("dense", self._dense)
-            item.clicked.connect(lambda _=False, k=kind: self.kind_asked.emit(k.name))
-            self._grid.addWidget(item, index // 2, index % 2)
+        row = column = 0
+        long: list[PaletteItem] = []
+        for kind in self._kinds:
+            item = self._item(kind)
+            if item.sizeHint().width() > NARROW:
+                long.append(item)
+            else:
+                self._grid.addWidget(item, row, column)
+                row, column = (row + 1, 0) if column else (row, 1)
+            # Not before the row is full: no hole is left beside it.
+            while long and not column:
+                self._grid.addWidget(long.pop(0), row, 0, 1, 2)
+                row += 1
+        for item in long:
+            row += 1
+            self._grid.addWidget(item, row, 0, 1, 2)
+        rows = row + (column or len(long) > 0)
         self._grid.setColumnStretch(0, 1)
         self._grid.setColumnStretch(1, 1)
-        gap, row = (2, 24) if self._dense else (4, 28)
+        gap, high = (2, 24) if self._dense else (4, 28)
         self._grid.setVerticalSpacing(gap)
-        self.setFixedHeight(max(8, (len(self._kinds) + 1) // 2 * (row + gap) + 8 - gap))
+        self.setFixedHeight(max(8, rows * (high + gap) + 8 - gap))
         self.filled.emit()
+
+    def _item(self, kind: Kind) -> PaletteItem:
+        item = PaletteItem(self._theme, kind, self)
+        item.setProperty("dense", self._dense)
+        item.clicked.connect(lambda _=False, k=kind: self.kind_asked.emit(k.name))
+        item.ensurePolished()
+        return item

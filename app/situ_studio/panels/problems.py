@@ -43,7 +43,7 @@ def mend_box(rect: QRect, problem: Problem) -> QRect:
     """Where the mend's button stands in a row; empty where there is none."""
     if problem.mend is None:
         return QRect()
-    width = QFontMetrics(font(12, 500)).horizontalAdvance(problem.mend.words) + 20
+    width = QFontMetrics(font(12, 500)).horizontalAdvance(problem.mend.words) + 40
     width = min(width, MEND_MOST, rect.width() // 2)
     return QRect(rect.right() - width - 8, rect.y() + 3, width, 22)
 
@@ -90,12 +90,14 @@ class ProblemDelegate(QStyledItemDelegate):
             painter.setPen(QPen(theme.color("line_strong")))
             painter.setBrush(theme.color("panel"))
             painter.drawRoundedRect(button.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
-            painter.setPen(theme.color("accent"))
+            accent = theme.color("accent")
+            wand = QRectF(button.x() + 9, button.center().y() - 7, 14, 14)
+            icons.paint(painter, "wand", wand, accent)
+            painter.setPen(accent)
             painter.setFont(font(12, 500))
-            text = painter.fontMetrics().elidedText(
-                problem.mend.words, right, int(button.width()) - 16
-            )
-            painter.drawText(button, int(Qt.AlignmentFlag.AlignCenter), text)
+            room = button.adjusted(28, 0, -10, 0)
+            text = painter.fontMetrics().elidedText(problem.mend.words, right, int(room.width()))
+            painter.drawText(room, middle, text)
         painter.restore()
 
 
