@@ -12,7 +12,6 @@ from situ_studio import changes, kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.kinds import Kind
 
-
 ABOVE = 176.0
 """How far above the others the card *In every state* is put."""
 

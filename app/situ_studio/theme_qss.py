@@ -95,6 +95,8 @@ QToolButton[role="over"] {{ border: 0; border-radius: 4px; background: {hover}; 
 QToolButton[role="over"]:hover {{ background: {line}; }}
 QLabel[role="words"] {{ font-size: 12px; color: {text2}; }}
 QLabel[role="refused"] {{ font-size: 11px; color: {error}; }}
+QLabel[severity="error"] {{ font-size: 12px; color: {error}; }}
+QLabel[severity="warning"] {{ font-size: 12px; color: {warning}; }}
 QLabel[role="kbd"] {{ font-size: 11px; color: {text3}; border: 1px solid {line};
   border-radius: 4px; padding: 0 4px; background: {panel}; }}
 QLabel[role="pill"] {{ font-size: 11px; font-weight: 500; border-radius: 4px; padding: 1px 6px;

@@ -111,6 +111,7 @@ class MainWindow(Frame):
         self.inspector.usages_asked.connect(self.commands.find_usages)
         self.problems.chosen.connect(self._on_problem)
         self.problems.mend_asked.connect(self._on_mend)
+        self.inspector.told.mend_asked.connect(self._on_mend)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
         welcome = self.welcome
         welcome.back_asked.connect(self.leave_welcome)

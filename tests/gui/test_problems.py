@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton
 
 from situ.document import codec, rbd
 from situ_studio.panels.problems import PROBLEM, mend_box
@@ -132,3 +134,59 @@ def test_many_problems_are_all_told(studio: Start, folder: Callable[..., Path]) 
     # A long name makes no panel wider than it is.
     assert used.window.docks["inspector"].width() < 300
     assert used.window.docks["project"].width() < 250
+
+
+def test_the_form_shows_a_warning_as_one_and_an_error_as_one_and_mends_at_a_click(
+    studio: Start, folder: Callable[..., Path], dead_end: rbd.Application
+) -> None:
+    lost = rbd.Event()
+    first = replace(dead_end.states[0], events=(*dead_end.states[0].events, lost))
+    used = studio(folder(replace(dead_end, states=(first, dead_end.states[1]))))
+    told = used.window.inspector.told
+    theme = used.window.theme
+    for place, severity in ((("state", "2"), "warning"), (("state", "1", "event", "1"), "error")):
+        used.select(*place)
+        assert told.isVisible()
+        shown = {label.property("severity") for label in told.findChildren(QLabel) if label.text()}
+        assert shown == {severity}
+        (words,) = [label for label in told.findChildren(QLabel) if label.text()]
+        assert words.palette().color(words.foregroundRole()) == theme.color(severity)
+        assert words.accessibleName().casefold().startswith(severity)
+    used.select("state", "2")
+    (button,) = told.findChildren(QPushButton)
+    used.click(button)
+    assert used.session.document(FILE).state("2").final
+    assert not told.isVisible()
+
+
+def test_many_warnings_of_one_kind_hide_no_others_and_are_shown_when_asked_for(
+    studio: Start, folder: Callable[..., Path]
+) -> None:
+    """Thirty states that nothing reaches, and one that nothing leaves."""
+    states = tuple(
+        rbd.State(no=str(n), events=(rbd.Event(name="go", next="1"),)) for n in range(2, 32)
+    )
+    used = studio(folder(rbd.Application(name="many", states=(rbd.State(no="1"), *states))))
+    rows = used.window.problems.list
+    model = rows.model()
+    every = [p for p in used.session.problems if p.severity == "warning"]
+    alike = [p for p in every if p.code == "unreachable-state"]
+    assert len(alike) == 30
+    before = model.rowCount()
+    shown = {model.index(row, 0).data(PROBLEM) for row in range(before)} - {None}
+    assert {p.code for p in shown} == {p.code for p in every}
+    assert len([p for p in shown if p.code == "unreachable-state"]) == 3
+    used.click_row(rows, used.row_with(rows, "Show 27 more like these"))
+    now = [model.index(row, 0).data(PROBLEM) for row in range(model.rowCount())]
+    assert [p for p in now if p is not None and p.code == "unreachable-state"] == alike
+    fewer = used.row_with(rows, "Show only 3 of these 30")
+    rows.setCurrentIndex(fewer)
+    rows.setFocus()
+    used.key(Qt.Key.Key_Return)
+    assert model.rowCount() == before
+    # The next problem is a problem: the rows between are stepped over.
+    seen = []
+    for _ in range(len(shown)):
+        used.key(Qt.Key.Key_F8)
+        seen.append(rows.currentIndex().data(PROBLEM))
+    assert set(seen) == shown

@@ -16,6 +16,7 @@ from situ_studio.layouts import rule
 from situ_studio.panels.form import Form
 from situ_studio.panels.header import TitleBar
 from situ_studio.panels.subject import Subject
+from situ_studio.panels.told import Told
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -78,12 +79,8 @@ class Inspector(QWidget):
         self.usages.setFixedSize(22, 22)
         self.usages.clicked.connect(self.usages_asked)
         line.addWidget(self.usages, 0, Qt.AlignmentFlag.AlignVCenter)
-        self._notice = QLabel()
-        self._notice.setProperty("role", "refused")
-        self._notice.setWordWrap(True)
-        self._notice.setContentsMargins(12, 8, 12, 0)
-        self._notice.setTextFormat(Qt.TextFormat.PlainText)
-        column.addWidget(self._notice)
+        self.told = Told(theme)
+        column.addWidget(self.told)
         self._words = QLabel()
         self._words.setProperty("role", "words")
         self._words.setWordWrap(True)
@@ -113,7 +110,7 @@ class Inspector(QWidget):
         self._drop_form()
         self._back.hide()
         self._pill.hide()
-        self._notice.hide()
+        self.told.hide()
         self._icon.set_icon("info", "text3")
         self._title.setText(title or self.tr("Inspector"))
         self._words.setText(why)
@@ -171,9 +168,7 @@ class Inspector(QWidget):
             self._pill.style().polish(self._pill)
         self._pill.show()
         self._back.setVisible(len(place) > 2 or (place[:1] == ("always",) and len(place) > 1))
-        here = [p.message for p in problems if p.place == place]
-        self._notice.setText("\n".join(here))
-        self._notice.setVisible(bool(here))
+        self.told.show_problems(tuple(p for p in problems if p.place == place))
         self._form.show_subject(
             Subject(
                 document=document,
@@ -189,6 +184,7 @@ class Inspector(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Takes the theme; the form is made anew at the next ``show_selection``."""
         self._theme = theme
+        self.told.set_theme(theme)
         self._drop_form()
 
     def _drop_form(self) -> None:

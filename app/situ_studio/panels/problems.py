@@ -1,9 +1,13 @@
 """Problems: a row each with its mark, its place and plain words; a click goes there.
 
 Where there is a mend it stands at the right end of the row: a click, or Ctrl+Enter, does it.
+Of many warnings of one kind the first few are shown, so that they hide no others, and a row that
+shows the rest.
 """
 
 from __future__ import annotations
+
+from collections import Counter
 
 from PySide6.QtCore import QModelIndex, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -33,15 +37,19 @@ from situ_studio.theme import Theme, font
 
 PROBLEM = PLACE
 WHERE = PLACE + 10
+MORE = PLACE + 11
+"""The code of the warnings that a row shows or hides."""
 
 
+MANY, FEW = 8, 3
+"""Of more than so many warnings of one code, so many are shown."""
 MEND_MOST = 280
 """Px of width that a mend's words get at most."""
 
 
-def mend_box(rect: QRect, problem: Problem) -> QRect:
+def mend_box(rect: QRect, problem: Problem | None) -> QRect:
     """Where the mend's button stands in a row; empty where there is none."""
-    if problem.mend is None:
+    if problem is None or problem.mend is None:
         return QRect()
     width = QFontMetrics(font(12, 500)).horizontalAdvance(problem.mend.words) + 40
     width = min(width, MEND_MOST, rect.width() // 2)
@@ -65,7 +73,7 @@ class ProblemDelegate(QStyledItemDelegate):
         theme = self._theme
         rect = QRectF(option.rect)
         state = option.state
-        problem: Problem = index.data(PROBLEM)
+        problem: Problem | None = index.data(PROBLEM)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if state & QStyle.StateFlag.State_Selected:
@@ -73,6 +81,13 @@ class ProblemDelegate(QStyledItemDelegate):
         elif state & QStyle.StateFlag.State_MouseOver:
             painter.fillRect(rect, theme.color("hover"))
         box = QRectF(rect.x() + 12, rect.center().y() - 7.5, 15, 15)
+        if problem is None:
+            painter.setFont(font(12, 500))
+            painter.setPen(theme.color("accent"))
+            text = rect.adjusted(36, 0, 0, 0)
+            painter.drawText(text, int(Qt.AlignmentFlag.AlignVCenter), index.data())
+            painter.restore()
+            return
         icons.paint(painter, problem.severity, box, theme.color(problem.severity))
         painter.setFont(font(13))
         painter.setPen(theme.color("text2"))
@@ -160,6 +175,7 @@ class Problems(QWidget):
         self._delegate = ProblemDelegate(theme, self.list)
         self.list.setItemDelegate(self._delegate)
         self._shown: list[tuple[Problem, str]] = []
+        self._opened: set[str] = set()
         self._model = QStandardItemModel(0, 1, self)
         self.list.setModel(self._model)
         self.list.clicked.connect(self._on_chosen)
@@ -182,18 +198,25 @@ class Problems(QWidget):
     def show_problems(self, problems: list[tuple[Problem, str]]) -> None:
         """Each problem with its place in words; errors stand first."""
         problems = sorted(problems, key=lambda pair: pair[0].severity != "error")
-        if problems == self._shown:
-            return
-        self._shown = problems
+        if problems != self._shown:
+            self._shown = problems
+            self._fill()
+
+    def _fill(self) -> None:
+        rows = self._rows()
         current = self.list.currentIndex().data(PROBLEM)
         # What is below the last one goes, the others change in place: the list stays where it is.
         there = self._model.rowCount()
-        self._model.setRowCount(len(problems))
+        self._model.setRowCount(len(rows))
         self.list.setCurrentIndex(QModelIndex())
-        for row, (problem, where) in enumerate(problems):
+        for row, (problem, where) in enumerate(rows):
             if row >= there:
                 self._model.setItem(row, QStandardItem())
             item = self._model.item(row)
+            item.setData(None if problem is not None else where, MORE)
+            if problem is None:
+                self._tell_more(item, where)
+                continue
             item.setText(problem.message)
             item.setData(problem, PROBLEM)
             item.setData(where, WHERE)
@@ -204,16 +227,52 @@ class Problems(QWidget):
             item.setAccessibleText(f"{problem.severity}: {where}: {problem.message} {mend}".strip())
             if problem == current:
                 self.list.setCurrentIndex(item.index())
-        self._stack.setCurrentIndex(0 if problems else 1)
+        self._stack.setCurrentIndex(0 if rows else 1)
+
+    def _rows(self) -> list[tuple[Problem | None, str]]:
+        """What the rows show: a problem and where it is, or none and the code of more of them."""
+        counts = Counter(p.code for p, _ in self._shown if p.severity == "warning")
+        found: list[tuple[Problem | None, str]] = []
+        for problem, where in self._shown:
+            if problem.severity == "error" or counts[problem.code] <= MANY:
+                found.append((problem, where))
+        for code in [code for code, count in counts.items() if count > MANY]:
+            alike = [pair for pair in self._shown if pair[0].code == code]
+            found += [pair for pair in alike if pair[0].severity == "warning"][
+                : None if code in self._opened else FEW
+            ]
+            found.append((None, code))
+        return found
+
+    def _tell_more(self, item: QStandardItem, code: str) -> None:
+        """The row that shows the other warnings of a code, or hides them again."""
+        count = sum(p.code == code and p.severity == "warning" for p, _ in self._shown)
+        words = self.tr("Show {0} more like these").format(count - FEW)
+        if code in self._opened:
+            words = self.tr("Show only {0} of these {1}").format(FEW, count)
+        for role in (PROBLEM, WHERE):
+            item.setData(None, role)
+        item.setText(words)
+        item.setToolTip("")
+        item.setAccessibleText(words)
 
     def step(self, by: int) -> None:
-        """Chooses the next problem, round the end."""
-        rows = self._model.rowCount()
+        """Chooses the next problem that is shown, round the end."""
+        every = range(self._model.rowCount())
+        rows = [row for row in every if self._model.index(row, 0).data(MORE) is None]
         if rows:
-            here = self.list.currentIndex()
-            row = (here.row() + by) % rows if here.isValid() else (0 if by > 0 else rows - 1)
+            here = self.list.currentIndex().row()
+            after = [row for row in rows if row > here]
+            before = [row for row in rows if 0 <= row < here]
+            row = (after or rows)[0] if by > 0 else (before or rows)[-1]
             self.list.setCurrentIndex(self._model.index(row, 0))
             self._on_chosen(self._model.index(row, 0))
 
     def _on_chosen(self, index: QModelIndex) -> None:
-        self.chosen.emit(index.data(PROBLEM))
+        code = index.data(MORE)
+        if code is None:
+            self.chosen.emit(index.data(PROBLEM))
+            return
+        self._opened ^= {code}
+        self._fill()
+        self.list.setCurrentIndex(self._model.index(min(index.row(), len(self._rows()) - 1), 0))
