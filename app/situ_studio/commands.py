@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QApplication
 
 import situ
-from situ.document.beginning import project_name
 from situ.document.rbd import Application
 from situ.document.words import listed
-from situ.errors import SituError
-from situ_studio import kinds, places, projects
+from situ_studio import kinds, places
 from situ_studio.actions import command
+from situ_studio.file_commands import FileCommands
 from situ_studio.find import Find, places_of
 from situ_studio.insert import NotHere, insert
 from situ_studio.lacking import lacking
@@ -22,18 +19,10 @@ from situ_studio.menus import told
 from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
 from situ_studio.shortcuts import Shortcuts
-from situ_studio.state_commands import StateCommands
-
-if TYPE_CHECKING:
-    from situ_studio.window import MainWindow
 
 
-class Commands(StateCommands):
+class Commands(FileCommands):
     """The handlers of one window."""
-
-    def __init__(self, window: MainWindow) -> None:
-        super().__init__(window)
-        self._session = window.session
 
     # -- when ------------------------------------------------------------------------
 
@@ -143,67 +132,6 @@ class Commands(StateCommands):
 
     def has_theme(self, choice: str) -> bool:
         return self._window.theme_choice == choice
-
-    # -- files -----------------------------------------------------------------------
-
-    def _home(self) -> str:
-        recent = self._window.recent
-        return str(Path(recent[0]).parent) if recent else str(Path.home())
-
-    def new_project(self, template: str = "empty") -> None:
-        """Makes a project of a template, named and put where the person says, and opens it."""
-        dialogs = self._window.dialogs
-        given = dialogs.name(self.tr("New project"), self.tr("Name"), "my-robot")
-        if given is None:
-            return
-        name = project_name(given)
-        parent = dialogs.new_folder(self._home(), self.tr("Where shall its folder be?"))
-        if parent is None or not self._window.may_leave():
-            return
-        made = partial(projects.new_project, Path(parent), name, template)
-        if self._try(lambda: self._window.open_project(made())):
-            # A newcomer sees what a state is made of, and what comes next goes beside it.
-            self._window.select(("state", "1"))
-
-    def open_project(self) -> None:
-        path = self._window.dialogs.project(self._home())
-        if path is not None:
-            self.open_path(path)
-
-    def open_path(self, path: str) -> None:
-        """Opens a project, after asking what to do with unsaved changes."""
-        if self._window.may_leave():
-            self._try(lambda: self._window.open_project(Path(path)))
-
-    def open_example(self, name: str) -> None:
-        """Opens a copy of an example, made where the person says."""
-        parent = self._window.dialogs.new_folder(
-            self._home(), self.tr("Where shall the copy of the example be?")
-        )
-        if parent is not None and self._window.may_leave():
-            self._try(lambda: self._window.open_project(projects.copy_example(name, Path(parent))))
-
-    def show_welcome(self) -> None:
-        self._window.show_welcome()
-
-    def save(self) -> bool:
-        """Saves every changed document; False where a person or the disk said no."""
-        self._window.finish_fields()
-        for file in self._session.conflicts():
-            answer = self._window.dialogs.conflict(file)
-            if answer == "cancel":
-                return False
-            if answer == "mine":
-                self._session.keep_mine(file)
-            elif not self._try(lambda f=file: self._session.take_from_disk(f)):
-                return False
-        return self._try(self._session.save)
-
-    def close_tab(self) -> None:
-        self._window.close_tab()
-
-    def quit(self) -> None:
-        self._window.close()
 
     # -- editing ---------------------------------------------------------------------
 
@@ -326,10 +254,6 @@ class Commands(StateCommands):
         if self._window.windows is not None:
             self._window.windows.choose_language(choice)
 
-    def new_window(self) -> None:
-        if self._window.windows is not None:
-            self._window.windows.new_window()
-
     def choose_theme(self, choice: str) -> None:
         self._window.choose_theme(choice)
 
@@ -407,15 +331,3 @@ class Commands(StateCommands):
                 situ.__version__
             )
         )
-
-    # -- inside ------------------------------------------------------------------------
-
-    def _try(self, what: object) -> bool:
-        """Does something that may fail, and says in one line why it did."""
-        assert callable(what)
-        try:
-            what()
-        except (SituError, OSError) as error:
-            self._window.dialogs.tell(str(error))
-            return False
-        return True

@@ -7,8 +7,11 @@ from typing import Literal
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
 
+from situ_studio import conflict
+from situ_studio.differing import Differing
+
 Answer = Literal["save", "discard", "cancel"]
-Conflict = Literal["mine", "theirs", "cancel"]
+Where = Literal["here", "new", "cancel"]
 
 
 class Dialogs(QObject):
@@ -62,19 +65,29 @@ class Dialogs(QObject):
             return "save"
         return "discard" if box.clickedButton() is discard else "cancel"
 
-    def conflict(self, file: str) -> Conflict:
-        """Another program changed a file that is to be saved."""
+    def conflict(self, found: Differing) -> conflict.Answer:
+        """Which one stays of a file that another program changed."""
+        dialog = conflict.ConflictDialog(found, self._window)
+        try:
+            dialog.exec()
+            return dialog.answer
+        finally:
+            dialog.deleteLater()
+
+    def where(self, name: str) -> Where:
+        """In which window a second project is opened."""
         box = QMessageBox(self._window)
         box.setIcon(QMessageBox.Icon.NoIcon)
-        box.setText(self.tr("Another program changed {0} since it was read here.").format(file))
-        box.setInformativeText(self.tr("Which one shall stay?"))
-        mine = box.addButton(self.tr("Mine"), QMessageBox.ButtonRole.DestructiveRole)
-        theirs = box.addButton(self.tr("The one on disk"), QMessageBox.ButtonRole.AcceptRole)
+        box.setText(self.tr("{0} is open in this window.").format(name))
+        box.setInformativeText(self.tr("Where shall the other project be opened?"))
+        new = box.addButton(self.tr("New window"), QMessageBox.ButtonRole.AcceptRole)
+        here = box.addButton(self.tr("This window"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(self.tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(new)
         box.exec()
-        if box.clickedButton() is mine:
-            return "mine"
-        return "theirs" if box.clickedButton() is theirs else "cancel"
+        if box.clickedButton() is new:
+            return "new"
+        return "here" if box.clickedButton() is here else "cancel"
 
     def tell(self, text: str) -> None:
         """Something went wrong, in one line."""

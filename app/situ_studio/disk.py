@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from situ.document.diff import compare
 from situ.errors import SituError
+from situ_studio.language import said
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
+
+UNSAVED = "what can not be saved"
+"""What the notice is about that is about no file."""
 
 
 class DiskSide(QObject):
@@ -19,6 +25,9 @@ class DiskSide(QObject):
         super().__init__(window)
         self._window = window
         window.session.changed_on_disk.connect(self._on_changed)
+        window.session.folder_gone.connect(self._on_gone)
+        window.session.disk.back.connect(self._on_back)
+        window.session.moved.connect(self._on_moved)
 
     def settle(self) -> None:
         """Says that the shown file can not be changed, where that is so."""
@@ -33,33 +42,126 @@ class DiskSide(QObject):
         )
         window.incomplete.ask(text.format(file))
 
-    def _on_changed(self, file: str) -> None:
+    def resolve(self, file: str) -> bool:
+        """Asks which of both shall stay; False where that was not decided, or can not be."""
+        window, session = self._window, self._window.session
+        answer = window.dialogs.conflict(session.differing(file))
+        if answer == "cancel":
+            return False
+        try:
+            if answer == "both":
+                session.take_both(file)
+            elif answer == "theirs":
+                session.take_from_disk(file)
+            else:
+                session.keep_mine(file)
+        except SituError as error:
+            window.dialogs.tell(str(error))
+            return False
+        if window.notice.about == file:
+            window.notice.hide()
+        return True
+
+    def tell_unsaved(self, error: SituError) -> None:
+        """Saving failed: nothing is lost, and there are other places."""
         window = self._window
-        if file not in window.session.dirty:
+        window.recovery.keep()
+        text = self.tr(
+            "Not saved. {0}. Your changes stay here, and are kept for the next start too."
+        )
+        window.notice.ask(
+            text.format(str(error).rstrip(".")),
+            (self.tr("Try again"), window.commands.save),
+            (self.tr("Save a copy…"), window.commands.save_copy),
+            about=UNSAVED,
+        )
+
+    def tell_saved(self) -> None:
+        """What could not be saved is saved now."""
+        if self._window.notice.about == UNSAVED:
+            self._window.notice.hide()
+
+    # -- what another program did ------------------------------------------------
+
+    def _on_changed(self, file: str) -> None:
+        window, session = self._window, self._window.session
+        if session.disk.is_missing(file):
+            self._ask(self.tr("{0} is gone: another program removed or renamed it."), file)
+        elif file in session.dirty:
+            self._ask(self.tr("Another program changed {0}; you have changed it too."), file)
+        else:
+            before = session.document(file)
             try:
-                window.session.take_from_disk(file)
+                session.take_from_disk(file)
             except SituError as error:
                 text = self.tr("Another program changed {0}, and it has errors now: {1}")
                 window.notice.ask(
                     text.format(file, error),
-                    (self.tr("Keep mine"), lambda: window.session.keep_mine(file)),
+                    (self.tr("Keep mine"), lambda: session.keep_mine(file)),
                     about=file,
                 )
                 return
             if window.notice.about == file:
                 window.notice.hide()
             self.settle()
-            window.say(self.tr("{0} was changed by another program: read anew.").format(file))
-            return
-        window.notice.ask(
-            self.tr("Another program changed {0}; you have changed it too.").format(file),
-            (self.tr("Take the one on disk"), lambda: self._on_theirs(file)),
-            (self.tr("Keep mine"), lambda: window.session.keep_mine(file)),
+            after = session.document(file)
+            assert before is not None
+            assert after is not None
+            changes = [said(change.text) for change in compare(before, after, file)]
+            text = self.tr("{0} was changed by another program: read anew.").format(file)
+            window.say(" ".join((text, *changes[:1], *("…" for _ in changes[1:2]))))
+
+    def _ask(self, text: str, file: str) -> None:
+        self._window.notice.ask(
+            text.format(file),
+            (self.tr("Look at the changes…"), lambda: self._answered(text, file)),
             about=file,
         )
 
-    def _on_theirs(self, file: str) -> None:
+    def _answered(self, text: str, file: str) -> None:
+        if not self.resolve(file):
+            self._ask(text, file)
+
+    def _on_gone(self) -> None:
+        window = self._window
+        if window.notice.isVisible() and window.notice.about == str(window.session.root):
+            return
+        text = self.tr(
+            "The folder {0} is gone: it was renamed or removed, or its drive is away. "
+            "Your documents are still here."
+        )
+        window.notice.ask(
+            text.format(window.session.root),
+            (self.tr("It is back"), self.look),
+            (self.tr("Show where it is now…"), self._find),
+            (self.tr("Save a copy…"), window.commands.save_copy),
+            about=str(window.session.root),
+        )
+
+    def look(self) -> None:
+        """Looks whether something was changed: not every drive tells that by itself."""
+        if self._window.session.project is not None:
+            self._window.session.disk.look()
+
+    def _on_back(self) -> None:
+        window = self._window
+        if window.notice.about == str(window.session.root):
+            window.notice.hide()
+
+    def _find(self) -> None:
+        window = self._window
+        path = window.dialogs.project(str(window.session.root.parent))
+        if path is None:
+            self._on_gone()
+            return
         try:
-            self._window.session.take_from_disk(file)
+            window.session.move(Path(path))
         except SituError as error:
-            self._window.dialogs.tell(str(error))
+            window.dialogs.tell(str(error))
+            self._on_gone()
+
+    def _on_moved(self) -> None:
+        window = self._window
+        window.notice.hide()
+        window.remember(window.session.root)
+        window.say(self.tr("The project is saved in {0} now.").format(window.session.root))

@@ -6,7 +6,6 @@ before is offered when the project is opened next.
 
 from __future__ import annotations
 
-import hashlib
 import logging
 from collections.abc import Callable
 from datetime import datetime
@@ -18,6 +17,7 @@ from PySide6.QtCore import QLockFile, QObject, QTimer
 from situ.document import codec, folder
 from situ.document.rbd import Application
 from situ.errors import SituError
+from situ_studio.claim import key, lock
 from situ_studio.edit import Document
 from situ_studio.panels.notice import Notice
 from situ_studio.session import Session
@@ -83,7 +83,7 @@ class Recovery(QObject):
         try:
             if self._file is None:
                 self._home.mkdir(parents=True, exist_ok=True)
-                self._file, self._lock = self._free(root)
+                self._file, self._lock = self._free(self._session.root)
             folder.write(self._file, msgspec.json.encode(Kept(root, self._now(), files)))
         except (SituError, OSError) as error:
             _log.warning("unsaved changes can not be kept: %s", error)
@@ -100,13 +100,13 @@ class Recovery(QObject):
             self._lock.unlock()
         self._file = self._lock = None
 
-    def _free(self, root: str) -> tuple[Path, QLockFile]:
+    def _free(self, root: Path) -> tuple[Path, QLockFile]:
         number = 1
         while True:
-            file = self._home / f"{_key(root)}-{number}.json"
-            lock = _lock(file)
-            if not file.exists() and lock.tryLock(0):
-                return file, lock
+            file = self._home / f"{key(root)}-{number}.json"
+            held = lock(file)
+            if not file.exists() and held.tryLock(0):
+                return file, held
             number += 1
 
     def _on_stack(self) -> None:
@@ -123,12 +123,12 @@ class Recovery(QObject):
         self.forget()
         self._notice.hide()
         root = str(self._session.root.resolve())
-        for file in sorted(self._home.glob(f"{_key(root)}-*.json")):
-            lock = _lock(file)
-            if not lock.tryLock(0):
+        for file in sorted(self._home.glob(f"{key(self._session.root)}-*.json")):
+            held = lock(file)
+            if not held.tryLock(0):
                 continue
             kept = _read(file)
-            lock.unlock()
+            held.unlock()
             if kept is not None and kept.root == root:
                 self._offer(file, kept)
                 return
@@ -154,17 +154,6 @@ class Recovery(QObject):
         # Only once they are kept anew.
         self.keep()
         file.unlink(missing_ok=True)
-
-
-def _key(root: str) -> str:
-    return hashlib.sha256(root.encode()).hexdigest()[:16]
-
-
-def _lock(file: Path) -> QLockFile:
-    lock = QLockFile(f"{file}.lock")
-    # It is stale when its process is gone, however long that runs.
-    lock.setStaleLockTime(0)
-    return lock
 
 
 def _read(file: Path) -> Kept | None:

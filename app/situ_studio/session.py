@@ -7,25 +7,28 @@ or saved (architecture, idea 1).
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable, Mapping
+from collections.abc import Set as AbstractSet
 from datetime import datetime
 from pathlib import Path
 
 from msgspec import Struct
 from msgspec.structs import replace
-from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.document import codec, folder
 from situ.document.check import check, merge
-from situ.document.modules import Modules
+from situ.document.join import join
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import UsageError
+from situ_studio import projects
 from situ_studio.checking import Checker
+from situ_studio.differing import Differing
 from situ_studio.edit import Document, Edit, Place
+from situ_studio.folder_watch import FolderWatch
 
 Selection = tuple[Place, ...]
 
@@ -65,6 +68,10 @@ class Session(QObject):
     problems_changed = Signal()
     changed_on_disk = Signal(str)
     """Another program wrote that file, and the document here is not its content."""
+    moved = Signal()
+    """The project lies in another folder now."""
+    folder_gone = Signal()
+    """The project's folder is not where it was."""
 
     def __init__(
         self, parent: QObject | None = None, now: Callable[[], datetime] = datetime.now
@@ -80,7 +87,7 @@ class Session(QObject):
         self._incomplete: dict[str, Document] = {}
         self._read: dict[str, Document] = {}
         self._saved: dict[str, Document] = {}
-        self._on_disk: dict[str, bytes] = {}
+        self._texts: dict[str, bytes] = {}
         self._steps: list[Step] = []
         self._at = 0
         self._saved_at: datetime | None = None
@@ -90,8 +97,10 @@ class Session(QObject):
         self._check_soon.timeout.connect(self._check)
         self._checker = Checker(self)
         self._checker.found.connect(self._on_found)
-        self._watcher = QFileSystemWatcher(self)
-        self._watcher.fileChanged.connect(self.on_file_changed)
+        self.disk = FolderWatch(self)
+        self.disk.changed.connect(self.changed_on_disk)
+        self.disk.settings_changed.connect(self.read_settings)
+        self.disk.gone.connect(self.folder_gone)
 
     # -- the project -------------------------------------------------------------
 
@@ -155,8 +164,8 @@ class Session(QObject):
             for file, document in self._read.items()
             if any(p.severity == "error" and self.file_of(p) == file for p in problems)
         }
-        self._on_disk = {file: self._digest(file) for file in self.files}
-        self._watch()
+        self.disk.begin(Path(project.root), self.files, _beside(project))
+        self._keep_texts()
         self._keep_problems(problems)
         self._check()
         self.opened.emit()
@@ -272,61 +281,178 @@ class Session(QObject):
 
     def conflicts(self) -> list[str]:
         """The dirty files that another program changed since they were read or saved here."""
-        return [f for f in self.dirty if self._digest(f) != self._on_disk.get(f)]
+        return [f for f in self.dirty if self.disk.is_other(f)]
 
     def save(self) -> None:
         """Writes every dirty document, canonically and atomically; see ``conflicts`` first.
 
         Raises UsageError where a file can not be written; those written before it count as saved.
         """
-        for file in self.dirty:
-            document = self._value(file)
-            if self.is_incomplete(file):
-                raise UsageError(
-                    f"{file} is not saved: it has errors, and what they name would be lost"
-                )
-            folder.write(self.root / file, codec.write(document))
-            self._saved[file] = document
-            self._on_disk[file] = self._digest(file)
-        self._saved_at = self._now()
-        self._watch()
-        self.stack_changed.emit()
+        try:
+            for file in self.dirty:
+                document = self._value(file)
+                if self.is_incomplete(file):
+                    raise UsageError(
+                        f"{file} is not saved: it has errors, and what they name would be lost"
+                    )
+                folder.write(self.root / file, codec.write(document))
+                self._saved[file] = document
+                self.disk.see(file)
+            self._saved_at = self._now()
+        finally:
+            self.disk.watch()
+            self.stack_changed.emit()
+
+    def differing(self, file: str) -> Differing:
+        """What was changed here and what by another program since both were the same."""
+        mine, base = self._value(file), self._saved.get(file)
+        if self.disk.is_missing(file):
+            return Differing(file, mine, base, None, gone=True)
+        try:
+            theirs = self._on_disk(file)
+        except UsageError as error:
+            return Differing(file, mine, base, None, unread=str(error))
+        both = join(base, mine, theirs) if base is not None else None
+        if both is not None and self._breaks(file, both, (mine, theirs)):
+            both = None
+        return Differing(file, mine, base, theirs, both)
+
+    def _breaks(self, file: str, both: Document, sources: tuple[Document, ...]) -> bool:
+        """Whether the project has errors with ``both`` that it has with none of the others."""
+
+        def errors(document: Document) -> set[tuple[str, str]]:
+            found = check(self._with(file, document))
+            return {(p.code, p.message) for p in found if p.severity == "error"}
+
+        return bool(errors(both).difference(*map(errors, sources)))
 
     def take_from_disk(self, file: str) -> None:
         """Reads ``file`` anew, as a step that can be undone.
 
         Raises UsageError, naming the first problem, where it can not be read without errors.
         """
-        try:
-            data = (self.root / file).read_bytes()
-        except OSError as error:
-            raise UsageError(f"{file}: cannot be read: {error.strerror or error}") from error
-        document, problems = codec.read(data, file)
+        document = self._on_disk(file)
+        self._take(file, document, document, self.tr("Take {0} from disk").format(file))
+
+    def take_both(self, file: str) -> None:
+        """Joins what was changed here and on disk, as a step that can be undone.
+
+        Raises UsageError where they collide, or the file can not be read without errors.
+        """
+        found = self.differing(file)
+        if found.theirs is None or found.both is None:
+            raise UsageError(found.unread or f"{file}: both changed the same thing")
+        self._take(file, found.theirs, found.both, self.tr("Join {0} with disk").format(file))
+
+    def _take(self, file: str, theirs: Document, document: Document, text: str) -> None:
+        self.disk.see(file)
+        self._saved[file] = theirs
+        self._commit({file: document}, text)
+        self.stack_changed.emit()
+
+    def _on_disk(self, file: str) -> Document:
+        document, problems = codec.read(self.disk.read(file), file)
         errors = [p for p in problems if p.severity == "error"]
         if errors:
             raise UsageError(str(errors[0]))
         if document is None or not isinstance(document, type(self._value(file))):
             raise UsageError(f"{file}: of another kind now")
-        self._on_disk[file] = hashlib.sha256(data).digest()
-        self._saved[file] = document
-        self._commit({file: document}, self.tr("Take {0} from disk").format(file))
+        return document
 
     def keep_mine(self, file: str) -> None:
         """The document here goes before what another program wrote: the next save overwrites it."""
-        self._on_disk[file] = self._digest(file)
+        self.disk.see(file)
         if not self.is_incomplete(file):
             self._saved.pop(file, None)
         self.stack_changed.emit()
 
-    def on_file_changed(self, path: str) -> None:
-        """A file of the project may have changed on disk; tells those that really did."""
-        self._watch()
-        if self._project is None:
+    def read_settings(self) -> None:
+        """Reads anew what the project consists of; its documents stay as they are here.
+
+        A file that came is read; one that is named no more goes, unless it is not saved yet.
+        Where that can not be read, everything stays as it is.
+        """
+        before = self._open_project()
+        try:
+            project, problems = folder.load(before.root)
+        except UsageError:
             return
+        if project is None or any(p.severity == "error" for p in problems):
+            return
+        mine = {file: self._value(file) for file in self.files}
+        dirty = self.dirty
+        self._project = project
+        kept = [file for file in dirty if file not in self.files]
+        other = [f for f in self.files if f in mine and type(mine[f]) is not type(self.document(f))]
+        if kept or other:
+            # Somebody works on what would go.
+            self._project = before
+            return
+        new = [file for file in self.files if file not in mine]
         for file in self.files:
-            if self.root / file != Path(path) or self._digest(file) == self._on_disk.get(file):
-                continue
-            self.changed_on_disk.emit(file)
+            if file in new:
+                self._read[file] = self._saved[file] = self._value(file)
+                self.disk.see(file)
+            else:
+                self._project = self._with(file, mine[file])
+        gone = mine.keys() - set(self.files)
+        self._forget_steps(gone)
+        self._saved = {f: d for f, d in self._saved.items() if f not in gone}
+        self._called = {}
+        self.disk.attend(self.files, _beside(project))
+        self._keep_texts()
+        self._check_soon.start()
+        self.listed.emit()
+        self.stack_changed.emit()
+
+    def _keep_texts(self) -> None:
+        """What stands beside the documents is known here, whatever becomes of the folder."""
+        self._texts = {}
+        for file in _beside(self._open_project()):
+            if not self.disk.is_missing(file):
+                self._texts[file] = self.disk.read(file)
+
+    def _forget_steps(self, gone: AbstractSet[str]) -> None:
+        """Steps that changed a file that is gone can not be taken back any more."""
+        done = [s for s in self._steps[: self._at] if not gone & {e.file for e in s.edits}]
+        undone = [s for s in self._steps[self._at :] if not gone & {e.file for e in s.edits}]
+        self._steps, self._at = [*done, *undone], len(done)
+
+    def save_copy(self, parent: Path) -> None:
+        """Puts the project, as it is here, into a folder of its own below ``parent``, and goes on
+        there; where it came from stays as it is.
+
+        Raises UsageError where it can not be made, or where a file of it has errors.
+        """
+        for file in self.files:
+            if self.is_incomplete(file):
+                raise UsageError(f"{file} has errors: mend them first, or they would be lost")
+        documents = {file: self._value(file) for file in self.files}
+        target = projects.copy_project(self._open_project(), self._texts, parent)
+        for file, document in documents.items():
+            (target / file).parent.mkdir(parents=True, exist_ok=True)
+            folder.write(target / file, codec.write(document))
+        first = "" if self._open_project().toml is not None else self.files[0]
+        self.move(target / first)
+        self._saved.update(documents)
+        self.disk.begin(target, self.files, _beside(self._open_project()))
+        self._saved_at = self._now()
+        self.stack_changed.emit()
+
+    def move(self, root: Path) -> None:
+        """The project lies at ``root`` now: its documents are saved there from here on.
+
+        Raises UsageError where there is no project. Nothing is read from there but the documents
+        that are not changed here.
+        """
+        project, problems = folder.load(root)
+        if project is None:
+            raise UsageError(str(problems[0]) if problems else f"{root}: no project")
+        self._project = replace(self._open_project(), root=project.root)
+        self._called = {}
+        self.disk.move(Path(project.root))
+        self.moved.emit()
+        self.stack_changed.emit()
 
     # -- problems ----------------------------------------------------------------
 
@@ -387,6 +513,16 @@ class Session(QObject):
             raise UsageError(f"{file} is no document of this project")
         return document
 
+    def _with(self, file: str, document: Document) -> Project:
+        """The project with another document in a file that it has."""
+        project = self._open_project()
+        if isinstance(document, Application):
+            kind = "parts" if file in project.parts else "applications"
+            return replace(project, **{kind: {**getattr(project, kind), file: document}})
+        if isinstance(document, Spds):
+            return replace(project, spds=document)
+        return replace(project, modules=document)
+
     def _exchange(self, file: str, document: Document | None) -> None:
         project = self._open_project()
         listed = self.document(file) is not None
@@ -395,15 +531,9 @@ class Session(QObject):
         elif not listed:
             assert isinstance(document, Application)
             project = replace(project, parts={**project.parts, file: document})
-            self._on_disk.setdefault(file, self._digest(file))
-        elif isinstance(document, Application):
-            kind = "parts" if file in project.parts else "applications"
-            project = replace(project, **{kind: {**getattr(project, kind), file: document}})
-        elif isinstance(document, Spds):
-            project = replace(project, spds=document)
+            self.disk.see_new(file)
         else:
-            assert isinstance(document, Modules)
-            project = replace(project, modules=document)
+            project = self._with(file, document)
         self._project = project
         self._check_soon.start()
         if listed != (document is not None):
@@ -412,18 +542,8 @@ class Session(QObject):
         self.changed.emit(file)
         self.stack_changed.emit()
 
-    def _digest(self, file: str) -> bytes:
-        try:
-            return hashlib.sha256((self.root / file).read_bytes()).digest()
-        except OSError:
-            return b""
 
-    def _watch(self) -> None:
-        # A file that was exchanged as a whole (as we save) drops out of the watcher.
-        wanted = [str(self.root / file) for file in self.files]
-        unwanted = [f for f in self._watcher.files() if f not in wanted]
-        if unwanted:
-            self._watcher.removePaths(unwanted)
-        new = [f for f in wanted if f not in self._watcher.files() and Path(f).exists()]
-        if new:
-            self._watcher.addPaths(new)
+def _beside(project: Project) -> list[str]:
+    """The files that say what a project consists of, beside its documents."""
+    texts = [f"{folder.TEXTS_FOLDER}/{language}.po" for language in project.languages]
+    return [folder.PROJECT_FILE, folder.LOCAL_FILE, *texts] if project.toml is not None else []

@@ -25,6 +25,7 @@ class StateCommands(QObject):
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
         self._window = window
+        self._session = window.session
 
     # -- when ------------------------------------------------------------------------
 

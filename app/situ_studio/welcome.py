@@ -23,7 +23,7 @@ from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio import icons, thumbnail
-from situ_studio.icon_widgets import Elided, IconLabel
+from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import clear
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
@@ -134,6 +134,8 @@ class Welcome(QScrollArea):
     open_asked = Signal()
     connect_asked = Signal()
     recent_asked = Signal(str)
+    forget_asked = Signal(str)
+    """That project is to be taken off the list of recent ones."""
     example_asked = Signal(str)
     template_asked = Signal(str)
     theme_asked = Signal(str)
@@ -411,11 +413,19 @@ class Welcome(QScrollArea):
         """The projects that were open lately, the last one first."""
         clear(self._recent)
         for path in paths[:5]:
-            press = self._choice(
-                "card", "history", Path(path).name, path, "", partial(self.recent_asked.emit, path)
-            )
-            press.setFixedSize(324, 56)
-            self._recent.addWidget(press)
+            asked = partial(self.recent_asked.emit, path)
+            if Path(path).exists():
+                card: QFrame = self._choice("card", "history", Path(path).name, path, "", asked)
+            else:
+                card = self._gone(path)
+            card.setFixedSize(324, 56)
+            off = IconButton(self._theme, "close", self.tr("Take it off the list"), "text3", 14)
+            off.setObjectName(f"forget {path}")
+            off.clicked.connect(partial(self.forget_asked.emit, path))
+            line = card.layout()
+            assert line is not None
+            line.addWidget(off)
+            self._recent.addWidget(card)
         if paths:
             return
         empty = QFrame()
@@ -427,6 +437,24 @@ class Welcome(QScrollArea):
         words.setProperty("role", "dim")
         line.addWidget(words)
         self._recent.addWidget(empty)
+
+    def _gone(self, path: str) -> QFrame:
+        """A recent project whose folder is not there: removed, renamed, or its drive is away."""
+        card = QFrame()
+        card.setProperty("role", "empty")
+        card.setToolTip(path)
+        line = QHBoxLayout(card)
+        line.setContentsMargins(16, 0, 16, 0)
+        line.setSpacing(14)
+        line.addWidget(IconLabel(self._theme, "warning", "text3", 20))
+        words = QVBoxLayout()
+        words.setSpacing(0)
+        words.addStretch(1)
+        words.addWidget(Elided(Path(path).name, "dim"))
+        words.addWidget(Elided(self.tr("Not there any more: {0}").format(path), "label"))
+        words.addStretch(1)
+        line.addLayout(words, 1)
+        return card
 
     def show_connect(self, shown: bool) -> None:
         """Whether a robot can be connected to from here."""

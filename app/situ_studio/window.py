@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSettings, Signal
+from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -16,7 +16,8 @@ from PySide6.QtWidgets import (
 from situ.document.mend import mends
 from situ.document.problem import Problem
 from situ.document.rbd import Application
-from situ_studio import places, words
+from situ_studio import places, recent, words
+from situ_studio.claim import Claim
 from situ_studio.commands import Commands
 from situ_studio.context_menus import ContextMenus
 from situ_studio.dialogs import Dialogs
@@ -39,8 +40,6 @@ from situ_studio.welcome import Example
 
 if TYPE_CHECKING:
     from situ_studio.windows import Windows
-
-RECENT = 8
 
 
 class MainWindow(Frame):
@@ -76,6 +75,7 @@ class MainWindow(Frame):
         self._docks_before: list[QDockWidget] = []
         home = Path(settings.fileName()).parent / "recovery"
         self.recovery = Recovery(session, home, self.recovered)
+        self.claim = Claim(home)
         self.commands = Commands(self)
         self.robot = RobotSide(self, link)
         self.disk = DiskSide(self)
@@ -119,6 +119,7 @@ class MainWindow(Frame):
         welcome.open_asked.connect(self.commands.open_project)
         welcome.connect_asked.connect(self.commands.connect_robot)
         welcome.recent_asked.connect(self.commands.open_path)
+        welcome.forget_asked.connect(self.commands.forget_recent)
         welcome.example_asked.connect(self.commands.open_example)
         welcome.template_asked.connect(self.commands.new_project)
         welcome.theme_asked.connect(self.choose_theme)
@@ -127,16 +128,31 @@ class MainWindow(Frame):
 
     @property
     def recent(self) -> list[str]:
-        """The folders of the projects that were open lately, the last one first."""
-        found: Any = self.settings.value("recent", [])
-        every = [found] if isinstance(found, str) else list(found or [])
-        return [p for p in every if Path(p).exists()]
+        """The folders of the projects that were open lately, the last one first, gone ones too."""
+        return recent.recent(self.settings)
+
+    def remember(self, path: Path) -> None:
+        """The project at ``path`` is open here: it is recent, and open at the next start."""
+        recent.remember(self.settings, path)
+        if self.windows is not None:
+            self.windows.remember()
+
+    def forget_recent(self, path: str) -> None:
+        recent.forget(self.settings, path)
+        self.welcome.show_recent(self.recent)
 
     def open_project(self, path: Path) -> None:
         """Opens a project; UsageError, with one line for the user, where it can not be read."""
         self.session.open(path)
-        there = str(path.resolve())
-        self.settings.setValue("recent", [there, *(p for p in self.recent if p != there)][:RECENT])
+        self.remember(path)
+        if not self.claim.take(self.session.root):
+            self.notice.ask(
+                self.tr(
+                    "This project is open in another Situ Studio too. What is saved there is told "
+                    "here before anything is overwritten."
+                ),
+                (self.tr("All right"), lambda: None),
+            )
 
     def _on_opened(self) -> None:
         project = self.session.project
@@ -567,6 +583,11 @@ class MainWindow(Frame):
             view.set_theme(theme)
         self._settle_selection()
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+            self.disk.look()
+
     # -- leaving ---------------------------------------------------------------------------------
 
     def may_leave(self) -> bool:
@@ -586,6 +607,7 @@ class MainWindow(Frame):
             return
         self.keep()
         self.recovery.forget()
+        self.claim.release()
         self.disconnect_robot()
         super().closeEvent(event)
         self.closed.emit(self)

@@ -5,18 +5,28 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QSettings, QTimer
+import msgspec
+from msgspec import Struct
+from PySide6.QtCore import QByteArray, QEvent, QObject, QPoint, QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
 from situ.errors import SituError
 from situ_studio.language import SYSTEM, Speaking, language_of
 from situ_studio.session import Session
-from situ_studio.showing import show_again, showing
+from situ_studio.showing import Showing, show_again, showing
 from situ_studio.welcome import Example
 from situ_studio.window import MainWindow
 
 ASIDE = QPoint(32, 32)
 """How far a new window lies from where the last one was."""
+
+
+class Open(Struct, frozen=True):
+    """One window with a project, as the settings keep it for the next start."""
+
+    root: str
+    geometry: str
+    showing: Showing
 
 
 class Windows(QObject):
@@ -39,6 +49,7 @@ class Windows(QObject):
         self._speaking = speaking
         self._examples = examples
         self._theme = theme
+        self._quitting = False
         self.windows: list[MainWindow] = []
         self.language = language or str(settings.value("language", SYSTEM))
         self._speak()
@@ -74,19 +85,92 @@ class Windows(QObject):
         return window
 
     def _on_closed(self, window: MainWindow) -> None:
-        self._forget(window)
-        if self.windows:
+        if len(self.windows) > 1:
+            self._forget(window)
             window.deleteLater()
+            self.remember()
+        else:
+            # What was open in the last one is open again at the next start.
+            self.remember()
+            self._forget(window)
 
     def _forget(self, window: MainWindow) -> None:
         if window in self.windows:
             self.windows.remove(window)
 
-    def new_window(self) -> None:
-        """A window with the welcome page, beside the others."""
-        window = self.open_window()
+    def window_of(self, path: Path) -> MainWindow | None:
+        """The window in which the project at ``path`` is open."""
+        there = path.resolve()
+        for window in self.windows:
+            project = window.session.project
+            if project is None:
+                continue
+            root = window.session.root.resolve()
+            names = [root] if project.toml is not None else [root / f for f in window.session.files]
+            if there in names or (project.toml is not None and there == root / project.toml):
+                return window
+        return None
+
+    def show_project(self, path: Path) -> None:
+        """Opens a project in a window of its own. Raises UsageError as ``open_window``."""
+        self._show(self.open_window(path))
+
+    def _show(self, window: MainWindow) -> None:
         window.move(window.pos() + ASIDE)
         window.show()
+        window.activateWindow()
+
+    def quit(self) -> None:
+        """Closes all windows, until a person wants to stay in one."""
+        self.remember()
+        self._quitting = True
+        for window in list(self.windows):
+            if not window.close():
+                break
+        self._quitting = False
+
+    def remember(self) -> None:
+        """Keeps what is open for the next start."""
+        if self._quitting:
+            return
+        every = [
+            Open(
+                str(window.session.root.resolve()),
+                bytes(window.saveGeometry().toBase64().data()).decode(),
+                showing(window),
+            )
+            for window in self.windows
+            if window.session.project is not None and window.session.project.toml is not None
+        ]
+        self._settings.setValue("open", msgspec.json.encode(every).decode())
+
+    def restore(self) -> MainWindow | None:
+        """Opens and shows what was open at the end, the first window of it; None where nothing
+        was, or nothing of it is there any more."""
+        try:
+            every = msgspec.json.decode(str(self._settings.value("open", "[]")), type=list[Open])
+        except msgspec.MsgspecError:
+            return None
+        missing = []
+        for one in every:
+            try:
+                window = self.open_window(Path(one.root))
+            except SituError:
+                missing.append(one.root)
+                continue
+            window.restoreGeometry(QByteArray.fromBase64(one.geometry.encode()))
+            window.show()
+            QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+            show_again(window, one.showing)
+        if missing:
+            shown = self.windows[0] if self.windows else self.open_window()
+            shown.show()
+            shown.say(self.tr("Not there any more: {0}").format(", ".join(missing)))
+        return self.windows[0] if self.windows else None
+
+    def new_window(self) -> None:
+        """A window with the welcome page, beside the others."""
+        self._show(self.open_window())
 
     def choose_language(self, choice: str) -> None:
         """Speaks another language: every window is made anew, and shows what it showed."""
@@ -111,6 +195,7 @@ class Windows(QObject):
         old.recovery.forget()
         self._forget(old)
         new = self._made(old.session, old.session.project is not None, old)
+        new.claim, old.claim = old.claim, new.claim
         new.take_over()
         new.setGeometry(old.geometry())
         new.setVisible(visible)

@@ -77,6 +77,8 @@ class Answers:
     def __init__(self) -> None:
         self.waiting: dict[str, list[Any]] = {}
         self.told: list[str] = []
+        self.conflicts: list[Any] = []
+        """What differed, each time that it was asked about."""
 
     def put(self, question: str, answer: Any) -> None:
         self.waiting.setdefault(question, []).append(answer)
@@ -100,8 +102,12 @@ class Answers:
     def unsaved(self, files: list[str]) -> Any:
         return self._take("unsaved")
 
-    def conflict(self, file: str) -> Any:
+    def conflict(self, found: Any) -> Any:
+        self.conflicts.append(found)
         return self._take("conflict")
+
+    def where(self, name: str) -> Any:
+        return self._take("where")
 
     def tell(self, text: str) -> None:
         self.told.append(text)

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontInfo
+from PySide6.QtWidgets import QLabel, QToolButton
 
 from situ.document import folder
 from situ.document.check import check
@@ -43,6 +44,7 @@ def test_an_example_opens_as_a_copy_in_a_folder_that_is_asked_for(
 
 def test_a_second_copy_gets_a_name_that_is_free(studio: Start, tmp_path: Path) -> None:
     used = studio()
+    used.answers.put("where", "here")
     for _ in range(2):
         used.answers.put("new_folder", str(tmp_path))
         used.window.commands.open_example("conversation")
@@ -112,12 +114,20 @@ def test_projects_that_were_open_are_listed_and_open_again(
     assert used.window.current_file == "reception.rbd.xml"
 
 
-def test_a_recent_project_that_is_gone_is_not_listed(
+def test_a_recent_project_that_is_gone_is_shown_as_such_and_taken_off_the_list(
     studio: Start, project: Copy, tmp_path: Path
 ) -> None:
     studio(project("reception")).window.close()
     (tmp_path / "reception").rename(tmp_path / "moved")
-    assert studio().window.recent == []
+    used = studio()
+    welcome = used.window.welcome
+    words = [label.toolTip() or label.text() for label in welcome.findChildren(QLabel)]
+    assert f"Not there any more: {tmp_path / 'reception'}" in words
+    used.click(welcome.findChild(QToolButton, f"forget {tmp_path / 'reception'}"))
+    assert used.window.recent == []
+    assert "Projects that you open will be listed here." in [
+        label.text() for label in welcome.findChildren(QLabel)
+    ]
 
 
 def test_the_bundled_typeface_is_used(studio: Start) -> None:

@@ -1,0 +1,132 @@
+"""What the commands about projects and their files do: open, save, copy, leave."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from situ.document.beginning import project_name
+from situ.errors import SituError
+from situ_studio import projects
+from situ_studio.state_commands import StateCommands
+
+
+class FileCommands(StateCommands):
+    """The handlers of one window that are about files."""
+
+    def _home(self) -> str:
+        there = [p for p in self._window.recent if Path(p).exists()]
+        return str(Path(there[0]).parent) if there else str(Path.home())
+
+    def new_project(self, template: str = "empty") -> None:
+        """Makes a project of a template, named and put where the person says, and opens it."""
+        dialogs = self._window.dialogs
+        given = dialogs.name(self.tr("New project"), self.tr("Name"), "my-robot")
+        if given is None:
+            return
+        name = project_name(given)
+        parent = dialogs.new_folder(self._home(), self.tr("Where shall its folder be?"))
+        if parent is not None:
+            self._open(partial(projects.new_project, Path(parent), name, template), new=True)
+
+    def open_project(self) -> None:
+        path = self._window.dialogs.project(self._home())
+        if path is not None:
+            self.open_path(path)
+
+    def open_path(self, path: str) -> None:
+        """Opens a project: in the window that has it, in this one, or in one of its own."""
+        windows = self._window.windows
+        there = windows.window_of(Path(path)) if windows is not None else None
+        if there is None:
+            self._open(lambda: Path(path))
+            return
+        there.leave_welcome()
+        there.show()
+        there.raise_()
+        there.activateWindow()
+        if there is not self._window:
+            there.say(self.tr("This project is open here already."))
+
+    def open_example(self, name: str) -> None:
+        """Opens a copy of an example, made where the person says."""
+        parent = self._window.dialogs.new_folder(
+            self._home(), self.tr("Where shall the copy of the example be?")
+        )
+        if parent is not None:
+            self._open(lambda: projects.copy_example(name, Path(parent)))
+
+    def _open(self, made: Callable[[], Path], new: bool = False) -> None:
+        """Opens what ``made`` gives. Where a project is open here, the person is asked in which
+        window; unsaved changes of this one are asked about before anything is made."""
+        window, project = self._window, self._session.project
+        where = "here" if project is None else window.dialogs.where(project.name)
+        if where == "new" and window.windows is not None:
+            windows = window.windows
+            shown = self._try(lambda: windows.show_project(made()))
+        elif where == "here" and window.may_leave():
+            shown = self._try(lambda: window.open_project(made()))
+        else:
+            return
+        if shown and new:
+            # A newcomer sees what a state is made of, and what comes next goes beside it.
+            opened = window if where == "here" else window.windows and window.windows.windows[-1]
+            if opened:
+                opened.select(("state", "1"))
+
+    def forget_recent(self, path: str) -> None:
+        """Takes a project off the list of recent ones; its files stay."""
+        self._window.forget_recent(path)
+
+    def show_welcome(self) -> None:
+        self._window.show_welcome()
+
+    def save(self) -> bool:
+        """Saves every changed document; False where a person or the disk said no."""
+        self._window.finish_fields()
+        if not all(self._window.disk.resolve(file) for file in self._session.conflicts()):
+            return False
+        try:
+            self._session.save()
+        except SituError as error:
+            self._window.disk.tell_unsaved(error)
+            return False
+        self._window.disk.tell_saved()
+        return True
+
+    def save_copy(self) -> bool:
+        """Puts the project, as it is here, into a folder that the person names, and goes on there.
+
+        The folder that it came from stays as it is.
+        """
+        self._window.finish_fields()
+        parent = self._window.dialogs.new_folder(
+            self._home(), self.tr("Where shall the copy of the project be?")
+        )
+        return parent is not None and self._try(lambda: self._session.save_copy(Path(parent)))
+
+    def close_tab(self) -> None:
+        self._window.close_tab()
+
+    def close_window(self) -> None:
+        self._window.close()
+
+    def quit(self) -> None:
+        """Closes all windows, unless a person wants to stay in one."""
+        windows = self._window.windows
+        if windows is not None:
+            windows.quit()
+
+    def new_window(self) -> None:
+        if self._window.windows is not None:
+            self._window.windows.new_window()
+
+    def _try(self, what: Callable[[], object]) -> bool:
+        """Does something that may fail, and says in one line why it did."""
+        try:
+            what()
+        except (SituError, OSError) as error:
+            self._window.dialogs.tell(str(error))
+            return False
+        return True
