@@ -396,6 +396,16 @@ COMMANDS: tuple[Command, ...] = (
         contexts="states",
     ),
     _c(
+        "reset_layout",
+        "Reset layout",
+        "reset_layout",
+        icon="layers",
+        menu="View",
+        when="has_project",
+        rule=True,
+        tip="Every panel back to where it lies at first",
+    ),
+    _c(
         "go_start",
         "The start",
         "go_to_start",

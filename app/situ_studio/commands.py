@@ -250,6 +250,9 @@ class Commands(FileCommands):
     def next_panel(self, way: int) -> None:
         self._window.next_panel(way)
 
+    def reset_layout(self) -> None:
+        self._window.reset_layout()
+
     def choose_language(self, choice: str) -> None:
         if self._window.windows is not None:
             self._window.windows.choose_language(choice)

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from situ_studio import tab_order
 from situ_studio.breadcrumbs import Breadcrumbs
+from situ_studio.docking import FOLDED, Docking
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.menus import Actions
@@ -59,7 +60,8 @@ class Frame(QMainWindow):
         self.settings = settings
         self.theme_choice = theme or str(settings.value("theme", "system"))
         self.theme = self._chosen_theme()
-        self._placed = False
+        self.docking = Docking(self)
+        self._bottom_high = BOTTOM
         self.setWindowTitle(self.tr("Situ Studio"))
         self.setMinimumSize(800, 500)
         self.setDockOptions(
@@ -77,7 +79,7 @@ class Frame(QMainWindow):
         self.status = Status(self.theme)
         self.setStatusBar(self.status)
         self.finder = FindAnything(self.theme, self)
-        self.bottom.folded.connect(lambda _: self._settle_bottom())
+        self.bottom.folded.connect(self._on_folded)
         self.bottom.chosen.connect(self._on_bottom)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._on_scheme)
 
@@ -87,6 +89,12 @@ class Frame(QMainWindow):
         actions.fill_menus(self.menuBar())
         self._fill_panels_menu()
         self._build_toolbar()
+        self.docking.begin()
+
+    @property
+    def docks(self) -> dict[str, QDockWidget]:
+        """The panels' docks by name."""
+        return self.docking.docks
 
     # -- building ------------------------------------------------------------------
 
@@ -119,13 +127,6 @@ class Frame(QMainWindow):
         self.stack.addWidget(centre)
         self.setCentralWidget(self.stack)
 
-    def _dock(self, name: str, title: str, widget: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
-        dock = QDockWidget(title, self)
-        dock.setObjectName(name)
-        dock.setWidget(widget)
-        self.addDockWidget(area, dock)
-        return dock
-
     def _build_panels(self) -> None:
         theme = self.theme
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
@@ -136,7 +137,6 @@ class Frame(QMainWindow):
         self.problems = Problems(theme)
         self.bottom = BottomPanels(theme)
         self.bottom.add("problems", self.tr("Problems"), self.problems)
-        self.docks: dict[str, QDockWidget] = {}
         headers = {
             "project": PanelHeader(self.tr("Project")),
             "outline": PanelHeader(self.tr("Outline")),
@@ -153,20 +153,17 @@ class Frame(QMainWindow):
             ("palette", self._palette_room),
         )
         for name, widget in sides:
-            dock = self._dock(name, headers[name].title.text(), widget, left)
-            dock.setTitleBarWidget(headers[name])
-            self.docks[name] = dock
-        self.docks["inspector"] = self._dock(
-            "inspector", self.tr("Inspector"), self.inspector, right
+            self.docking.add(name, headers[name].title.text(), widget, headers[name], left)
+        self.docking.add(
+            "inspector", self.tr("Inspector"), self.inspector, self.inspector.header, right
         )
-        self.docks["inspector"].setTitleBarWidget(self.inspector.header)
-        self.docks["bottom"] = self._dock(
+        self.docking.add(
             "bottom",
             self.tr("Problems and more"),
             self.bottom,
+            self.bottom.strip,
             Qt.DockWidgetArea.BottomDockWidgetArea,
         )
-        self.docks["bottom"].setTitleBarWidget(self.bottom.strip)
 
     def _fill_panels_menu(self) -> None:
         menu = self.actions_.menu("View").addMenu(self.tr("Panels"))
@@ -283,11 +280,16 @@ class Frame(QMainWindow):
         if event.type() == QEvent.Type.DevicePixelRatioChange and hasattr(self, "actions_"):
             # The icons hold pictures for the screens that there were.
             self.set_theme(self.theme)
-        return super().event(event)
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self.docking.watch(event)
+        handled = super().event(event)
+        if event.type() == QEvent.Type.MouseButtonRelease:
+            self.docking.watch(event)
+        return handled
 
     def size_docks(self) -> None:
         """The panels' usual sizes, unless a person has changed them before."""
-        if self._placed:
+        if self.docking.sized:
             return
         small = self.width() < 1360
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
@@ -310,9 +312,20 @@ class Frame(QMainWindow):
             room = min(ROBOT_PANEL, self.height() // 3)
             self.resizeDocks([self.docks["bottom"]], [room], Qt.Orientation.Vertical)
 
-    def _settle_bottom(self) -> None:
-        if not self.bottom.is_folded:
-            self.resizeDocks([self.docks["bottom"]], [BOTTOM], Qt.Orientation.Vertical)
+    def _on_folded(self, folded: bool) -> None:
+        """What is unfolded is as high as it was."""
+        dock = self.docks["bottom"]
+        if folded:
+            self._bottom_high = max(BOTTOM, dock.height())
+        else:
+            self.resizeDocks([dock], [self._bottom_high], Qt.Orientation.Vertical)
+
+    def reset_layout(self) -> None:
+        """Panels where they lie at first, of their usual sizes."""
+        self.docking.reset()
+        self.bottom.set_folded(False)
+        self._bottom_high = BOTTOM
+        self.size_docks()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -323,18 +336,19 @@ class Frame(QMainWindow):
 
     def restore(self) -> None:
         """Puts the window and its panels where they were."""
-        geometry, state = self.settings.value("geometry"), self.settings.value("panels")
+        geometry = self.settings.value("geometry")
         self.resize(1440, 900)
         if isinstance(geometry, QByteArray):
             self.restoreGeometry(geometry)
-        if isinstance(state, QByteArray):
-            self._placed = self.restoreState(state)
+        self.docking.restore(self.settings)
+        if self.settings.value(FOLDED, False, bool):
+            self.bottom.set_folded(True)
 
     def keep(self) -> None:
         """Keeps where the window and its panels are."""
         self.settings.setValue("geometry", self.saveGeometry())
-        if self.stack.currentIndex() == 1:
-            self.settings.setValue("panels", self.saveState())
+        self.docking.keep(self.settings)
+        self.settings.setValue(FOLDED, self.bottom.is_folded)
 
 
 def _spring() -> QWidget:

@@ -8,10 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import (
-    QApplication,
-    QDockWidget,
-)
+from PySide6.QtWidgets import QApplication
 
 from situ.document.mend import mends
 from situ.document.problem import Problem
@@ -72,7 +69,6 @@ class MainWindow(Frame):
         self.views: dict[str, DocumentView] = {}
         self.current_file: str | None = None
         self._before_welcome: str | None = None
-        self._docks_before: list[QDockWidget] = []
         home = Path(settings.fileName()).parent / "recovery"
         self.recovery = Recovery(session, home, self.recovered)
         self.claim = Claim(home)
@@ -166,8 +162,7 @@ class MainWindow(Frame):
         self.notice.hide()
         self.incomplete.hide()
         self.project_tree.show_project(project, self.session.files)
-        for dock in self.docks.values():
-            dock.show()
+        self.docking.show()
         self.stack.setCurrentIndex(1)
         shown = [f for f in self.session.files if f != project.modules_file]
         for file in shown or self.session.files:
@@ -266,12 +261,10 @@ class MainWindow(Frame):
         self.welcome.themes.show_choice(self.theme_choice)
         if self.stack.currentIndex() == 1:
             self._before_welcome = self.tabs.chosen_file
-            self._docks_before = [d for d in self.docks.values() if not d.isHidden()]
         project = self.session.project
         self.welcome.show_back(project.name if project is not None else None)
         self.stack.setCurrentIndex(0)
-        for dock in self.docks.values():
-            dock.hide()
+        self.docking.hide()
         self.toolbar.hide()
         self.current_file = None
         self.setWindowTitle(self.tr("Situ Studio"))
@@ -281,8 +274,7 @@ class MainWindow(Frame):
         """Goes back to the project that is open, as it was left."""
         if self.session.project is None or self.stack.currentIndex() == 1:
             return
-        for dock in self._docks_before:
-            dock.show()
+        self.docking.show()
         self.stack.setCurrentIndex(1)
         if self._before_welcome in self.tabs.files():
             self.tabs.choose(str(self._before_welcome))

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMenu, QWidget
 
 HEIGHT = 32
 
 
 class TitleBar(QWidget):
-    """What a dock is dragged by: of a fixed height, in the panels' colour."""
+    """What a dock is dragged by: of a fixed height, in the panels' colour.
+
+    Its context menu lets the dock float, or lie where it lay, and closes it.
+    """
 
     def __init__(self, height: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -17,6 +21,18 @@ class TitleBar(QWidget):
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedHeight(height)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        dock = self.parentWidget()
+        if not isinstance(dock, QDockWidget):
+            return
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        floats = dock.isFloating()
+        free = menu.addAction(self.tr("Dock again") if floats else self.tr("Float"))
+        free.triggered.connect(lambda: dock.setFloating(not floats))
+        menu.addAction(self.tr("Close")).triggered.connect(dock.close)
+        menu.popup(event.globalPos())
 
     def sizeHint(self) -> QSize:
         # A dock asks for the hint of its title bar, whatever its fixed height is.
