@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from situ.blackboard.client import Board
-    from situ.blackboard.protocol import Deployment, Role, Turn, Waits
+    from situ.blackboard.protocol import Deployment, Role, Turn
+    from situ.decide.deployment import Waits
     from situ.document.project import Project
 
 LINES = 40
@@ -78,7 +78,7 @@ def _command(commands: Any, name: str, about: str, more: str) -> argparse.Argume
 def _waits(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--force-after",
-        type=float,
+        type=_seconds,
         metavar="S",
         help="do not wait longer than S seconds for the actions that run; as long as it takes "
         "unless given",
@@ -86,6 +86,17 @@ def _waits(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--wait", action="store_true", help="until its first minute is over, not until it runs"
     )
+
+
+def _seconds(text: str) -> float:
+    """A time on the command line."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0 <= value < 1e9:
+        raise argparse.ArgumentTypeError("a number of seconds, 0 or more, is needed")
+    return value
 
 
 def _connect(args: argparse.Namespace, role: Role) -> Board:
@@ -97,7 +108,7 @@ def _connect(args: argparse.Namespace, role: Role) -> Board:
 def _deploy(args: argparse.Namespace) -> int:
     with _connect(args, "operator") as board:
         files, main = _only_spds(args.project, board) if args.spds else _whole(args.project)
-        for line in _changes(args.project, board, files):
+        for line in _changes(args.project, board, files, main):
             print(line)
         size = sum(map(len, files.values()))
         print(f"{len(files)} file{'s' * (len(files) != 1)}, {size / 1000:,.0f} kB", flush=True)
@@ -147,16 +158,23 @@ def _only_spds(path: str, board: Board) -> tuple[dict[str, bytes], None]:
     return {theirs.spds_file: data}, None
 
 
-def _changes(path: str, board: Board, files: dict[str, bytes]) -> list[str]:
+def _changes(path: str, board: Board, files: dict[str, bytes], main: str | None) -> list[str]:
     """What the robot would do differently, in plain words; its media are left to the robot. Raises
-    ProjectError where it is another project: the robot would not take it."""
+    ProjectError where it is another project: the robot would not take it; or one document of a
+    whole one: all others would be gone."""
     from situ.cli_diff import told
     from situ.document.diff import compare
+    from situ.document.folder import PROJECT_FILE
     from situ.errors import ProjectError
 
     robots = board.documents().files
+    if main not in (None, PROJECT_FILE) and PROJECT_FILE in robots:
+        raise ProjectError(
+            f"{path}: is one document, and this robot runs a whole project: deploy the folder with "
+            f"its {PROJECT_FILE} (a script alone: --spds)"
+        )
     texts = {path: data.decode() for path, data in files.items() if path.endswith(_TEXTS)}
-    before, after = _read(robots), _read({**robots, **texts} if len(files) == 1 else texts)
+    before, after = _read(robots), _read({**robots, **texts} if main is None else texts)
     if before is None or after is None:
         return []
     if before.name != after.name:
@@ -165,7 +183,8 @@ def _changes(path: str, board: Board, files: dict[str, bytes]) -> list[str]:
             "its own robot, or give it that name"
         )
     changes = [change for change in compare(before, after) if change.behaviour]
-    lines = told(changes) if changes else ["The robot will act the same; its media may differ."]
+    same = "The robot will act the same" + ("." if main is None else "; its media may differ.")
+    lines = told(changes) if changes else [same]
     return lines if len(lines) <= LINES else [*lines[:LINES], f"and {len(lines) - LINES} more"]
 
 
@@ -184,51 +203,54 @@ def _read(texts: dict[str, str]) -> Project | None:
 
 def _follow(board: Board, begun: Deployment, wait: bool) -> int:
     """Tells how far it is, until it runs, or ``wait``: until its first minute is over."""
-    number, before = begun.asked, begun.version
-    said, restart = "", begun.restart
-    for state in _states(board, begun):
-        restart = state.restart
-        if state.asked != number:
-            return _elsewhere(board, number)
-        if state.stands == "refused":
-            return _failed(
-                [f"version {number} is refused; version {before} runs on", *state.problems]
-            )
-        if state.stands == "returned":
-            why = " ".join(state.problems)
-            return _failed([f"version {state.version} runs again: {why}"])
-        line = _told(state, before)
-        if line != said:
-            print(line, flush=True)
-            said = line
-        if state.stands == "running" and not (wait and state.minute is not None):
-            if wait:
-                print(f"version {number} counts: its first minute is over")
-            break
-    if restart:
-        print(f"when the robot is started again, these count too: {', '.join(restart)}")
+    number, state, said = begun.asked, begun, ""
+    try:
+        while not _ended(state, begun, wait):
+            line = _told(state)
+            if line not in ("", said):
+                print(line, flush=True)
+                said = line
+            board.sleep(POLL)
+            state = board.progress()
+    except KeyboardInterrupt:
+        if state.version != number:
+            back = f"situ rollback {state.version} takes it back"
+            print(f"situ: version {number} goes on without this: {back}", file=sys.stderr)
+        raise
+    if state.asked != number:
+        return _elsewhere(board, number, state)
+    if state.stands == "refused":
+        lines = [f"version {number} is refused; version {begun.version} runs on", *state.problems]
+        return _failed(lines)
+    if state.stands == "returned":
+        return _failed([f"version {state.version} runs again: {' '.join(state.problems)}"])
+    print(f"version {number} counts: its first minute is over" if wait else _told(state))
+    if state.restart:
+        print(f"when the robot is started again, these count too: {', '.join(state.restart)}")
     return 0
 
 
-def _states(board: Board, state: Deployment) -> Iterator[Deployment]:
-    while True:
-        yield state
-        board.sleep(POLL)
-        state = board.progress()
+def _ended(state: Deployment, begun: Deployment, wait: bool) -> bool:
+    if state.asked != begun.asked:
+        # Where another one was refused this one waits on.
+        return state.stands != "refused" or not state.waits
+    if state.stands == "running":
+        return not wait or state.minute is None
+    return state.stands not in ("checking", "waiting")
 
 
-def _told(state: Deployment, before: int) -> str:
+def _told(state: Deployment) -> str:
     if state.stands == "checking":
         return f"the robot checks version {state.asked}"
     if state.stands == "waiting":
         forced = "" if state.forced is None else "; at the latest when its time is over"
         return f"checked; waiting for {', '.join(map(_waited, state.waits)) or 'a moment'}{forced}"
-    back = (
-        ""
-        if state.minute is None
-        else (f"; back to version {before} by itself if it fails in its first minute")
-    )
-    return f"version {state.asked} runs{back}"
+    if state.stands != "running":
+        return ""
+    if state.former is None:
+        return f"version {state.asked} runs"
+    back = f"back to version {state.former} by itself if it fails in its first minute"
+    return f"version {state.asked} runs; {back}"
 
 
 def _waited(one: Waits) -> str:
@@ -236,7 +258,7 @@ def _waited(one: Waits) -> str:
     return f"{one.action}{name} of state {one.state} of {one.application}"
 
 
-def _elsewhere(board: Board, number: int | None) -> int:
+def _elsewhere(board: Board, number: int | None, state: Deployment) -> int:
     """The robot was started again meanwhile, or somebody else asked for another version."""
     told = board.history()
     at = [i for i, turn in enumerate(told.turns) if turn.version == number]
@@ -246,9 +268,10 @@ def _elsewhere(board: Board, number: int | None) -> int:
     if told.version == number:
         print(f"version {number} runs")
         return 0
-    return _failed(
-        [f"version {told.version} runs, and version {number} not: see situ history, deploy again"]
-    )
+    why = "the robot was started again"
+    if state.asked is not None:
+        why = f"version {state.asked} was asked for after it"
+    return _failed([f"version {told.version} runs, not version {number}: {why}; see situ history"])
 
 
 def _failed(lines: list[str]) -> int:

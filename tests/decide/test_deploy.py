@@ -8,7 +8,7 @@ import pytest
 from tests.decide.conftest import Trace
 
 from situ.decide import inputs
-from situ.decide.deploying import Deployment, Waits
+from situ.decide.deployment import Deployment, Waits
 from situ.decide.effects import AnyEffect, Refuse
 from situ.decide.robot import Robot
 from situ.decide.trace import to_fields

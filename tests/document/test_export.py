@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -99,6 +100,27 @@ def test_a_project_whose_own_file_leads_elsewhere_is_refused(
     assert cli.main(["export", str(inside), "-o", str(tmp_path / "out")]) == 2
     assert "situ.toml: leads out of the project" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "make", "told"),
+    [
+        ("pipe.txt", os.mkfifo, "media/pipe.txt: is no plain file (a pipe, a device)"),
+        ("caf\udce9.txt", Path.touch, "its name is not UTF-8"),
+    ],
+)
+def test_media_that_can_not_go_to_a_robot_are_refused_and_not_waited_for(
+    tmp_path: Path, capsys: Captured, name: str, make: Callable[[Path], None], told: str
+) -> None:
+    inside = tmp_path / "project"
+    (inside / "media").mkdir(parents=True)
+    (inside / "situ.toml").write_text(
+        '[project]\nname = "a"\nmedia = "media"\napplications = ["a.rbd.xml"]\n'
+    )
+    (inside / "a.rbd.xml").write_text(GOOD)
+    make(inside / "media" / name)
+    assert cli.main(["export", str(inside), "-o", str(tmp_path / "out")]) == 2
+    assert told in capsys.readouterr().err
 
 
 def test_what_the_editor_has_put_in_without_a_declaration_is_stripped() -> None:

@@ -13,6 +13,7 @@ import pytest
 
 from situ.blackboard import protocol
 from situ.decide import inputs, trace
+from situ.decide.deployment import Waits
 from situ.decide.effects import Refuse
 from situ.decide.robot import Robot
 from situ.document.export import deployable
@@ -140,7 +141,7 @@ def test_what_waits_is_told_and_forced(desk: Desk) -> None:
     desk.deploy(desk.files(4000), force_after=5.0)
     state = desk.progress
     assert (state.stands, state.forced) == ("waiting", 5.0)
-    assert state.waits == (protocol.Waits("desk", "2", "speech", None),)
+    assert state.waits == (Waits("desk", "2", "speech", None),)
     desk.later(6)
     assert (desk.progress.stands, desk.progress.version) == ("running", 1)
     assert desk.runs[-1].root == str(desk.versions.folder / "1" / "project")
@@ -196,6 +197,40 @@ def test_going_back_takes_the_version_before_or_the_one_that_is_named(desk: Desk
         (0, "rolled back"),
     ]
     assert (told.version, told.kept) == (0, (0, 1, 2))
+
+
+def test_going_back_to_what_runs_takes_the_place_of_one_that_waits(desk: Desk) -> None:
+    desk.step(inputs.Raise("talk"))
+    desk.deploy(desk.files(4000))
+    assert desk.progress.stands == "waiting"
+    desk.ask(protocol.Rollback(id=1, version=0))
+    desk.checked()
+    assert (desk.progress.stands, desk.progress.waits) == ("running", ())
+    desk.step(inputs.Raise("hush"))
+    assert desk.robot.version == 0
+    with pytest.raises(Refused, match="version 0 runs already"):
+        desk.ask(protocol.Rollback(id=1, version=0))
+
+
+def test_where_only_media_changed_the_death_of_the_process_returns_too(
+    desk: Desk, tmp_path: Path
+) -> None:
+    desk.deploy({**desk.files(3000), "media/chime.txt": b"another"})
+    assert (desk.progress.minute, desk.progress.former) == (60.0, 0)
+    desk.later(30)
+    # The same once more does not end its minute.
+    desk.deploy({**desk.files(3000), "media/chime.txt": b"another"})
+    assert (desk.progress.minute, desk.progress.former) == (30.0, 0)
+    again = Desk(tmp_path)
+    assert again.robot.version == 0
+    assert again.versions.turns()[-1].why.startswith("version 2 failed")
+
+
+def test_where_only_media_changed_it_counts_after_a_minute_too(desk: Desk, tmp_path: Path) -> None:
+    desk.deploy({**desk.files(3000), "media/chime.txt": b"another"})
+    desk.later(62)
+    assert (desk.progress.minute, desk.progress.former) == (None, None)
+    assert Desk(tmp_path).robot.version == 1
 
 
 def test_what_counts_only_at_a_start_is_told(desk: Desk) -> None:

@@ -16,9 +16,8 @@ from situ.blackboard.protocol import Sent, Turn
 from situ.document.export import deployable
 from situ.document.ready import load_ready
 from situ.engine import staging
-from situ.engine.deploy import before
 from situ.engine.staging import Staging
-from situ.engine.versions import Current, Version, Versions, fingerprint, version_to_run
+from situ.engine.versions import Current, Version, Versions, before, fingerprint, version_to_run
 from situ.errors import ProjectError, Refused, UsageError
 
 DESK = Path(__file__).parent.parent / "faults" / "desk"
@@ -42,6 +41,7 @@ def add(versions: Versions, number: int, files: Mapping[str, bytes]) -> None:
     for path in coming.wanted:
         coming.piece(path, 0, files[path])
     coming.check_whole()
+    coming.complete()
     coming.keep()
     versions.add(
         number, coming.folder, Version("situ.toml", "operator:ann", 5.0, dict(coming.files))
@@ -91,7 +91,7 @@ def test_the_oldest_versions_go_but_not_those_that_are_needed(
     versions.forget_old({2, 5})
     assert versions.numbers() == [2, 4, 5]
     assert not versions.has(1)
-    with pytest.raises(UsageError, match="no version 1 any more"):
+    with pytest.raises(UsageError, match="the robot has no version 1"):
         versions.project(1)
     # What was hard-linked from one that has gone is still whole.
     assert versions.project(5).applications[FLOW].states[0].timeout is not None
@@ -132,11 +132,34 @@ def test_a_piece_that_comes_twice_counts_once(versions: Versions) -> None:
     assert (coming.folder / FLOW).read_bytes() == files[FLOW]
 
 
+def test_what_is_announced_is_made_beside_the_robot_not_while_it_waits(versions: Versions) -> None:
+    add(versions, 1, deployable(versions.given))
+    files = {**deployable(versions.given), "media/empty.txt": b"", "media/new.txt": b"new"}
+    coming = Staging(versions.staging, sent(files), versions.contents())
+    assert coming.wanted == ["media/empty.txt", "media/new.txt"]
+    assert list(coming.folder.iterdir()) == []
+
+    coming.piece("media/new.txt", 0, b"new")
+    coming.check_whole()
+    coming.complete()
+    assert {path: (coming.folder / path).read_bytes() for path in files} == files
+
+
+def test_what_an_older_version_no_longer_has_is_refused_and_leaves_nothing(
+    versions: Versions,
+) -> None:
+    add(versions, 1, deployable(versions.given))
+    coming = Staging(versions.staging, sent(deployable(versions.given)), versions.contents())
+    (versions.folder / "1" / "project" / FLOW).unlink()
+    with pytest.raises(Refused, match="send all of it again"):
+        coming.complete()
+    assert not versions.staging.exists()
+
+
 def test_a_link_in_the_way_is_not_written_through(versions: Versions, tmp_path: Path) -> None:
     files = deployable(versions.given)
     coming = Staging(versions.staging, sent(files), {})
     (tmp_path / "outside").write_text("mine")
-    (coming.folder / FLOW).unlink()
     (coming.folder / FLOW).symlink_to(tmp_path / "outside")
     with pytest.raises(Refused):
         coming.piece(FLOW, 0, files[FLOW])

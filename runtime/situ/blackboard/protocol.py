@@ -21,6 +21,7 @@ import msgspec
 from msgspec import UNSET, Struct, UnsetType, field
 
 from situ.blackboard.services import Carried
+from situ.decide.deployment import Waits
 from situ.decide.expected import Expectation
 
 VERSION = 1
@@ -546,15 +547,6 @@ class Staged(Reply, frozen=True, kw_only=True):
     wanted: tuple[str, ...]
 
 
-class Waits(Struct, frozen=True):
-    """An action that runs; kind and name as in the trace."""
-
-    application: str
-    state: str
-    action: str
-    name: str | None
-
-
 Stands = Literal["checking", "waiting", "running", "refused", "returned"]
 
 
@@ -564,8 +556,9 @@ class Deployment(Reply, frozen=True, kw_only=True):
     asked: the last one that was asked for, None: none since the core was started; stands: how it
     is with that one: ``waiting`` for what ``waits`` names, ``refused`` or ``returned`` from for
     ``problems``. forced: seconds until it does not wait any longer; None: no such time.
-    minute: seconds that the version which runs has left to show that it does not fail; None:
-    it counts. restart: what of it counts only when the robot is started again.
+    minute: seconds that the version which runs has left to show that it does not fail, and
+    former: the one that is gone back to if it does; None: it counts. restart: what of it counts
+    only when the robot is started again.
     """
 
     version: int
@@ -574,6 +567,7 @@ class Deployment(Reply, frozen=True, kw_only=True):
     waits: tuple[Waits, ...] = ()
     forced: float | None = None
     minute: float | None = None
+    former: int | None = None
     problems: tuple[str, ...] = ()
     restart: tuple[str, ...] = ()
 

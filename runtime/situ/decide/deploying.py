@@ -12,6 +12,7 @@ from typing import Protocol
 from msgspec import Struct
 
 from situ.decide import inputs
+from situ.decide.deployment import Deployment, Waits
 from situ.decide.effects import Refuse
 from situ.decide.machine import Machine
 from situ.decide.priorities import RUNTIME
@@ -24,34 +25,9 @@ PROBATION = 60 * SECOND
 """How long a new version is gone back from by itself, in µs."""
 
 
-class Waits(Struct, frozen=True):
-    """An action that runs: a new version waits for its end. state: where the application is.
-
-    action, name: as in the trace.
-    """
-
-    application: str
-    state: str
-    action: str
-    name: str | None
-
-
-class Deployment(Struct, frozen=True):
-    """Which version runs, and which is to.
-
-    pending: the version that waits, for ``waits``; forced: the moment (µs) at which it does not
-    any longer. former: the version that is gone back to if this one fails before ``until`` (µs).
-    """
-
-    version: int
-    pending: int | None = None
-    waits: tuple[Waits, ...] = ()
-    forced: int | None = None
-    former: int | None = None
-    until: int | None = None
-
-
 class Version(Struct):
+    """files: the texts that it is read from, by their paths in the project."""
+
     number: int
     files: dict[str, str]
 

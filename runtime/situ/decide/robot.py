@@ -24,7 +24,8 @@ from situ.decide import inputs, trace
 from situ.decide.board import Board, Entry
 from situ.decide.conditions import ConditionsState
 from situ.decide.debugger import DebuggerState
-from situ.decide.deploying import Deploying, DeployingState, Deployment, Version
+from situ.decide.deploying import Deploying, DeployingState, Version
+from situ.decide.deployment import Deployment
 from situ.decide.effects import AnyEffect, Begin, Map
 from situ.decide.expected import Expectation, expected
 from situ.decide.intake import ACCEPT

@@ -45,6 +45,11 @@ def deployable(project: Project) -> dict[str, bytes]:
         place = resolve(project.root, file)
         if place is None:
             raise UsageError(f"{file}: leads out of the project")
+        if place.exists() and not place.is_file():
+            # It could be waited for without end.
+            raise UsageError(f"{file}: is no plain file (a pipe, a device): take it out of there")
+        if not _is_utf8(file):
+            raise UsageError(f"{file!r}: its name is not UTF-8: give it another one")
         found[file] = place.read_bytes()
     return found
 
@@ -106,6 +111,14 @@ def _media(project: Project) -> list[str]:
         here = Path(folder).relative_to(project.root)
         found += [(here / name).as_posix() for name in sorted(files)]
     return found
+
+
+def _is_utf8(name: str) -> bool:
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _is_file(root: str, file: str) -> bool:

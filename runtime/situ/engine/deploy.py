@@ -18,18 +18,19 @@ from msgspec.structs import replace
 
 from situ.blackboard import protocol
 from situ.decide import trace
-from situ.decide.deploying import Deployment
+from situ.decide.deploying import PROBATION
+from situ.decide.deployment import Deployment
 from situ.decide.inputs import AnyInput, Deploy
 from situ.document.project import Project
+from situ.engine import checking
+from situ.engine.checking import Checked
 from situ.engine.staging import Staging
-from situ.engine.versions import Current, Version, Versions, fingerprint, main_file
-from situ.errors import ProjectError, Refused, SituError
+from situ.engine.versions import Current, Version, Versions, before, fingerprint, main_file
+from situ.errors import Refused, SituError
 
 IDLE = 10.0
 """Seconds without a piece, after which another operator may send a version."""
 PIECE = 1_000_000
-WORDS = 40
-"""Lines of what changed that the history keeps."""
 SLACK = 1.0
 """Seconds after the first minute, in which what fell due in it has been done."""
 ROBOT = "situ"
@@ -57,8 +58,8 @@ TurnTo = Callable[[Project, dict[str, str]], None]
 
 
 class Wish(Struct):
-    """A version that an operator wants to run. restart, changed: in plain words; given: as in
-    ``Current``. problems: why it came to nothing."""
+    """A version that an operator wants to run. restart, changed, given: as in ``Checked``.
+    problems: why it came to nothing."""
 
     number: int
     who: str
@@ -69,16 +70,6 @@ class Wish(Struct):
     restart: tuple[str, ...] = ()
     changed: tuple[str, ...] = ()
     given: str = ""
-
-
-class Checked(Struct):
-    """A version that can run. texts: as ``Versions.texts``."""
-
-    project: Project
-    texts: dict[str, str]
-    restart: tuple[str, ...]
-    changed: tuple[str, ...]
-    given: str
 
 
 class Deployer:
@@ -116,6 +107,8 @@ class Deployer:
         self._thread: threading.Thread | None = None
         self._swaps: list[tuple[trace.Deployed, str]] = []
         self._confirm: float | None = None
+        # When a version of which media alone are others has shown that it does not fail.
+        self._until = clock()
 
     @property
     def version(self) -> int:
@@ -239,11 +232,12 @@ class Deployer:
         self._wish = Wish(number, who, "deployed", request.force_after)
 
         def check() -> Checked:
+            staging.complete()
             files = dict(staging.files)
             if main is None:
                 files |= staging.fill(running)
             version = Version(main or main_file(running), who, at, files)
-            return self._add(number, staging, version, running)
+            return checking.add(self._versions, number, staging, version, running)
 
         self._work(check)
 
@@ -254,30 +248,32 @@ class Deployer:
         if number is None:
             number = before(self._versions.turns(), running)
             if number is None:
-                raise Refused(f"nothing ran before version {running}: say which one you mean")
-        if number == running:
+                raise Refused(
+                    f"nothing ran before version {running}: situ history tells what there is"
+                )
+        if number == running and self._robot.deployment().pending is None:
             raise Refused(f"version {number} runs already")
         if not self._versions.has(number):
-            raise Refused(
-                f"there is no version {number} any more: situ history tells which there are"
-            )
-        wanted, project = number, self._project(running)
-        self._wish = Wish(wanted, who, "rolled back", request.force_after)
-        self._work(lambda: self._checked(self._versions.project(wanted), project))
+            raise Refused(f"the robot has no version {number}: situ history tells which it has")
+        # What runs already, in place of one that waits, has nothing to wait for.
+        force_after = 0.0 if number == running else request.force_after
+        versions, wanted, project = self._versions, number, self._project(running)
+        self._wish = Wish(wanted, who, "rolled back", force_after)
+        self._work(lambda: checking.check(versions, versions.project(wanted), project))
 
     def _progress(self, number: int) -> protocol.Deployment:
         state, wish, now = self._robot.deployment(), self._wish, self._moment()
-        waits = tuple(
-            protocol.Waits(one.application, one.state, one.action, one.name) for one in state.waits
-        )
+        left, former = self._minute(), self._versions.current.former
+        fails = left > 0 and former is not None
         return protocol.Deployment(
             id=number,
             version=state.version,
             asked=None if wish is None else wish.number,
             stands="running" if wish is None else wish.stands,
-            waits=waits if state.pending is not None else (),
+            waits=state.waits,
             forced=None if state.forced is None else max(0.0, (state.forced - now) / 1e6),
-            minute=None if (left := self._minute()) <= 0 else left,
+            minute=left if fails else None,
+            former=former if fails else None,
             problems=() if wish is None else wish.problems,
             restart=() if wish is None else wish.restart,
         )
@@ -312,37 +308,6 @@ class Deployer:
         self._thread = threading.Thread(target=work, name="deploy", daemon=True)
         self._thread.start()
 
-    def _add(self, number: int, staging: Staging, version: Version, running: Project) -> Checked:
-        versions = self._versions
-        try:
-            project = versions.load(staging.folder, version.main)
-            if project.name != versions.given.name:
-                raise ProjectError(
-                    f"this robot runs {versions.given.name}, and this is {project.name}: deploy it "
-                    "to its own robot, or give it that name"
-                )
-            # Before it moves: what differs in media is found by reading them.
-            found = self._checked(project, running)
-            staging.keep()
-            versions.add(number, staging.folder, version)
-        except BaseException:
-            staging.drop()
-            raise
-        root = str(versions.folder / str(number) / "project")
-        return replace(found, project=replace(project, root=root))
-
-    def _checked(self, project: Project, running: Project) -> Checked:
-        from situ.document.diff import compare
-        from situ.document.diff_media import compare_media
-
-        changes = [*compare(running, project), *compare_media(running, project)]
-        lines = [f"{one.file}: {one.text}" for one in changes if one.behaviour]
-        if len(lines) > WORDS:
-            lines[WORDS - 1 :] = [f"and {len(lines) - WORDS + 1} more"]
-        texts = self._versions.texts(project)
-        given = fingerprint(self._versions.given)
-        return Checked(project, texts, restarting(running, project), tuple(lines), given)
-
     def _done(self, found: Checked | Exception) -> None:
         self._thread = None
         wish, robot = self._wish, self._robot
@@ -353,7 +318,7 @@ class Deployer:
             self._refused(wish, str(found) or type(found).__name__)
             return
         wish.restart, wish.changed, wish.given = found.restart, found.changed, found.given
-        if robot.version == wish.number:
+        if robot.version == wish.number and robot.deployment().pending is None:
             wish.stands = "running"
             return
         wish.stands = "waiting"
@@ -386,21 +351,27 @@ class Deployer:
             return
         swaps, self._swaps = self._swaps, []
         wish, current = self._wish, self._versions.current
-        given, failed = self._given(), current.version
+        given, ran, before_media = self._given(), current.version, current.former
         for event, failure in swaps:
             if event.writer == ROBOT:
-                if wish is not None and wish.number == failed:
+                before_media = None
+                if wish is not None and wish.number == ran:
                     wish.stands, wish.problems = "returned", (failure,)
                 self._note(event.version, ROBOT, "returned", failure)
             elif wish is not None and wish.number == event.version:
                 wish.stands, given = "running", wish.given
+                if wish.changed:
+                    before_media, self._until = ran, self._clock() + PROBATION / 1e6
                 self._note(event.version, event.writer, wish.did, "", wish.changed)
             else:
                 self._note(event.version, event.writer, "deployed")
-            failed = event.version
+            ran = event.version
         state = self._robot.deployment()
-        self._choose(Current(state.version, given, state.former))
-        self._versions.forget_old({state.version, current.version, state.former or 0})
+        # The robot does not know media: where they alone are others its process may still die of
+        # them.
+        former = before_media if state.former is None else state.former
+        self._choose(Current(state.version, given, former))
+        self._versions.forget_old({state.version, current.version, former or 0})
 
     def tend(self, now: float) -> float | None:
         """Does what is due; when to be called next, None: after a swap."""
@@ -455,7 +426,9 @@ class Deployer:
     def _minute(self) -> float:
         """Seconds of its first minute that the version which runs has left."""
         until = self._robot.deployment().until
-        return 0.0 if until is None else (until - self._moment()) / 1e6
+        if until is None:
+            return self._until - self._clock()
+        return (until - self._moment()) / 1e6
 
     def _note(
         self, version: int, who: str, did: Any, why: str = "", changed: tuple[str, ...] = ()
@@ -479,27 +452,3 @@ class Deployer:
                 _log.error("version %d: %s; its media are missing", version, error)
                 return self._robot.project
         return self._projects[version]
-
-
-def before(turns: list[protocol.Turn], running: int) -> int | None:
-    """The version that ran before: going back takes what came after off, as undo does."""
-    stack = [0]
-    for turn in turns:
-        if turn.did in ("rolled back", "returned") and turn.version in stack:
-            del stack[stack.index(turn.version) + 1 :]
-        elif turn.did == "given":
-            stack = [0]
-        elif turn.did != "refused":
-            stack.append(turn.version)
-    if running in stack:
-        del stack[len(stack) - 1 - stack[::-1].index(running) :]
-    return stack[-1] if stack else None
-
-
-def restarting(running: Project, project: Project) -> tuple[str, ...]:
-    """What of a project counts only when the robot is started again, and differs; as its tables
-    in situ.toml are called."""
-    tables = {"[mqtt]": "mqtt", "[durable]": "durable", "[places]": "places"}
-    return tuple(
-        table for table, name in tables.items() if getattr(running, name) != getattr(project, name)
-    )

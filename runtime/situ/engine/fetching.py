@@ -32,6 +32,7 @@ async def fetch(board: AsyncBoard, folder: Path, own: Project) -> tuple[int, Pro
         for path in coming.wanted:
             await _file(board, told.version, path, coming)
         coming.check_whole()
+        coming.complete()
         os.rename(coming.folder, home)
     project, _ = load(home if told.main == PROJECT_FILE else home / told.main)
     if project is None:

@@ -30,6 +30,7 @@ LONGEST = 200
 ROOM = 64_000_000
 """Bytes that must be left on the disk for what the robot keeps besides."""
 
+_APPENDING = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
 _CONTROL = re.compile(r'[\x00-\x1f\x7f\\:*?"<>|]')
 _DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 
@@ -46,7 +47,8 @@ class Staging:
     """A bundle on its way into ``folder``, which is made anew.
 
     has: SHA-256 to where a file of this content lies already, in the same file system and never
-    written again; it need not be sent. ``wanted`` are the paths that must be.
+    written again; it need not be sent. ``wanted`` are the paths that must be. Nothing but
+    ``complete`` and what follows it takes longer with more files: a robot waits for the rest.
     """
 
     def __init__(self, folder: Path, files: Mapping[str, Sent], has: Mapping[str, Path]) -> None:
@@ -54,7 +56,12 @@ class Staging:
         self.folder = folder
         self.files = files
         self.wanted: list[str] = []
+        self._here = {path: has[one.sha256] for path, one in files.items() if one.sha256 in has}
         self._coming: dict[str, _Coming] = {}
+        for path, sent in files.items():
+            if path not in self._here:
+                self._coming[path] = _Coming(sent, 0, hashlib.sha256())
+                self.wanted.append(path)
         shutil.rmtree(folder, ignore_errors=True)
         try:
             folder.mkdir(parents=True, mode=0o700)
@@ -65,8 +72,6 @@ class Staging:
                     f"the robot's disk has {_mb(free)} left, this takes {_mb(total)} and "
                     f"{_mb(ROOM)} must stay: make room there; what runs goes on"
                 )
-            for path, sent in files.items():
-                self._begin(path, sent, has.get(sent.sha256))
         except OSError as error:
             raise self._no(error) from None
         except Refused:
@@ -85,9 +90,7 @@ class Staging:
         if coming.size + len(data) > coming.sent.size:
             raise Refused(f"{path}: more than the {coming.sent.size} bytes that were announced")
         try:
-            file = os.open(
-                self.folder / path, os.O_WRONLY | os.O_APPEND | os.O_NOFOLLOW | os.O_CLOEXEC
-            )
+            file = os.open(self._place(path), _APPENDING, 0o600)
             try:
                 left = data
                 while left:
@@ -109,6 +112,20 @@ class Staging:
         if missing:
             raise Refused(f"{missing[0]}: it has not come whole: send the rest of it first")
 
+    def complete(self) -> None:
+        """Puts what the robot has already beside what has come. Raises Refused."""
+        try:
+            for path, here in self._here.items():
+                os.link(here, self._place(path), follow_symlinks=False)
+            for path, one in self._coming.items():
+                if one.sent.size == 0:
+                    self._place(path).touch(mode=0o600)
+        except FileNotFoundError:
+            self.drop()
+            raise Refused(f"{path}: the robot no longer has it: send all of it again") from None
+        except OSError as error:
+            raise self._no(error) from None
+
     def fill(self, project: Project) -> dict[str, Sent]:
         """Puts what else belongs to the project beside what has come; what that is."""
         found = {}
@@ -117,9 +134,7 @@ class Staging:
                 continue
             # As it lies there: nothing of it has changed.
             data = Path(project.root, path).read_bytes()
-            file = self.folder / path
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(data)
+            self._place(path).write_bytes(data)
             found[path] = Sent(len(data), hashlib.sha256(data).hexdigest())
         check({**self.files, **found})
         return found
@@ -137,15 +152,11 @@ class Staging:
         self._coming.clear()
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def _begin(self, path: str, sent: Sent, here: Path | None) -> None:
+    def _place(self, path: str) -> Path:
+        """Where a file goes; the folders around it are there."""
         file = self.folder / path
         file.parent.mkdir(parents=True, exist_ok=True)
-        if here is not None:
-            os.link(here, file, follow_symlinks=False)
-            return
-        file.touch(mode=0o600, exist_ok=False)
-        self._coming[path] = _Coming(sent, 0, hashlib.sha256())
-        self.wanted.append(path)
+        return file
 
     def _no(self, error: OSError) -> Refused:
         self.drop()

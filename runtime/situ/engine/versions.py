@@ -226,7 +226,7 @@ class Versions:
             return msgspec.json.decode(data, type=Version)
         except (OSError, msgspec.MsgspecError):
             raise UsageError(
-                f"there is no version {number} any more: situ history tells which there are"
+                f"the robot has no version {number}: situ history tells which it has"
             ) from None
 
 
@@ -258,6 +258,21 @@ def fingerprint(project: Project) -> str:
             with contextlib.suppress(OSError):
                 media.append((file.relative_to(str(folder)).as_posix(), file.stat().st_size))
     return hashlib.sha256(msgspec.json.encode([found, sorted(media)])).hexdigest()
+
+
+def before(turns: list[Turn], running: int) -> int | None:
+    """The version that ran before: going back takes what came after off, as undo does."""
+    stack = [0]
+    for turn in turns:
+        if turn.did in ("rolled back", "returned") and turn.version in stack:
+            del stack[stack.index(turn.version) + 1 :]
+        elif turn.did == "given":
+            stack = [0]
+        elif turn.did != "refused":
+            stack.append(turn.version)
+    if running in stack:
+        del stack[len(stack) - 1 - stack[::-1].index(running) :]
+    return stack[-1] if stack else None
 
 
 def version_to_run(versions: Versions, left: int | None, *, anew: bool = False) -> tuple[int, bool]:
