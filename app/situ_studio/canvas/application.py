@@ -17,6 +17,7 @@ from situ_studio.canvas import gestures, layout, spoken
 from situ_studio.canvas.arranging import Arranging
 from situ_studio.canvas.arranging_bar import ArrangingBar
 from situ_studio.canvas.cards import CardItem
+from situ_studio.canvas.between import Between
 from situ_studio.canvas.commands import CommandedCanvas
 from situ_studio.canvas.figure_items import FrameItem, NoteItem
 from situ_studio.canvas.figures import Figure
@@ -63,6 +64,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self._laid: dict[str, tuple[float, float]] = {}
         self._placed: dict[str, Any] = {}
         self._figuring = Figuring(self, self._edit)
+        self._between = Between(self)
         self._arranging = Arranging(self)
         self._arranging_bar = ArrangingBar(self)
         self._arranging_bar.cancelled.connect(self._arranging.cancel)
@@ -110,6 +112,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
 
     def _follow_cards(self) -> None:
         self._figuring.carry()
+        self._between.follow(self._picture.cards)
         super()._follow_cards()
 
     def set_live(self, live: LiveView | None) -> None:
@@ -139,11 +142,16 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             self.viewer.viewport().update()
         self.minimap.redraw()
 
+    def _on_cancelled(self) -> None:
+        self._between.end()
+        super()._on_cancelled()
+
     # -- gestures become edits -----------------------------------------------------------
 
     def settle(self) -> None:
         moved = self.graph.moved(self.viewer.touched)
         connections, slices = self.graph.take_intents()
+        meant = self._between.end()
         after, text = self._figuring.resized(self.document)
         if text:
             pass
@@ -153,6 +161,9 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             after, text = self._sliced(slices)
         elif moved:
             after, text = self._moved(moved)
+            if meant is not None and len(moved) == 1:
+                inserted, words = self._between.put(after, next(iter(moved)), meant)
+                after, text = (inserted, words) if words else (after, text)
         if text:
             self.edited.emit(after, text)
         if self.viewer.touched:

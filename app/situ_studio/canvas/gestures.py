@@ -261,6 +261,17 @@ def insert(application: Application, link: Place, x: float, y: float) -> Done:
     return after, f"Insert state {no}"
 
 
+def put_between(application: Application, link: Place, no: str) -> Done:
+    """A state that there is, put into a pipe: the exit leads to it, and it leads on."""
+    leaving, state = places.get(application, link), application.state(no)
+    if leaving is None or leaving.next in (None, no) or state is None:
+        return application, ""
+    after = places.change(application, link, next=no)
+    if leaving.next not in targets(state):
+        after, _ = add_event(after, ("state", no), leaving.next)
+    return after, f"Insert state {no}"
+
+
 def rename(application: Application, no: str, name: str) -> Done:
     state = application.state(no)
     name = " ".join(name.split())

@@ -80,6 +80,7 @@ class Viewer(Ground):
         self._space = False
         self._pressed: tuple[QPoint, Any] | None = None
         self._travelled = False
+        self._at = QPoint()
         self.speaker: Any = None
         self.spoken_as: Any = None
         self.held = Qt.KeyboardModifier.NoModifier
@@ -262,6 +263,12 @@ class Viewer(Ground):
         elif self._detached_port is not None and self._detached_port.scene() is None:
             self._detached_port = None
 
+    def dragged_to(self) -> QPointF | None:
+        """Where in the scene the cursor has a card; None where it has none."""
+        if self._pressed is None or not self._travelled:
+            return None
+        return self.mapToScene(self._at) if isinstance(self._pressed[1], NodeFace) else None
+
     def selected_before(self) -> list[Any]:
         """The nodes that were selected when the latest press came."""
         return list(self._prev_selection_nodes)
@@ -327,8 +334,9 @@ class Viewer(Ground):
             self._set_viewer_pan(way.x(), way.y())
             event.accept()
             return
+        self._at = event.position().toPoint()
         if self._pressed is not None:
-            way = event.position().toPoint() - self._pressed[0]
+            way = self._at - self._pressed[0]
             if way.manhattanLength() >= QApplication.startDragDistance():
                 self._travelled = True
             elif not self._travelled and isinstance(self._pressed[1], NodeFace):
@@ -346,6 +354,7 @@ class Viewer(Ground):
         if event.button() != Qt.MouseButton.LeftButton:
             event.accept()
             return
+        self.held = event.modifiers()
         pressed, self._pressed = self._pressed, None
         banded = self._rubber_band.isActive and self._rubber_band.isVisible()
         try:

@@ -81,6 +81,18 @@ class Player:
             start = self.hand.header(self.random.choice(cards))
             self.hand.drag(start, start + self._way(160))
 
+    def between(self) -> None:
+        """A card onto a pipe."""
+        cards, pipes = self.cards(), self.pipes()
+        if cards and pipes:
+            start = self.hand.header(self.random.choice(cards))
+            goal = self.hand.on_pipe(self.random.choice(pipes))
+            self.hand.press(start)
+            for step in range(1, 5):
+                self.hand.move(start + (goal - start) * (step / 4))
+                self.hand.settle()
+            self.hand.release(goal, self.random.choice([NONE, NONE, ALT]))
+
     def move_several(self) -> None:
         cards = self.cards()
         if len(cards) > 1:
@@ -331,6 +343,7 @@ class Player:
 
 WEIGHTS = {
     "move": 3,
+    "between": 1,
     "move_several": 1,
     "band": 1,
     "connect": 2,
