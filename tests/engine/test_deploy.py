@@ -265,6 +265,26 @@ def test_what_can_not_be_kept_is_told_and_runs_all_the_same(
     assert "No space left on device" in caplog.text
 
 
+@pytest.mark.parametrize(
+    ("error", "told"),
+    [
+        (OSError(28, "No space left on device"), "No space left on device): make room"),
+        (OSError(30, "Read-only file system"), "Read-only file system): it must be able to write"),
+    ],
+)
+def test_a_disk_that_does_not_take_a_version_is_told_in_one_line(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch, error: OSError, told: str
+) -> None:
+    def add(*_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(desk.versions, "add", add)
+    desk.deploy(desk.files(4000))
+    assert (desk.progress.stands, desk.progress.version) == ("refused", 0)
+    (line,) = desk.progress.problems
+    assert told in line
+
+
 def test_a_fault_of_ours_in_checking_refuses_and_leaves_the_old_version(
     desk: Desk, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:

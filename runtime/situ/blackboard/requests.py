@@ -352,7 +352,7 @@ def _deploying(core: Core, session: Session, request: protocol.Deploying) -> pro
         raise No("role", "only an operator deploys: connect as one")
     if core.deployer is None:
         raise No(
-            "refused", "a robot that plays a scenario keeps nothing: no version of it either"
+            "refused", "a robot that plays a scenario has no versions: run it without --script"
         )
     try:
         return core.deployer.answer(request, session.writer)

@@ -24,7 +24,7 @@ from situ.decide.inputs import AnyInput, Deploy
 from situ.document.project import Project
 from situ.engine import checking
 from situ.engine.checking import Checked
-from situ.engine.staging import Staging
+from situ.engine.staging import Staging, not_kept
 from situ.engine.versions import Current, Version, Versions, before, fingerprint, main_file
 from situ.errors import Refused, SituError
 
@@ -315,7 +315,8 @@ class Deployer:
         if isinstance(found, Exception):
             if not isinstance(found, (SituError, OSError)):
                 _log.error("a version could not be checked", exc_info=found)
-            self._refused(wish, str(found) or type(found).__name__)
+            why = not_kept(found) if isinstance(found, OSError) else str(found)
+            self._refused(wish, why or type(found).__name__)
             return
         wish.restart, wish.changed, wish.given = found.restart, found.changed, found.given
         if robot.version == wish.number and robot.deployment().pending is None:

@@ -6,6 +6,7 @@ bytes. What is wrong with it raises ``Refused``, in one line for who sends it.
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import os
 import re
@@ -160,10 +161,14 @@ class Staging:
 
     def _no(self, error: OSError) -> Refused:
         self.drop()
-        return Refused(
-            f"the robot can not keep it ({error.strerror or error}): make room on its disk; "
-            "what runs goes on"
-        )
+        return Refused(not_kept(error))
+
+
+def not_kept(error: OSError) -> str:
+    """What an operator is told where the robot's disk does not take a version."""
+    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+    mend = "make room on its disk" if full else "it must be able to write in its state folder"
+    return f"the robot can not keep it ({error.strerror or error}): {mend}; what runs goes on"
 
 
 def check(files: Mapping[str, Sent]) -> None:
