@@ -263,7 +263,9 @@ class Deployer:
 
     def _progress(self, number: int) -> protocol.Deployment:
         state, wish, now = self._robot.deployment(), self._wish, self._moment()
-        left, former = self._minute(), self._versions.current.former
+        left, former = self._minute(), state.former
+        if former is None:
+            former = self._versions.current.former
         fails = left > 0 and former is not None
         return protocol.Deployment(
             id=number,
