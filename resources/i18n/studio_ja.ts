@@ -365,11 +365,15 @@
     </message>
     <message>
         <source>leads to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>行き先：{0}</translation>
     </message>
     <message>
         <source>Click to go there, Alt and click to draw the way</source>
-        <translation type="unfinished"></translation>
+        <translation>クリックで移動、Alt＋クリックで線を描く</translation>
+    </message>
+    <message>
+        <source>Something in Situ Studio itself went wrong. Your documents are as they were, and what is not saved is kept: save, and go on. To help us mend it, copy the details into a report.</source>
+        <translation>Situ Studio 自体に問題が起きました。文書はそのままで、未保存の変更も保たれています。保存して作業を続けてください。修正のため、詳細をコピーして報告していただけると助かります。</translation>
     </message>
 </context>
 <context>
@@ -387,7 +391,7 @@
     <name>ApplicationCanvas</name>
     <message>
         <source>New state “{0}”</source>
-        <translation type="unfinished"></translation>
+        <translation>新しい状態「{0}」</translation>
     </message>
     <message>
         <source>No state yet. Drag State from the palette to here.</source>
@@ -441,22 +445,6 @@
 <context>
     <name>Commands</name>
     <message>
-        <source>New project</source>
-        <translation>新しいプロジェクト</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>Where shall its folder be?</source>
-        <translation>フォルダーを置く場所</translation>
-    </message>
-    <message>
-        <source>Where shall the copy of the example be?</source>
-        <translation>例のコピーを置く場所</translation>
-    </message>
-    <message>
         <source>Pasted. This project does not have {0}: copy the files too.</source>
         <translation>貼り付けました。このプロジェクトに {0} がないので、ファイルもコピーしてください。</translation>
     </message>
@@ -491,6 +479,80 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>ConflictDialog</name>
+    <message>
+        <source>{0} is another one on disk</source>
+        <translation>ディスク上の {0} が変わっています</translation>
+    </message>
+    <message>
+        <source>You changed</source>
+        <translation>自分の変更</translation>
+    </message>
+    <message>
+        <source>The other program changed</source>
+        <translation>別のプログラムの変更</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>両方を残す</translation>
+    </message>
+    <message>
+        <source>Take the one on disk</source>
+        <translation>ディスク上のものを使う</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>自分の変更を残す</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>後で決める</translation>
+    </message>
+    <message>
+        <source>{0} is gone: another program removed or renamed it. Keep yours and it is written again when you save.</source>
+        <translation>{0} がありません。別のプログラムが削除したか名前を変えました。自分のものを残すと、保存するときに書き直されます。</translation>
+    </message>
+    <message>
+        <source>Another program changed {0}, and it has errors now: {1}. Keep yours and what is there is overwritten when you save.</source>
+        <translation>{0} は別のプログラムで変更され、誤りがあります：{1}。自分のものを残すと、保存するときに上書きされます。</translation>
+    </message>
+    <message>
+        <source>Another program changed {0} while you did, at other places: both can be kept. Each choice is a step that Undo takes back.</source>
+        <translation>{0} は別のプログラムでも、別の箇所が変更されました。両方を残せます。どの選択も「元に戻す」で取り消せます。</translation>
+    </message>
+    <message>
+        <source>Another program changed {0} again. Below is how yours differs from it.</source>
+        <translation>{0} は別のプログラムで再び変更されました。下は自分のものとの違いです。</translation>
+    </message>
+    <message>
+        <source>Another program changed {0} while you did, partly the same things: choose which one stays. Each choice is a step that Undo takes back.</source>
+        <translation>{0} は別のプログラムでも変更され、同じところが含まれます。どちらを残すか選んでください。どの選択も「元に戻す」で取り消せます。</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>ほか {0} 件</translation>
+    </message>
+    <message>
+        <source>Nothing that counts: only where things stand in the file.</source>
+        <translation>実質的な違いはありません。ファイル内の並びだけです。</translation>
+    </message>
+</context>
+<context>
+    <name>Details</name>
+    <message>
+        <source>Details</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Copy the details</source>
+        <translation>詳細をコピー</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+</context>
+<context>
     <name>Dialogs</name>
     <message>
         <source>Open a project: the folder with situ.toml</source>
@@ -521,20 +583,20 @@ Draw what a robot says, shows and does.</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Another program changed {0} since it was read here.</source>
-        <translation>{0} は読み込んだ後に別のプログラムで変更されました。</translation>
+        <source>{0} is open in this window.</source>
+        <translation>このウィンドウでは {0} を開いています。</translation>
     </message>
     <message>
-        <source>Which one shall stay?</source>
-        <translation>どちらを残しますか？</translation>
+        <source>Where shall the other project be opened?</source>
+        <translation>もう一つのプロジェクトをどこで開きますか？</translation>
     </message>
     <message>
-        <source>Mine</source>
-        <translation>自分の変更</translation>
+        <source>New window</source>
+        <translation>新しいウィンドウ</translation>
     </message>
     <message>
-        <source>The one on disk</source>
-        <translation>ディスク上のもの</translation>
+        <source>This window</source>
+        <translation>このウィンドウ</translation>
     </message>
 </context>
 <context>
@@ -542,6 +604,22 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0} has errors, and what they name is not shown. It can not be changed here until they are mended in a text editor; then it is read anew.</source>
         <translation>{0} に誤りがあり、その部分は表示されません。テキストエディターで直すまでここでは変更できません。直ると読み直します。</translation>
+    </message>
+    <message>
+        <source>Not saved. {0}. Your changes stay here, and are kept for the next start too.</source>
+        <translation>保存できませんでした。{0}。変更はここに残り、次に開くときも保たれます。</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>再試行</translation>
+    </message>
+    <message>
+        <source>Save a copy…</source>
+        <translation>コピーを保存…</translation>
+    </message>
+    <message>
+        <source>{0} is gone: another program removed or renamed it.</source>
+        <translation>{0} がありません。別のプログラムが削除したか名前を変えました。</translation>
     </message>
     <message>
         <source>Another program changed {0}, and it has errors now: {1}</source>
@@ -556,12 +634,28 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} は別のプログラムで変更されたので、読み直しました。</translation>
     </message>
     <message>
-        <source>Another program changed {0}; you have changed it too.</source>
-        <translation>{0} は別のプログラムでも、ここでも変更されています。</translation>
+        <source>Look at the changes…</source>
+        <translation>変更を見る…</translation>
     </message>
     <message>
-        <source>Take the one on disk</source>
-        <translation>ディスク上のものを使う</translation>
+        <source>The folder {0} is gone: it was renamed or removed, or its drive is away. Your documents are still here.</source>
+        <translation>フォルダー {0} がありません。名前の変更や削除、またはドライブの取り外しによるものです。文書はここに残っています。</translation>
+    </message>
+    <message>
+        <source>It is back</source>
+        <translation>元に戻りました</translation>
+    </message>
+    <message>
+        <source>Show where it is now…</source>
+        <translation>今の場所を指定…</translation>
+    </message>
+    <message>
+        <source>The project is saved in {0} now.</source>
+        <translation>これからはプロジェクトを {0} に保存します。</translation>
+    </message>
+    <message>
+        <source>Another program changed {0}; you have changed it too.</source>
+        <translation>{0} は別のプログラムでも、ここでも変更されています。</translation>
     </message>
 </context>
 <context>
@@ -569,6 +663,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Open documents</source>
         <translation>開いている文書</translation>
+    </message>
+    <message>
+        <source>All open documents</source>
+        <translation>開いているすべての文書</translation>
     </message>
     <message>
         <source>Graph</source>
@@ -583,8 +681,43 @@ Draw what a robot says, shows and does.</source>
         <translation>表示</translation>
     </message>
     <message>
+        <source>{0}, not saved</source>
+        <translation>{0}（未保存）</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close the others</source>
+        <translation>ほかを閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>New project</source>
+        <translation>新しいプロジェクト</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Where shall its folder be?</source>
+        <translation>フォルダーを置く場所</translation>
+    </message>
+    <message>
+        <source>This project is open here already.</source>
+        <translation>このプロジェクトはここですでに開いています。</translation>
+    </message>
+    <message>
+        <source>Where shall the copy of the example be?</source>
+        <translation>例のコピーを置く場所</translation>
+    </message>
+    <message>
+        <source>Where shall the copy of the project be?</source>
+        <translation>プロジェクトのコピーを置く場所</translation>
     </message>
 </context>
 <context>
@@ -814,6 +947,14 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>MainWindow</name>
     <message>
+        <source>This project is open in another Situ Studio too. What is saved there is told here before anything is overwritten.</source>
+        <translation>このプロジェクトは別の Situ Studio でも開いています。そちらで保存されたものは、上書きする前にここで知らせます。</translation>
+    </message>
+    <message>
+        <source>All right</source>
+        <translation>了解</translation>
+    </message>
+    <message>
         <source>Situ Studio</source>
         <translation>Situ Studio</translation>
     </message>
@@ -1015,6 +1156,14 @@ Draw what a robot says, shows and does.</source>
         <source>Ctrl+Enter: {0}</source>
         <translation>Ctrl+Enter：{0}</translation>
     </message>
+    <message>
+        <source>Show {0} more like these</source>
+        <translation>同様のものをあと {0} 件表示</translation>
+    </message>
+    <message>
+        <source>Show only {0} of these {1}</source>
+        <translation>{1} 件のうち {0} 件だけ表示</translation>
+    </message>
 </context>
 <context>
     <name>ProjectTree</name>
@@ -1155,6 +1304,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Take {0} from disk</source>
         <translation>ディスク上の {0} を使う</translation>
+    </message>
+    <message>
+        <source>Join {0} with disk</source>
+        <translation>{0} をディスクと統合</translation>
     </message>
 </context>
 <context>
@@ -1421,6 +1574,32 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>TitleBar</name>
+    <message>
+        <source>Dock again</source>
+        <translation>元の場所に戻す</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>切り離す</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>Told</name>
+    <message>
+        <source>Error</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+</context>
+<context>
     <name>Twin</name>
     <message>
         <source>Outline of the document</source>
@@ -1596,8 +1775,39 @@ Draw what a robot says, shows and does.</source>
         <translation>まだ開いています</translation>
     </message>
     <message>
+        <source>Take it off the list</source>
+        <translation>一覧から外す</translation>
+    </message>
+    <message>
         <source>Projects that you open will be listed here.</source>
         <translation>開いたプロジェクトがここに並びます。</translation>
+    </message>
+    <message>
+        <source>Not there any more: {0}</source>
+        <translation>もうありません：{0}</translation>
+    </message>
+</context>
+<context>
+    <name>Windows</name>
+    <message>
+        <source>A fault in Situ Studio</source>
+        <translation>Situ Studio の不具合</translation>
+    </message>
+    <message>
+        <source>This Situ Studio writes no log.</source>
+        <translation>この Situ Studio はログを書いていません。</translation>
+    </message>
+    <message>
+        <source>What Situ Studio noted lately, for a report. It names files, and no texts of yours. All of it lies in {0}.</source>
+        <translation>報告のための最近の記録です。ファイル名は含まれますが、あなたの文章は含まれません。全体は {0} にあります。</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>ログ</translation>
+    </message>
+    <message>
+        <source>Not there any more: {0}</source>
+        <translation>もうありません：{0}</translation>
     </message>
 </context>
 <context>
@@ -1747,6 +1957,10 @@ Draw what a robot says, shows and does.</source>
         <translation>イベント、タグ、モジュールの名前を、プロジェクトのすべての文書で変えます。</translation>
     </message>
     <message>
+        <source>Close window</source>
+        <translation>ウィンドウを閉じる</translation>
+    </message>
+    <message>
         <source>Connect one after the other</source>
         <translation>順につなぐ</translation>
     </message>
@@ -1773,6 +1987,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Evenly side by side</source>
         <translation>横に等間隔</translation>
+    </message>
+    <message>
+        <source>Every panel back to where it lies at first</source>
+        <translation>すべてのパネルを最初の位置に戻します</translation>
     </message>
     <message>
         <source>Every place that mentions the selected event, tag, state, module or file.</source>
@@ -1829,6 +2047,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Image</source>
         <translation>画像</translation>
+    </message>
+    <message>
+        <source>In every state</source>
+        <translation>すべての状態</translation>
     </message>
     <message>
         <source>Input</source>
@@ -2003,6 +2225,14 @@ Draw what a robot says, shows and does.</source>
         <translation>すべての箇所で名前を変更…</translation>
     </message>
     <message>
+        <source>Reopen closed tab</source>
+        <translation>閉じたタブを開き直す</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>配置を初期状態に戻す</translation>
+    </message>
+    <message>
         <source>Right edges</source>
         <translation>右端</translation>
     </message>
@@ -2013,6 +2243,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Save</source>
         <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save a copy…</source>
+        <translation>コピーを保存…</translation>
     </message>
     <message>
         <source>Select</source>
@@ -2033,6 +2267,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Show everything</source>
         <translation>全体を表示</translation>
+    </message>
+    <message>
+        <source>Show the log</source>
+        <translation>ログを表示</translation>
     </message>
     <message>
         <source>Show the selection</source>
@@ -2077,6 +2315,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Text</source>
         <translation>文字</translation>
+    </message>
+    <message>
+        <source>The project goes into another folder as it is here, and you go on there.</source>
+        <translation>今の内容でプロジェクトを別のフォルダーに保存し、そこで作業を続けます。</translation>
     </message>
     <message>
         <source>The robot moves: one of its resources gets a command.</source>
@@ -2143,6 +2385,10 @@ Draw what a robot says, shows and does.</source>
         <translation>何が起きているか、そのとき誰がロボットを使えるか。</translation>
     </message>
     <message>
+        <source>What is part of every state: a Home button, a timeout, what people may say at any time.</source>
+        <translation>すべての状態に共通のもの：ホームボタン、時間切れ、いつでも言える言葉。</translation>
+    </message>
+    <message>
         <source>What its developer says of a module.</source>
         <translation>モジュールについての開発者の説明。</translation>
     </message>
@@ -2157,6 +2403,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>What the state waits for, and where it leads.</source>
         <translation>状態が待つものと、その行き先。</translation>
+    </message>
+    <message>
+        <source>What the studio noted lately, for a report: names of files, no texts of yours.</source>
+        <translation>報告のための最近の記録：ファイル名のみで、あなたの文章は含まれません。</translation>
     </message>
     <message>
         <source>When the selected transition may be taken.</source>
@@ -2957,8 +3207,8 @@ Draw what a robot says, shows and does.</source>
         <translation>何が起きているか、そのとき誰がロボットを使えるか。</translation>
     </message>
     <message>
-        <source>What is part of every state.</source>
-        <translation>すべての状態に共通のもの。</translation>
+        <source>What is part of every state: a Home button, a timeout, what people may say at any time.</source>
+        <translation>すべての状態に共通のもの：ホームボタン、時間切れ、いつでも言える言葉。</translation>
     </message>
     <message>
         <source>What it may ask for, such as: head base</source>
@@ -3236,10 +3486,6 @@ Draw what a robot says, shows and does.</source>
         <translation>（ほかに {0} 件：situ check {1}）</translation>
     </message>
     <message>
-        <source> (of &lt;always&gt;{0}, which lies above the states)</source>
-        <translation>（すべての状態に共通の{0}のもので、各状態の上に重なります）</translation>
-    </message>
-    <message>
         <source> (used {0} times here)</source>
         <translation>（ここで {0} 回使用）</translation>
     </message>
@@ -3250,10 +3496,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source> and {0} more</source>
         <translation>ほか {0} 件</translation>
-    </message>
-    <message>
-        <source> of always</source>
-        <translation>（すべての状態に共通）</translation>
     </message>
     <message>
         <source> of {0}</source>
@@ -3328,36 +3570,12 @@ Draw what a robot says, shows and does.</source>
         <translation>&lt;?xml …?&gt; はファイルの先頭にだけ置けます。その前にあるものを取り除いてください</translation>
     </message>
     <message>
-        <source>&lt;clear&gt; never touches what the robot itself keeps, so {0} has no effect: take it out, or name a tag of your own</source>
-        <translation>&lt;clear&gt; はロボット自身が保持するものには触れないので、{0} は効果がありません。取り除くか、自分のタグを指定してください</translation>
-    </message>
-    <message>
         <source>&lt;data&gt; has {0} tests ({1}): write one &lt;data&gt; for each</source>
         <translation>&lt;data&gt; に {0} 個のテスト（{1}）があります。テストごとに &lt;data&gt; を分けてください</translation>
     </message>
     <message>
         <source>&lt;data&gt; tests nothing: add one of {0}</source>
         <translation>&lt;data&gt; が何もテストしていません。{0} のどれかを加えてください</translation>
-    </message>
-    <message>
-        <source>&lt;message&gt; sends its params, so its text is never sent: take one of them out</source>
-        <translation>&lt;message&gt; は param を送るので、本文は送られません。どちらかを取り除いてください</translation>
-    </message>
-    <message>
-        <source>&lt;repeat&gt; belongs in an event without next: take next out, or &lt;repeat&gt;</source>
-        <translation>&lt;repeat&gt; は next のないイベントに置きます。next か &lt;repeat&gt; を取り除いてください</translation>
-    </message>
-    <message>
-        <source>&lt;repeat&gt; cannot stand among a state&apos;s actions: put it into an event without next, or take it out</source>
-        <translation>&lt;repeat&gt; は状態の動作としては置けません。next のないイベントに移すか、取り除いてください</translation>
-    </message>
-    <message>
-        <source>&lt;requires&gt; names either data or a module: give it exactly one of the two</source>
-        <translation>&lt;requires&gt; はデータかモジュールのどちらか一方だけを指定してください</translation>
-    </message>
-    <message>
-        <source>&lt;{0}&gt; cannot stand in an event: what the robot visibly does belongs to a state; move it to the state that next names</source>
-        <translation>&lt;{0}&gt; はイベントには置けません。ロボットの目に見える動作は状態に属します。next の指す状態に移してください</translation>
     </message>
     <message>
         <source>&lt;{0}&gt; has no attribute &quot;{1}&quot;</source>
@@ -3370,10 +3588,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>&lt;{0}&gt; holds two &lt;{1}&gt;: only one may stand here</source>
         <translation>&lt;{0}&gt; に &lt;{1}&gt; が二つあります。一つだけにしてください</translation>
-    </message>
-    <message>
-        <source>&lt;{0}&gt; is empty: put a &lt;data&gt; into it, or take it out</source>
-        <translation>&lt;{0}&gt; が空です。&lt;data&gt; を入れるか、取り除いてください</translation>
     </message>
     <message>
         <source>&lt;{0}&gt; is empty: write a number</source>
@@ -3416,20 +3630,12 @@ Draw what a robot says, shows and does.</source>
         <translation>スクリプトでは参照 {0} と比べられません。値そのものを書いてください</translation>
     </message>
     <message>
-        <source>A state with a flow has no &lt;{0}&gt; of its own: move it into a state beside it, or into the part</source>
-        <translation>部品を動かす状態は自分の &lt;{0}&gt; を持てません。隣の状態か、部品の中に移してください</translation>
-    </message>
-    <message>
         <source>A touch on this screen</source>
         <translation>この画面へのタッチ</translation>
     </message>
     <message>
         <source>Add the situation {0}, which always holds</source>
         <translation>いつも成り立つ状況 {0} を加える</translation>
-    </message>
-    <message>
-        <source>An event without a name needs a next: it is taken as soon as its &lt;when&gt; holds</source>
-        <translation>名前のないイベントには next が必要です。&lt;when&gt; が成り立つとすぐに起こります</translation>
     </message>
     <message>
         <source>Ask that {0} exists</source>
@@ -3470,10 +3676,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Extend {0}</source>
         <translation>{0} を引き継ぐ</translation>
-    </message>
-    <message>
-        <source>From {0} nobody comes back to the start but by waiting for a timeout: add a button or a phrase that leads back, best Home to always</source>
-        <translation>{0} からは時間切れを待つほかに最初へ戻る方法がありません。戻るためのボタンか言葉を加えてください。すべての状態に「ホーム」を置くのが最善です</translation>
     </message>
     <message>
         <source>Give it the number {0}</source>
@@ -3540,10 +3742,6 @@ Draw what a robot says, shows and does.</source>
         <translation>モジュール {0} は宣言されていないので、このサービスは必ず失敗します：{1}</translation>
     </message>
     <message>
-        <source>No module {0} is declared: add it to &lt;modules&gt; here with its resources, or to the module information</source>
-        <translation>モジュール {0} が宣言されていません。ここの &lt;modules&gt; にリソースとともに加えるか、モジュール情報に加えてください</translation>
-    </message>
-    <message>
         <source>No setting is a {0}; did you mean {1}? There are {2}</source>
         <translation>{0} という設定はありません。{1} のことですか？ あるのは {2} です</translation>
     </message>
@@ -3554,10 +3752,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Nobody writes {0}{1}, so it never has a value: {2}</source>
         <translation>{0}{1} に書き込むものがないので、値を持つことがありません：{2}</translation>
-    </message>
-    <message>
-        <source>Nothing leads out of the state {0}: add an event or a timeout with a next, or say final=&quot;true&quot; if this is meant to be the end</source>
-        <translation>状態 {0} から出る道がありません。行き先のあるイベントか時間切れを加えるか、終わりのつもりなら final=&quot;true&quot; としてください</translation>
     </message>
     <message>
         <source>Nothing stops this robot ({0} may move it): begin with a situation, without a limit, that gives no priority to what moves it and holds while somebody says stop</source>
@@ -3636,10 +3830,6 @@ Draw what a robot says, shows and does.</source>
         <translation>状態 {0} から始める</translation>
     </message>
     <message>
-        <source>Take &lt;repeat&gt; out</source>
-        <translation>&lt;repeat&gt; を取り除く</translation>
-    </message>
-    <message>
         <source>Take dwell out</source>
         <translation>dwell を取り除く</translation>
     </message>
@@ -3660,10 +3850,6 @@ Draw what a robot says, shows and does.</source>
         <translation>無用な承認を取り除く</translation>
     </message>
     <message>
-        <source>Take the empty &lt;{0}&gt; out</source>
-        <translation>空の &lt;{0}&gt; を取り除く</translation>
-    </message>
-    <message>
         <source>Take the text out</source>
         <translation>本文を取り除く</translation>
     </message>
@@ -3680,10 +3866,6 @@ Draw what a robot says, shows and does.</source>
         <translation>ここで XML が壊れています：{0}</translation>
     </message>
     <message>
-        <source>The application has no state: add a &lt;state&gt;</source>
-        <translation>アプリケーションに状態がありません。&lt;state&gt; を加えてください</translation>
-    </message>
-    <message>
         <source>The application starts in state {0}, which does not exist{1}</source>
         <translation>アプリケーションは状態 {0} から始まりますが、その状態はありません{1}</translation>
     </message>
@@ -3694,10 +3876,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>The color {0} on {1} is hard to read: their contrast is {2}, and {3} is needed; choose a darker or a lighter color</source>
         <translation>{1} の上の色 {0} は読みにくい配色です。コントラストは {2} ですが {3} 必要です。もっと濃い色か薄い色を選んでください</translation>
-    </message>
-    <message>
-        <source>The exists of &lt;data&gt; must be &quot;true&quot; or &quot;false&quot;, not {0}</source>
-        <translation>&lt;data&gt; の exists は {0} ではなく &quot;true&quot; か &quot;false&quot; としてください</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -3732,20 +3910,8 @@ Draw what a robot says, shows and does.</source>
         <translation>ファイルは {0} だとされています。UTF-8 で保存してください</translation>
     </message>
     <message>
-        <source>The in of &lt;data&gt; must be a list such as [&quot;a&quot;, &quot;b&quot;], not {0}</source>
-        <translation>&lt;data&gt; の in は {0} ではなく [&quot;a&quot;, &quot;b&quot;] のような一覧にしてください</translation>
-    </message>
-    <message>
-        <source>The last situation must always hold, so that there is one: take its &lt;condition&gt; out, or add a situation without one below it</source>
-        <translation>必ずどれかの状況になるように、最後の状況はいつも成り立たなければなりません。&lt;condition&gt; を取り除くか、その下に条件のない状況を加えてください</translation>
-    </message>
-    <message>
         <source>The last situation must always hold: take its until and limit out</source>
         <translation>最後の状況はいつも成り立たなければなりません。until と limit を取り除いてください</translation>
-    </message>
-    <message>
-        <source>The module &quot;{0}&quot; can never hold authority: no situation gives it a priority; add &lt;module name=&quot;{1}&quot; priority=&quot;…&quot;/&gt; to one</source>
-        <translation>モジュール “{0}” は実行権を持つことがありません。どの状況も優先度を与えていません。どれかに &lt;module name=&quot;{1}&quot; priority=&quot;…&quot;/&gt; を加えてください</translation>
     </message>
     <message>
         <source>The module &quot;{0}&quot; can never hold authority: {1}; raise its priority, or give it a situation of its own</source>
@@ -3776,10 +3942,6 @@ Draw what a robot says, shows and does.</source>
         <translation>このタグに同じ属性が二つあります。一つを取り除いてください</translation>
     </message>
     <message>
-        <source>The script has no situation: add a &lt;situation&gt;</source>
-        <translation>スクリプトに状況がありません。&lt;situation&gt; を加えてください</translation>
-    </message>
-    <message>
         <source>The setting {0} is lost at a restart: add it to [durable]</source>
         <translation>設定 {0} は再起動で失われます。[durable] に加えてください</translation>
     </message>
@@ -3806,10 +3968,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>The timeout of {0} ends the part, and {1} does something on the way, which a timeout can not: let that state do it first.</source>
         <translation>{0} の時間切れで部品が終わりますが、{1} が移るときに行う動作は時間切れではできません。先にその状態の動作にしてください。</translation>
-    </message>
-    <message>
-        <source>The url of &lt;service&gt; cannot be {0}: begin with http://, https://, board:module/request, media: or a reference</source>
-        <translation>&lt;service&gt; の url は {0} にはできません。http://、https://、board:モジュール/要求、media:、または参照で始めてください</translation>
     </message>
     <message>
         <source>The url {0} stand in the robot&apos;s secrets.toml</source>
@@ -3880,10 +4038,6 @@ Draw what a robot says, shows and does.</source>
         <translation>texts/{0}.po がないので、文章は書かれたまま使われます。situ texts で作るか、言語を取り除いてください</translation>
     </message>
     <message>
-        <source>There is no way back to the start from {0}{1}: add an event or a timeout that leads there, or a Home button to always</source>
-        <translation>{0}{1} から最初へ戻る道がありません。戻るイベントか時間切れ、またはすべての状態に「ホーム」ボタンを加えてください</translation>
-    </message>
-    <message>
         <source>These letters are {0} mm on a 10-inch screen, too small for many old eyes: make the size at least {1}</source>
         <translation>この文字は 10 インチの画面で {0} mm で、高齢の方の多くには小さすぎます。大きさを {1} 以上にしてください</translation>
     </message>
@@ -3904,10 +4058,6 @@ Draw what a robot says, shows and does.</source>
         <translation>この終了タグは合いません。&lt;{0}&gt; がまだ開いています</translation>
     </message>
     <message>
-        <source>This holds too while {0} is missing, as when its sensor is off: add &lt;data tag=&quot;{1}&quot; exists=&quot;true&quot;/&gt; beside it</source>
-        <translation>センサーが切れているときなど {0} がない間も成り立ちます。隣に &lt;data tag=&quot;{1}&quot; exists=&quot;true&quot;/&gt; を加えてください</translation>
-    </message>
-    <message>
         <source>This is no TOML here: {0}</source>
         <translation>ここは TOML として読めません：{0}</translation>
     </message>
@@ -3918,10 +4068,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>This is {0} mm {1} on a 10-inch screen, and fingers need {2}: make it at least {3} wide and {4} high</source>
         <translation>10 インチの画面で{1}が {0} mm ですが、指には {2} mm 必要です。幅を {3} 以上、高さを {4} 以上にしてください</translation>
-    </message>
-    <message>
-        <source>This keeps the screen of {0}, with {1}, where anyone passes: give it a screen of its own, or &lt;screen/&gt;</source>
-        <translation>誰もが通る場所で、{1} のある {0} の画面が残ります。自分の画面か &lt;screen/&gt; を置いてください</translation>
     </message>
     <message>
         <source>This line is none of a .po file: write msgid &quot;…&quot; and msgstr &quot;…&quot;</source>
@@ -3944,16 +4090,8 @@ Draw what a robot says, shows and does.</source>
         <translation>この状況は始まりません。条件が成り立つときには必ず until も成り立ちます。どちらかを変えてください</translation>
     </message>
     <message>
-        <source>This takes about {0} s to say, but {1} leaves the state after {2}: give it more time, or idle=&quot;true&quot;, so that it counts from the end of the speech</source>
-        <translation>話すのに約 {0} 秒かかりますが、{1} は {2} 後に状態を離れます。時間を延ばすか、idle=&quot;true&quot; として発話の終わりから数えてください</translation>
-    </message>
-    <message>
         <source>This timeout never runs out</source>
         <translation>この時間切れは起こりません</translation>
-    </message>
-    <message>
-        <source>This timeout without a next</source>
-        <translation>行き先のないこの時間切れ</translation>
     </message>
     <message>
         <source>This {0}</source>
@@ -3986,10 +4124,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>What {0} means {1}</source>
         <translation>{0} の意味 {1}</translation>
-    </message>
-    <message>
-        <source>Who has not understood cannot hear it again in {0}: add an event with &lt;repeat/&gt;, best to always, and a button or a phrase for it</source>
-        <translation>{0} では聞き取れなかった人がもう一度聞けません。&lt;repeat/&gt; のあるイベントを、できればすべての状態に、そのためのボタンか言葉とともに加えてください</translation>
     </message>
     <message>
         <source>XML or text declaration not at start of entity</source>
@@ -4026,10 +4160,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>above {0}</source>
         <translation>が {0} より大きい</translation>
-    </message>
-    <message>
-        <source>add &lt;provides&gt; to the module that writes it</source>
-        <translation>書き込むモジュールに &lt;provides&gt; を加えてください</translation>
     </message>
     <message>
         <source>add an expected event of this name there, or raise another</source>
@@ -4084,6 +4214,10 @@ Draw what a robot says, shows and does.</source>
         <translation>が {0} 以下</translation>
     </message>
     <message>
+        <source>here and in what every state has</source>
+        <translation>ここと、すべての状態に共通のところに</translation>
+    </message>
+    <message>
         <source>is not {0}</source>
         <translation>が {0} 以外</translation>
     </message>
@@ -4094,6 +4228,126 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>back to the state before</source>
         <translation>前の状態に戻る</translation>
+    </message>
+    <message>
+        <source> (part of every state{0}, and above what a state itself shows)</source>
+        <translation>（すべての状態に共通{0}で、状態自身の表示の上に重なります）</translation>
+    </message>
+    <message>
+        <source> of every state</source>
+        <translation>（すべての状態）</translation>
+    </message>
+    <message>
+        <source>A message with values sends these, so its text is never sent: take one of them out</source>
+        <translation>値のあるメッセージは値を送るので、本文は送られません。どちらかを取り除いてください</translation>
+    </message>
+    <message>
+        <source>A state that runs a part has no {0} of its own: move it into a state beside it, or into the part</source>
+        <translation>部品を動かす状態は自分の{0}を持てません。隣の状態か、部品の中に移してください</translation>
+    </message>
+    <message>
+        <source>A {0} action cannot stand in an event: what the robot visibly does belongs to a state; move it to the state to which the event leads</source>
+        <translation>動作「{0}」はイベントには置けません。ロボットの目に見える動作は状態に属します。イベントの行き先の状態に移してください</translation>
+    </message>
+    <message>
+        <source>Add a {0} button to every state</source>
+        <translation>すべての状態に「{0}」ボタンを加える</translation>
+    </message>
+    <message>
+        <source>An event without a name is taken as soon as its condition holds: let it lead to a state</source>
+        <translation>名前のないイベントは条件が成り立つとすぐに起こります。行き先の状態を決めてください</translation>
+    </message>
+    <message>
+        <source>From {0} nobody comes back to the start but by waiting for a timeout: add a button or a phrase that leads back, best a Home button in every state</source>
+        <translation>{0} からは時間切れを待つほかに最初へ戻る方法がありません。戻るためのボタンか言葉を加えてください。すべての状態に「ホーム」ボタンを置くのが最善です</translation>
+    </message>
+    <message>
+        <source>Let people say “{0}” in every state</source>
+        <translation>すべての状態で「{0}」と言えるようにする</translation>
+    </message>
+    <message>
+        <source>No module {0} is declared: add it to the modules here with its resources, or to the module information</source>
+        <translation>モジュール {0} が宣言されていません。ここのモジュールにリソースとともに加えるか、モジュール情報に加えてください</translation>
+    </message>
+    <message>
+        <source>Nothing leads out of the state {0}: add an event or a timeout that leads on, or say that it may end here, if that is meant</source>
+        <translation>状態 {0} から出る道がありません。先へ進むイベントか時間切れを加えるか、終わりのつもりなら「ここで終わってよい」としてください</translation>
+    </message>
+    <message>
+        <source>Only an event that leads nowhere can say again: take that out, or let the event lead nowhere</source>
+        <translation>言い直しは行き先のないイベントでだけ使えます。取り除くか、イベントの行き先をなくしてください</translation>
+    </message>
+    <message>
+        <source>Saying again cannot stand among a state&apos;s actions: put it into an event that leads nowhere, or take it out</source>
+        <translation>言い直しは状態の動作としては置けません。行き先のないイベントに移すか、取り除いてください</translation>
+    </message>
+    <message>
+        <source>Take out what says it again</source>
+        <translation>言い直しを取り除く</translation>
+    </message>
+    <message>
+        <source>Take the empty condition out</source>
+        <translation>空の条件を取り除く</translation>
+    </message>
+    <message>
+        <source>The address of a service cannot be {0}: begin with http://, https://, board:module/request, media: or a reference</source>
+        <translation>サービスのアドレスは {0} にはできません。http://、https://、board:モジュール/要求、media:、または参照で始めてください</translation>
+    </message>
+    <message>
+        <source>The application has no state: add one</source>
+        <translation>アプリケーションに状態がありません。加えてください</translation>
+    </message>
+    <message>
+        <source>The last situation must always hold, so that there is one: take its condition out, or add a situation without one below it</source>
+        <translation>必ずどれかの状況になるように、最後の状況はいつも成り立たなければなりません。条件を取り除くか、その下に条件のない状況を加えてください</translation>
+    </message>
+    <message>
+        <source>The module &quot;{0}&quot; can never hold authority: no situation gives it a priority; give it one in a situation</source>
+        <translation>モジュール “{0}” は実行権を持つことがありません。どの状況も優先度を与えていません。どれかの状況で与えてください</translation>
+    </message>
+    <message>
+        <source>The script has no situation: add one</source>
+        <translation>スクリプトに状況がありません。加えてください</translation>
+    </message>
+    <message>
+        <source>There is no way back to the start from {0}{1}: add an event or a timeout that leads there, or a Home button to every state</source>
+        <translation>{0}{1} から最初へ戻る道がありません。戻るイベントか時間切れ、またはすべての状態に「ホーム」ボタンを加えてください</translation>
+    </message>
+    <message>
+        <source>This condition is empty: put a test into it, or take it out</source>
+        <translation>条件が空です。調べるものを加えるか、取り除いてください</translation>
+    </message>
+    <message>
+        <source>This holds too while {0} is missing, as when its sensor is off: ask beside it that {1} exists</source>
+        <translation>センサーが切れているときなど {0} がない間も成り立ちます。{1} があることも条件にしてください</translation>
+    </message>
+    <message>
+        <source>This keeps the screen of {0}, with {1}, where anyone passes: give it a screen of its own, or an empty one</source>
+        <translation>誰もが通る場所で、{1} のある {0} の画面が残ります。自分の画面か空の画面を置いてください</translation>
+    </message>
+    <message>
+        <source>This takes about {0} s to say, but {1} leaves the state after {2}: give it more time, or let it count only when idle, which is from the end of the speech</source>
+        <translation>話すのに約 {0} 秒かかりますが、{1} は {2} 後に状態を離れます。時間を延ばすか、「操作のない間だけ」数えて発話の終わりからにしてください</translation>
+    </message>
+    <message>
+        <source>This timeout, which leads to no state,</source>
+        <translation>行き先のないこの時間切れ</translation>
+    </message>
+    <message>
+        <source>What a module requires is either data or a module: give it exactly one of the two</source>
+        <translation>モジュールが必要とするのはデータかモジュールのどちらか一方です</translation>
+    </message>
+    <message>
+        <source>What the robot itself keeps is never cleared, so clearing {0} has no effect: take it out, or name a tag of your own</source>
+        <translation>ロボット自身が保持するものは消えないので、{0} を消しても効果がありません。取り除くか、自分のタグを指定してください</translation>
+    </message>
+    <message>
+        <source>Whether it exists must be &quot;true&quot; or &quot;false&quot;, not {0}</source>
+        <translation>「ある」かどうかは {0} ではなく &quot;true&quot; か &quot;false&quot; としてください</translation>
+    </message>
+    <message>
+        <source>Who has not understood cannot hear it again in {0}: add a button or a phrase that says it again, best a Repeat button in every state</source>
+        <translation>{0} では聞き取れなかった人がもう一度聞けません。言い直すボタンか言葉を加えてください。すべての状態に「もう一度」ボタンを置くのが最善です</translation>
     </message>
     <message>
         <source>below {0}</source>
@@ -4220,16 +4474,8 @@ Draw what a robot says, shows and does.</source>
         <translation>シナリオのフォルダー</translation>
     </message>
     <message>
-        <source>give the timeout a next, or add an expected event of this name</source>
-        <translation>時間切れに行き先を付けるか、この名前のイベントを加えてください</translation>
-    </message>
-    <message>
         <source>has other content</source>
         <translation>内容が異なります</translation>
-    </message>
-    <message>
-        <source>here and in &lt;always&gt;</source>
-        <translation>ここと、すべての状態に共通のところに</translation>
     </message>
     <message>
         <source>high</source>
@@ -4338,6 +4584,14 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>leads to</source>
         <translation>行き先</translation>
+    </message>
+    <message>
+        <source>let the module that writes it provide it</source>
+        <translation>書き込むモジュールの「提供するもの」に加えてください</translation>
+    </message>
+    <message>
+        <source>let the timeout lead to a state, or add an expected event of this name</source>
+        <translation>時間切れに行き先を付けるか、この名前のイベントを加えてください</translation>
     </message>
     <message>
         <source>lie</source>
@@ -4664,8 +4918,40 @@ Draw what a robot says, shows and does.</source>
         <translation>優先度を与える状況になることがありません</translation>
     </message>
     <message>
-        <source>the state is left first, as {0} without a name {1} then: give it a &lt;when&gt;</source>
-        <translation>名前のない {0} がそのとき {1} ので、状態を先に離れます。&lt;when&gt; を付けてください</translation>
+        <source>the state is left first, as {0} without a name {1} then: give it a condition</source>
+        <translation>名前のない {0} がそのとき {1} ので、状態を先に離れます。条件を付けてください</translation>
+    </message>
+    <message>
+        <source>the timeout of every state</source>
+        <translation>すべての状態に共通の時間切れ</translation>
+    </message>
+    <message>
+        <source>whenever it could be, {0} comes first: change a condition, or their order</source>
+        <translation>起こりうるときには必ず {0} が先になります。条件か順序を変えてください</translation>
+    </message>
+    <message>
+        <source>{0} comes first, on no condition: put this one before it, or give it one</source>
+        <translation>{0} が先にあり、条件がありません。これをその前に置くか、あちらに条件を付けてください</translation>
+    </message>
+    <message>
+        <source>{0} gives {1} no priority in any situation: give it one</source>
+        <translation>{0} はどの状況でも {1} に優先度を与えていません。どれかで与えてください</translation>
+    </message>
+    <message>
+        <source>{0} is used but not observed: add it to the data observed</source>
+        <translation>{0} は使われていますが観測されていません。観測するデータに加えてください</translation>
+    </message>
+    <message>
+        <source>{0} uses {1} here but does not declare it: add it to the resources of its module</source>
+        <translation>{0} はここで {1} を使いますが、宣言していません。そのモジュールのリソースに加えてください</translation>
+    </message>
+    <message>
+        <source>{0} without waiting ({1}): let a condition fail once it was followed, or wait for a timeout or for an event from outside</source>
+        <translation>待つことなく {0}（{1}）。一度たどったら条件が成り立たなくなるようにするか、時間切れか外からのイベントを待ってください</translation>
+    </message>
+    <message>
+        <source>“Is one of” needs a list such as [&quot;a&quot;, &quot;b&quot;], not {0}</source>
+        <translation>「のどれか」には {0} ではなく [&quot;a&quot;, &quot;b&quot;] のような一覧が必要です</translation>
     </message>
     <message>
         <source>the state {0}</source>
@@ -4682,10 +4968,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>the timeout</source>
         <translation>時間切れ</translation>
-    </message>
-    <message>
-        <source>the timeout of always</source>
-        <translation>すべての状態に共通の時間切れ</translation>
     </message>
     <message>
         <source>there is no such position any more</source>
@@ -4736,10 +5018,6 @@ Draw what a robot says, shows and does.</source>
         <translation>画面に出るものと、状態が待つもの</translation>
     </message>
     <message>
-        <source>whenever it could be, {0} comes first: change a &lt;when&gt;, or their order</source>
-        <translation>起こりうるときには必ず {0} が先になります。&lt;when&gt; か順序を変えてください</translation>
-    </message>
-    <message>
         <source>whether &quot;{0}&quot; ever holds authority</source>
         <translation>“{0}” が実行権を持つことがあるか</translation>
     </message>
@@ -4780,20 +5058,12 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} は部品として動かせません。読めるアプリケーションでなければなりません</translation>
     </message>
     <message>
-        <source>{0} comes first and has no &lt;when&gt;: put this one before it, or give it one</source>
-        <translation>{0} が先にあり、&lt;when&gt; がありません。これをその前に置くか、あちらに &lt;when&gt; を付けてください</translation>
-    </message>
-    <message>
         <source>{0} extends itself by way of {1}: take one of the extends out</source>
         <translation>{0} は {1} を通じて自分自身を引き継いでいます。extends のどれかを取り除いてください</translation>
     </message>
     <message>
         <source>{0} from {1}</source>
         <translation>{1} からの {0}</translation>
-    </message>
-    <message>
-        <source>{0} gives {1} no priority in any situation: add &lt;module name=&quot;{2}&quot; priority=&quot;…&quot;/&gt; to one</source>
-        <translation>{0} はどの状況でも {1} に優先度を与えていません。どれかに &lt;module name=&quot;{2}&quot; priority=&quot;…&quot;/&gt; を加えてください</translation>
     </message>
     <message>
         <source>{0} gone</source>
@@ -4880,10 +5150,6 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} は部品の中の状態の番号です。これに別の番号を付けてください</translation>
     </message>
     <message>
-        <source>{0} is used but not observed: add it to &lt;observe&gt;</source>
-        <translation>{0} は使われていますが観測されていません。&lt;observe&gt; に加えてください</translation>
-    </message>
-    <message>
         <source>{0} is written by the robot itself only: choose another tag</source>
         <translation>{0} はロボット自身だけが書き込みます。別のタグを選んでください</translation>
     </message>
@@ -4964,14 +5230,6 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} を {1} に</translation>
     </message>
     <message>
-        <source>{0} uses {1} here but does not declare it: add it to the resources of its &lt;module&gt;</source>
-        <translation>{0} はここで {1} を使いますが、宣言していません。その &lt;module&gt; のリソースに加えてください</translation>
-    </message>
-    <message>
-        <source>{0} without waiting ({1}): let a &lt;when&gt; fail once it was followed, or wait for a timeout or for an event from outside</source>
-        <translation>待つことなく {0}（{1}）。一度たどったら &lt;when&gt; が成り立たなくなるようにするか、時間切れか外からのイベントを待ってください</translation>
-    </message>
-    <message>
         <source>{0} would be an end for which {1} waits: lead it to a state first.</source>
         <translation>{0} は {1} が待つ終わりになります。先に行き先の状態を決めてください。</translation>
     </message>
@@ -5028,12 +5286,20 @@ Draw what a robot says, shows and does.</source>
         <translation>{0}：直している間に変更されたので、そのままにしました。もう一度検査してください</translation>
     </message>
     <message>
+        <source>{0}: is no plain file (a pipe, a device): take it out of there</source>
+        <translation>{0}：普通のファイルではありません（パイプやデバイス）。取り除いてください</translation>
+    </message>
+    <message>
         <source>{0}: is read-only: allow it to be written, or write a copy</source>
         <translation>{0}：読み取り専用です。書き込みを許すか、コピーに書いてください</translation>
     </message>
     <message>
         <source>{0}: is there already and not empty; name a new folder</source>
         <translation>{0}：すでにあり、空ではありません。新しいフォルダーを指定してください</translation>
+    </message>
+    <message>
+        <source>{0}: its name is not UTF-8: give it another one</source>
+        <translation>{0}：名前が UTF-8 ではありません。別の名前にしてください</translation>
     </message>
     <message>
         <source>{0}: leads out of the project</source>
@@ -5066,6 +5332,13 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0}; did you mean &lt;{1}&gt;?</source>
         <translation>{0}。&lt;{1}&gt; のことですか？</translation>
+    </message>
+</context>
+<context>
+    <name>self._canvas</name>
+    <message>
+        <source>State {0} goes in between here. Alt: it is only moved.</source>
+        <translation>状態 {0} をここに挟みます。Alt：移動だけします。</translation>
     </message>
 </context>
 </TS>
