@@ -13,6 +13,7 @@ from situ.document.rbd import Application
 from situ_studio.canvas import gestures
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.projection import Card
+from situ_studio.language import tr
 
 if TYPE_CHECKING:
     from situ_studio.canvas.application import ApplicationCanvas
@@ -55,7 +56,7 @@ class Between:
             self._meant = meant
             self._show_hint()
             if meant is not None and card is not None:
-                said = self._canvas.tr("State {0} goes in between here. Alt: it is only moved.")
+                said = tr("State {0} goes in between here. Alt: it is only moved.")
                 self._canvas.status.emit(said.format(card.no))
 
     def _under(self, card: Card, at: QPointF) -> tuple[str, ...] | None:
