@@ -375,6 +375,10 @@
         <source>Something in Situ Studio itself went wrong. Your documents are as they were, and what is not saved is kept: save, and go on. To help us mend it, copy the details into a report.</source>
         <translation>Situ Studio 自体に問題が起きました。文書はそのままで、未保存の変更も保たれています。保存して作業を続けてください。修正のため、詳細をコピーして報告していただけると助かります。</translation>
     </message>
+    <message>
+        <source>State {0} goes in between here. Alt: it is only moved.</source>
+        <translation>状態 {0} をここに挟みます。Alt：移動だけします。</translation>
+    </message>
 </context>
 <context>
     <name>AddTest</name>
@@ -5332,13 +5336,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0}; did you mean &lt;{1}&gt;?</source>
         <translation>{0}。&lt;{1}&gt; のことですか？</translation>
-    </message>
-</context>
-<context>
-    <name>self._canvas</name>
-    <message>
-        <source>State {0} goes in between here. Alt: it is only moved.</source>
-        <translation>状態 {0} をここに挟みます。Alt：移動だけします。</translation>
     </message>
 </context>
 </TS>
