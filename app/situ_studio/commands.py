@@ -250,6 +250,12 @@ class Commands(FileCommands):
     def next_panel(self, way: int) -> None:
         self._window.next_panel(way)
 
+    def can_reopen_tab(self) -> bool:
+        return self.has_project() and self._window.tabs.has_closed
+
+    def reopen_tab(self) -> None:
+        self._window.reopen_tab()
+
     def reset_layout(self) -> None:
         self._window.reset_layout()
 

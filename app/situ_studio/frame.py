@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 from situ_studio import tab_order
 from situ_studio.breadcrumbs import Breadcrumbs
 from situ_studio.docking import FOLDED, Docking
+from situ_studio.document_tabs import DocumentTabs
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.menus import Actions
@@ -34,7 +35,7 @@ from situ_studio.panels.palette import Palette, PaletteRoom
 from situ_studio.panels.problems import Problems
 from situ_studio.panels.project_tree import ProjectTree
 from situ_studio.status import Status
-from situ_studio.tabs import BottomPanels, DocumentTabs
+from situ_studio.tabs import BottomPanels
 from situ_studio.theme import DARK, LIGHT, Theme
 from situ_studio.theme_qss import palette, qss
 from situ_studio.welcome import Welcome

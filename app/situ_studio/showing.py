@@ -59,6 +59,9 @@ def show_again(window: MainWindow, wanted: Showing) -> None:
     for way in wanted.ways:
         if session.document(way[0]) is not None:
             window.open_file(way[0])
+    for place, way in enumerate(wanted.ways):
+        if way[0] in window.tabs.files():
+            window.tabs.move(way[0], place)
     for file in window.tabs.files():
         if file not in {way[0] for way in wanted.ways}:
             window.close_file(file)

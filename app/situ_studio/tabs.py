@@ -1,8 +1,8 @@
-"""Strips of tabs: documents above the canvas, panels below it, and the switch between views."""
+"""The strip of panels below the canvas, and the switch between views."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
@@ -10,12 +10,10 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QPushButton,
     QStackedWidget,
-    QTabBar,
     QVBoxLayout,
     QWidget,
 )
 
-from situ_studio import icons
 from situ_studio.icon_widgets import IconButton, ThemedButton
 from situ_studio.layouts import rule
 from situ_studio.panels.header import TitleBar
@@ -66,105 +64,6 @@ class Segments(QFrame):
 
     def button(self, name: str) -> QPushButton:
         return self._buttons[name]
-
-
-class DocumentTabs(QFrame):
-    """One tab a document; the shown one can be closed. At the right, what views it has."""
-
-    chosen = Signal(str)
-    closed = Signal(str)
-    view_chosen = Signal(str)
-
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setProperty("role", "tabs")
-        self.setFixedHeight(36)
-        self._theme = theme
-        self._looks: dict[str, tuple[str, str]] = {}
-        line = QHBoxLayout(self)
-        line.setContentsMargins(0, 0, 8, 0)
-        line.setSpacing(8)
-        self.bar = QTabBar()
-        self.bar.setProperty("role", "documents")
-        self.bar.setAccessibleName(self.tr("Open documents"))
-        self.bar.setExpanding(False)
-        self.bar.setDrawBase(False)
-        self.bar.setIconSize(QSize(16, 16))
-        self.bar.setElideMode(Qt.TextElideMode.ElideRight)
-        self.bar.currentChanged.connect(self._on_current)
-        line.addWidget(self.bar, 0, Qt.AlignmentFlag.AlignBottom)
-        line.addStretch(1)
-        self.views = Segments(
-            theme,
-            (("graph", "graph", self.tr("Graph")), ("outline", "table", self.tr("Outline"))),
-            self.tr("View"),
-        )
-        self.views.chosen.connect(self.view_chosen)
-        line.addWidget(self.views)
-
-    def set_theme(self, theme: Theme) -> None:
-        self._theme = theme
-        for index in range(self.bar.count()):
-            icon, token = self._looks[self.bar.tabData(index)]
-            self.bar.setTabIcon(index, icons.icon(icon, theme.color(token), 16))
-
-    def add(self, file: str, words: str, icon: str, token: str) -> None:
-        """One more tab, without choosing it."""
-        self._looks[file] = (icon, token)
-        self.bar.blockSignals(True)
-        index = self.bar.addTab(icons.icon(icon, self._theme.color(token), 16), words)
-        self.bar.setTabData(index, file)
-        self.bar.setTabToolTip(index, file)
-        self.bar.blockSignals(False)
-
-    def remove(self, file: str) -> None:
-        index = self.files().index(file)
-        self.bar.removeTab(index)
-
-    def clear(self) -> None:
-        self.bar.blockSignals(True)
-        while self.bar.count():
-            self.bar.removeTab(0)
-        self.bar.blockSignals(False)
-
-    def files(self) -> list[str]:
-        return [self.bar.tabData(i) for i in range(self.bar.count())]
-
-    @property
-    def chosen_file(self) -> str | None:
-        """The file of the chosen tab."""
-        index = self.bar.currentIndex()
-        return self.bar.tabData(index) if index >= 0 else None
-
-    def step(self, by: int) -> None:
-        """Chooses the next tab, round the end."""
-        files = self.files()
-        if files:
-            self.choose(files[(self.bar.currentIndex() + by) % len(files)])
-
-    def choose(self, file: str) -> None:
-        """Chooses a tab and tells it, also if it was chosen already."""
-        index = self.files().index(file)
-        self.bar.blockSignals(True)
-        self.bar.setCurrentIndex(index)
-        self.bar.blockSignals(False)
-        self._on_current(index)
-
-    def _on_current(self, index: int) -> None:
-        side = QTabBar.ButtonPosition.RightSide
-        for other in range(self.bar.count()):
-            if other != index and self.bar.tabButton(other, side) is not None:
-                self.bar.setTabButton(other, side, None)
-        if index < 0:
-            return
-        file = self.bar.tabData(index)
-        if self.bar.tabButton(index, side) is None and self.bar.count() > 1:
-            close = IconButton(self._theme, "close", self.tr("Close"), "text3", 12)
-            close.setFixedSize(22, 18)
-            close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-            close.clicked.connect(lambda: self.closed.emit(file))
-            self.bar.setTabButton(index, side, close)
-        self.chosen.emit(file)
 
 
 class CountButton(QPushButton):

@@ -252,6 +252,15 @@ class MainWindow(Frame):
         if file is not None and len(self.tabs.files()) > 1:
             self.close_file(file)
 
+    def reopen_tab(self) -> None:
+        """Opens the tab again that was closed last, where it was."""
+        while (last := self.tabs.last_closed()) is not None:
+            file, place = last
+            if file not in self.tabs.files() and self.session.document(file) is not None:
+                self.open_file(file)
+                self.tabs.move(file, place)
+                return
+
     def show_welcome(self, with_examples: bool = True) -> None:
         """Shows the welcome page; an open project stays open."""
         self.welcome.show_recent(self.recent)
@@ -557,6 +566,7 @@ class MainWindow(Frame):
             marks = tuple(m for m in ("error", "warning") if m in found)[:1]
             part = self.parts.is_part(file)
             self.project_tree.show_document(file, document, part, file in dirty, marks)
+        self.tabs.show_unsaved(dirty)
 
     def _settle_title(self) -> None:
         project = self.session.project

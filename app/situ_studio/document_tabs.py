@@ -1,0 +1,241 @@
+"""The strip of tabs above the canvas: the open documents."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from functools import partial
+
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QContextMenuEvent, QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QTabBar, QWidget
+
+from situ_studio import icons
+from situ_studio.icon_widgets import IconButton
+from situ_studio.tabs import Segments
+from situ_studio.theme import Theme
+
+
+READABLE = 168
+"""Px that a tab has at least, if its name wants them."""
+
+
+class DocumentBar(QTabBar):
+    """Tabs that are dragged to another place; the middle button closes one."""
+
+    close_asked = Signal(int)
+    menu_asked = Signal(int, QPoint)
+    resized = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._pressed = -1
+        self.setMovable(True)
+        self.setUsesScrollButtons(True)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.MiddleButton:
+            self._pressed = self.tabAt(event.position().toPoint())
+        else:
+            super().mousePressEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.MiddleButton:
+            if self._pressed >= 0 and self.tabAt(event.position().toPoint()) == self._pressed:
+                self.close_asked.emit(self._pressed)
+            self._pressed = -1
+        else:
+            super().mouseReleaseEvent(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        index = self.tabAt(event.pos())
+        if index >= 0:
+            self.menu_asked.emit(index, event.globalPos())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.resized.emit()
+
+    def minimumTabSizeHint(self, index: int) -> QSize:
+        # A name is cut only where it is long: rather fewer tabs are seen than none can be read.
+        return self.tabSizeHint(index).boundedTo(QSize(READABLE, 38))
+
+    def tabLayoutChange(self) -> None:
+        super().tabLayoutChange()
+        self.resized.emit()
+
+    @property
+    def overflows(self) -> bool:
+        """Whether not all tabs can be seen at once."""
+        wide = sum(self.tabRect(index).width() for index in range(self.count()))
+        return wide > self.width()
+
+
+class DocumentTabs(QFrame):
+    """One tab a document, in the order that a person dragged them to. The shown one has a button
+    that closes it, each a menu; where not all have room, a list names them all. What is not saved
+    has a dot behind its name. At the right, what views the document has.
+
+    The last tab can not be closed.
+    """
+
+    chosen = Signal(str)
+    closed = Signal(str)
+    view_chosen = Signal(str)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "tabs")
+        self.setFixedHeight(36)
+        self._theme = theme
+        self._looks: dict[str, tuple[str, str]] = {}
+        self._words: dict[str, str] = {}
+        self._gone: list[tuple[str, int]] = []
+        line = QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 8, 0)
+        line.setSpacing(8)
+        self.bar = DocumentBar()
+        self.bar.setProperty("role", "documents")
+        self.bar.setAccessibleName(self.tr("Open documents"))
+        self.bar.setExpanding(False)
+        self.bar.setDrawBase(False)
+        self.bar.setIconSize(QSize(16, 16))
+        self.bar.setElideMode(Qt.TextElideMode.ElideRight)
+        self.bar.currentChanged.connect(self._on_current)
+        self.bar.close_asked.connect(lambda index: self._ask_to_close(self.bar.tabData(index)))
+        self.bar.menu_asked.connect(self._on_menu)
+        self.bar.resized.connect(self._settle_all)
+        line.addWidget(self.bar, 0, Qt.AlignmentFlag.AlignBottom)
+        self.all = IconButton(theme, "down", self.tr("All open documents"), "text2", 14)
+        self.all.clicked.connect(self._show_all)
+        self.all.hide()
+        line.addWidget(self.all)
+        line.addStretch(1)
+        self.views = Segments(
+            theme,
+            (("graph", "graph", self.tr("Graph")), ("outline", "table", self.tr("Outline"))),
+            self.tr("View"),
+        )
+        self.views.chosen.connect(self.view_chosen)
+        line.addWidget(self.views)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        for index in range(self.bar.count()):
+            icon, token = self._looks[self.bar.tabData(index)]
+            self.bar.setTabIcon(index, icons.icon(icon, theme.color(token), 16))
+
+    def add(self, file: str, words: str, icon: str, token: str) -> None:
+        """One more tab, without choosing it."""
+        self._looks[file], self._words[file] = (icon, token), words
+        self.bar.blockSignals(True)
+        index = self.bar.addTab(icons.icon(icon, self._theme.color(token), 16), words)
+        self.bar.setTabData(index, file)
+        self.bar.setTabToolTip(index, file)
+        self.bar.blockSignals(False)
+
+    def remove(self, file: str) -> None:
+        index = self.files().index(file)
+        self._gone.append((file, index))
+        self.bar.removeTab(index)
+
+    def last_closed(self) -> tuple[str, int] | None:
+        """The file whose tab was closed last and its place, which are forgotten by this."""
+        return self._gone.pop() if self._gone else None
+
+    @property
+    def has_closed(self) -> bool:
+        """Whether a tab was closed that is not open again."""
+        return any(file not in self.files() for file, _ in self._gone)
+
+    def move(self, file: str, index: int) -> None:
+        """Puts the tab of a file at a place, the last one at most."""
+        self.bar.moveTab(self.files().index(file), min(index, self.bar.count() - 1))
+
+    def show_unsaved(self, files: Collection[str]) -> None:
+        """A dot behind the names of these."""
+        for index, file in enumerate(self.files()):
+            unsaved = file in files
+            text = f"{self._words[file]} •" if unsaved else self._words[file]
+            if self.bar.tabText(index) != text:
+                self.bar.setTabText(index, text)
+                tip = self.tr("{0}, not saved").format(file) if unsaved else file
+                self.bar.setTabToolTip(index, tip)
+
+    def clear(self) -> None:
+        self._gone = []
+        self.bar.blockSignals(True)
+        while self.bar.count():
+            self.bar.removeTab(0)
+        self.bar.blockSignals(False)
+
+    def files(self) -> list[str]:
+        return [self.bar.tabData(i) for i in range(self.bar.count())]
+
+    @property
+    def chosen_file(self) -> str | None:
+        """The file of the chosen tab."""
+        index = self.bar.currentIndex()
+        return self.bar.tabData(index) if index >= 0 else None
+
+    def step(self, by: int) -> None:
+        """Chooses the next tab, round the end."""
+        files = self.files()
+        if files:
+            self.choose(files[(self.bar.currentIndex() + by) % len(files)])
+
+    def choose(self, file: str) -> None:
+        """Chooses a tab and tells it, also if it was chosen already."""
+        index = self.files().index(file)
+        self.bar.blockSignals(True)
+        self.bar.setCurrentIndex(index)
+        self.bar.blockSignals(False)
+        self._on_current(index)
+
+    def _ask_to_close(self, file: str) -> None:
+        if self.bar.count() > 1:
+            self.closed.emit(file)
+
+    def _on_menu(self, index: int, at: QPoint) -> None:
+        file = self.bar.tabData(index)
+        others = [other for other in self.files() if other != file]
+        menu = self._menu()
+        one = menu.addAction(self.tr("Close"))
+        one.triggered.connect(lambda: self._ask_to_close(file))
+        rest = menu.addAction(self.tr("Close the others"))
+        rest.triggered.connect(lambda: [self._ask_to_close(other) for other in others])
+        for action in (one, rest):
+            action.setEnabled(bool(others))
+        menu.popup(at)
+
+    def _show_all(self) -> None:
+        menu = self._menu()
+        for index, file in enumerate(self.files()):
+            action = menu.addAction(self.bar.tabIcon(index), self.bar.tabText(index))
+            action.setCheckable(True)
+            action.setChecked(index == self.bar.currentIndex())
+            action.triggered.connect(partial(self.choose, file))
+        menu.popup(self.all.mapToGlobal(self.all.rect().bottomLeft()))
+
+    def _menu(self) -> QMenu:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        return menu
+
+    def _settle_all(self) -> None:
+        self.all.setVisible(self.bar.overflows)
+
+    def _on_current(self, index: int) -> None:
+        side = QTabBar.ButtonPosition.RightSide
+        for other in range(self.bar.count()):
+            if other != index and self.bar.tabButton(other, side) is not None:
+                self.bar.setTabButton(other, side, None)
+        if index < 0:
+            return
+        file = self.bar.tabData(index)
+        if self.bar.tabButton(index, side) is None and self.bar.count() > 1:
+            close = IconButton(self._theme, "close", self.tr("Close"), "text3", 12)
+            close.setFixedSize(22, 18)
+            close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+            close.clicked.connect(lambda: self.closed.emit(file))
+            self.bar.setTabButton(index, side, close)
+        self.chosen.emit(file)
