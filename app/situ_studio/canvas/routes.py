@@ -7,6 +7,7 @@ pipe is ``ways.py``'s, its label's place ``labels.py``'s.
 
 from __future__ import annotations
 
+import heapq
 from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
@@ -22,8 +23,8 @@ BURDEN = 965.0
 """A pipe that is more in the way than this is folded."""
 MANY = 300
 """From so many pipes on, crossings are not counted and no pipe is routed twice."""
-SLICE = 40
-"""Pipes between two yields of ``routing``."""
+LONG = 450.0
+"""No way that is shorter is folded."""
 
 
 class Route(Struct, frozen=True):
@@ -57,6 +58,8 @@ class Router:
         self._groups: dict[tuple[str, str], list[Pipe]] = {}
         self._pipes: dict[PipeId, Pipe] = {}
         self._folded: set[PipeId] = set()
+        # Of these, those that no way led round the cards for: another place may have one.
+        self._without: set[PipeId] = set()
         self._paths: dict[PipeId, tuple[Point, ...]] = {}
 
     def route(self, boxes: Mapping[str, Box], pipes: Iterable[Pipe]) -> dict[PipeId, Route]:
@@ -69,37 +72,45 @@ class Router:
         """Does what ``route`` does and yields now and then; ``routes`` holds when it has ended."""
         self._pipes = {p.id: p for p in pipes}
         careful = len(self._pipes) <= MANY
-        self._ways = Ways(boxes, careful)
+        self._ways = Ways({}, careful)
         self._labels = Labels(self._ways)
-        self._paths, self._folded = {}, set()
+        self._paths, self._folded, self._without = {}, set(), set()
         self._groups = {}
+        for name, box in boxes.items():
+            self._ways.space.put(name, box)
+            yield
         for pipe in self._pipes.values():
             self._groups.setdefault((pipe.source, pipe.target), []).append(pipe)
-        trunks = sorted((self._trunk(g) for g in self._groups.values()), key=_effort)
+        yield
+        trunks = []
+        for group in self._groups.values():
+            trunks.append(self._trunk(group))
+            yield
+        trunks.sort(key=_effort)
         for pipe in trunks:
+            yield
             if self._folds_at_once(pipe):
                 self._fold(pipe)
-        for count, pipe in enumerate(trunks):
+            elif self._is_too_far(pipe):
+                self._fold_for_now(pipe)
+        for pipe in trunks:
             if pipe.id not in self._folded:
-                self._put(pipe, self._ways.find(pipe))
-            if count % SLICE == SLICE - 1:
                 yield
+                self._put_or_fold(pipe)
         if careful:
-            self._again(trunks)
-        self._fold_long(trunks)
+            yield from self._again(trunks)
+        yield from self._fold_long(trunks)
         if careful:
             # What is folded made room, and its chip takes some.
-            self._again(trunks)
-        yield
+            yield from self._again(trunks)
         self.routes = {}
-        for count, pipe in enumerate(trunks):
+        for pipe in trunks:
             self._finish_ways(pipe)
-            if count % (8 * SLICE) == 8 * SLICE - 1:
-                yield
-        for count, pipe in enumerate(sorted(trunks, key=lambda p: (-p.height, _effort(p)))):
+            yield
+        # Sorting is steady: of those of one height the order is the same as before.
+        for pipe in sorted(trunks, key=lambda p: -p.height):
             self._finish_label(pipe)
-            if count % SLICE == SLICE - 1:
-                yield
+            yield
 
     def change(
         self, boxes: Mapping[str, Box | None], pipes: Mapping[PipeId, Pipe | None]
@@ -142,7 +153,7 @@ class Router:
         before: dict[PipeId, Route] = {}
         for key in keys:
             for pipe in self._groups.get(key, ()):
-                if pipe.id in self._folded:
+                if pipe.id in self._folded and pipe.id not in self._without:
                     folded.add(key)
                 self._erase(pipe, before)
         for id, new in pipes.items():
@@ -164,9 +175,11 @@ class Router:
                 (pipe.source, pipe.target) in folded and pipe.id not in self.drawn
             ) or self._folds_at_once(pipe):
                 self._fold(pipe)
+            elif self._is_too_far(pipe):
+                self._fold_for_now(pipe)
         for pipe in trunks:
             if pipe.id not in self._folded:
-                self._put(pipe, self._ways.find(pipe))
+                self._put_or_fold(pipe)
                 yield
         for pipe in trunks:
             self._finish_ways(pipe)
@@ -200,6 +213,7 @@ class Router:
             self._ways.rub_out(pipe, points)
         if pipe.id in self._folded:
             self._folded.discard(pipe.id)
+            self._without.discard(pipe.id)
             self._ways.drop_chip(pipe)
         self._labels.forget(pipe.id)
 
@@ -214,11 +228,27 @@ class Router:
 
     # -- ways and folding --------------------------------------------------------------
 
+    def _put_or_fold(self, pipe: Pipe) -> None:
+        """Draws the pipe, or folds it where it would be folded for its length in the end."""
+        if not self._may_fold(pipe):
+            self._put(pipe, self._ways.find(pipe))
+            return
+        way = self._ways.find_within(pipe, 2 * (BURDEN - _upwards(pipe)))
+        if way is not None:
+            self._put(pipe, way)
+        elif _apart(pipe) > LONG:
+            self._fold_for_now(pipe)
+        else:
+            self._put(pipe, self._ways.find(pipe))
+
+    def _may_fold(self, pipe: Pipe) -> bool:
+        return pipe.fold and pipe.id not in self.drawn and pipe.source != pipe.target
+
     def _put(self, pipe: Pipe, points: tuple[Point, ...]) -> None:
         self._paths[pipe.id] = points
         self._ways.draw(pipe, points)
 
-    def _again(self, trunks: Sequence[Pipe]) -> None:
+    def _again(self, trunks: Sequence[Pipe]) -> Iterator[None]:
         """Each pipe that is in another's way once more, now that all are known."""
         ways = self._ways
         for _ in range(2):
@@ -230,6 +260,7 @@ class Router:
                 before = ways.cost(pipe, old)
                 if before - length(old) - 14.0 * (len(old) - 2) < 2.0:
                     continue
+                yield
                 ways.rub_out(pipe, old)
                 new = ways.find(pipe)
                 if ways.cost(pipe, new) >= before - 0.5:
@@ -241,43 +272,51 @@ class Router:
 
     def _folds_at_once(self, pipe: Pipe) -> bool:
         """Timeouts that lead back are folded before anything is drawn: they only take room."""
-        if pipe.id in self.drawn or not pipe.fold or pipe.source == pipe.target:
+        if not self._may_fold(pipe):
             return False
         (x1, y1), (x2, y2) = pipe.start, pipe.end
         return pipe.folded or (pipe.timeout and (x2 < x1 or y2 < y1 - 60))
 
-    def _fold_long(self, trunks: Sequence[Pipe]) -> None:
+    def _is_too_far(self, pipe: Pipe) -> bool:
+        """Whether any way would be folded in the end."""
+        far = _apart(pipe) > LONG and 0.5 * _apart(pipe) + _upwards(pipe) > BURDEN
+        return far and self._may_fold(pipe)
+
+    def _fold_for_now(self, pipe: Pipe) -> None:
+        """Elsewhere it may have a way."""
+        self._without.add(pipe.id)
+        self._fold(pipe)
+
+    def _fold_long(self, trunks: Sequence[Pipe]) -> Iterator[None]:
         """What would cross the drawing: the worst first, for the others are the better for it."""
-        waiting = {
-            p.id: p
-            for p in trunks
-            if p.id in self._paths
-            and p.fold
-            and p.id not in self.drawn
-            and p.source != p.target
-            and length(self._paths[p.id]) > 450
-        }
-        if not self._ways.careful:
-            waiting = {id: p for id, p in waiting.items() if self._burden(p) > BURDEN}
-        while waiting:
-            worst = max(waiting.values(), key=lambda p: (self._burden(p), p.id))
-            if self._burden(worst) <= BURDEN:
-                break
-            del waiting[worst.id]
-            self._ways.rub_out(worst, self._paths.pop(worst.id))
-            self._fold(worst)
-            if not self._ways.careful:
-                for pipe in waiting.values():
-                    self._ways.rub_out(pipe, self._paths.pop(pipe.id))
-                    self._fold(pipe)
-                break
+        heavy: list[tuple[float, int, Pipe]] = []
+        for pipe in trunks:
+            points = self._paths.get(pipe.id)
+            if points is None or not self._may_fold(pipe) or length(points) <= LONG:
+                continue
+            burden = self._burden(pipe)
+            if burden > BURDEN:
+                heavy.append((-burden, len(heavy), pipe))
+            yield
+        heapq.heapify(heavy)
+        while heavy:
+            before, rank, pipe = heavy[0]
+            burden = self._burden(pipe)
+            if BURDEN < burden < -before:
+                # Others that crossed it are folded by now, so another may be the worst.
+                heapq.heapreplace(heavy, (-burden, rank, pipe))
+                continue
+            heapq.heappop(heavy)
+            if burden > BURDEN:
+                self._ways.rub_out(pipe, self._paths.pop(pipe.id))
+                self._fold(pipe)
+            yield
 
     def _burden(self, pipe: Pipe) -> float:
         """How much a pipe is in the way of the drawing."""
         points = self._paths[pipe.id]
-        upwards = 380.0 if pipe.end[1] < pipe.start[1] - 60 else 0.0
         crossings = self._ways.crossings(pipe, points) if self._ways.careful else 0
-        return 120.0 * crossings + 0.5 * length(points) + upwards
+        return 120.0 * crossings + 0.5 * length(points) + _upwards(pipe)
 
     def _fold(self, pipe: Pipe) -> None:
         self._folded.add(pipe.id)
@@ -338,6 +377,16 @@ class Router:
         found = self._labels.place(pipe, route.points)
         if found is not None:
             self.routes[pipe.id] = replace(route, label=found[0], room=found[1])
+
+
+def _upwards(pipe: Pipe) -> float:
+    """How much more a pipe is in the way that leads up."""
+    return 380.0 if pipe.end[1] < pipe.start[1] - 60 else 0.0
+
+
+def _apart(pipe: Pipe) -> float:
+    """No way is shorter."""
+    return abs(pipe.end[0] - pipe.start[0]) + abs(pipe.end[1] - pipe.start[1])
 
 
 def _effort(pipe: Pipe) -> tuple[float, ...]:

@@ -14,6 +14,8 @@ PipeId = tuple[str, ...]
 Name = TypeVar("Name")
 
 CELL = 192.0
+ALONG = 768.0
+"""Of a cell of lines, the way that they run: most are long."""
 FAR = 1e6
 PAD = 7.0
 """How near a pipe may come to a card that it does not belong to."""
@@ -26,6 +28,10 @@ class Box(NamedTuple):
     top: float
     right: float
     bottom: float
+
+    def grown(self, by: float) -> Box:
+        """With so much more on each side."""
+        return Box(self.left - by, self.top - by, self.right + by, self.bottom + by)
 
 
 class Line(NamedTuple):
@@ -96,12 +102,7 @@ class Boxes(Generic[Name]):
             for down in range(int(top // CELL), int(bottom // CELL) + 1):
                 for entry in cells.get((across, down), ()):
                     box = entry[1]
-                    if (
-                        box.left < right
-                        and left < box.right
-                        and box.top < bottom
-                        and top < box.bottom
-                    ):
+                    if box[0] < right and left < box[2] and box[1] < bottom and top < box[3]:
                         found[id(box)] = entry
         return list(found.values())
 
@@ -112,9 +113,14 @@ class Cards(Boxes[str]):
     def __init__(self, boxes: Mapping[str, Box]) -> None:
         super().__init__(boxes.items())
         self.boxes = dict(boxes)
+        self._extent: Box | None = None
+        # Where each line that was asked for is taken: begins and ends, from low to high.
+        self._taken: dict[tuple[bool, float], tuple[list[float], list[float]]] = {}
 
     def put(self, name: str, box: Box | None) -> None:
         """A card is elsewhere now, or (None) gone."""
+        self._taken.clear()
+        self._extent = None
         old = self.boxes.pop(name, None)
         if old is not None:
             self.remove(name, old)
@@ -122,13 +128,53 @@ class Cards(Boxes[str]):
             self.boxes[name] = box
             self.add(name, box)
 
+    def extent(self) -> Box:
+        """What all cards lie in, and as much room round them as a pipe may take."""
+        if self._extent is None:
+            lefts, tops, rights, bottoms = zip(*self.boxes.values(), strict=True)
+            self._extent = Box(min(lefts), min(tops), max(rights), max(bottoms)).grown(400.0)
+        return self._extent
+
+    def stretch(self, upright: bool, at: float, spot: float) -> tuple[float, float]:
+        """From where to where a line is free of cards round a spot on it; no length on a card."""
+        if (upright, at) not in self._taken:
+            self._taken[upright, at] = self._taken_of(upright, at)
+        begins, ends = self._taken[upright, at]
+        after = bisect_left(begins, spot)
+        low = ends[after - 1] if after else -FAR
+        if low > spot:
+            return spot, spot
+        return low, begins[after] if after < len(begins) else FAR
+
+    def _taken_of(self, upright: bool, at: float) -> tuple[list[float], list[float]]:
+        left, top, right, bottom = self.extent()
+        area = (at - PAD, top, at + PAD, bottom) if upright else (left, at - PAD, right, at + PAD)
+        found = [box for _, box in self.near(*area)]
+        begins: list[float] = []
+        ends: list[float] = []
+        for begin, end in sorted((b[1], b[3]) if upright else (b[0], b[2]) for b in found):
+            if ends and begin < ends[-1]:
+                ends[-1] = max(ends[-1], end)
+            else:
+                begins.append(begin)
+                ends.append(end)
+        return begins, ends
+
     def clear_level(self, y: float, left: float, right: float, own: tuple[str, ...]) -> bool:
         """Whether a horizontal is free of cards; those of ``own`` may be touched at their edge."""
-        for uid, box in self.near(left, y - PAD, right, y + PAD):
-            if uid in own and (box.right <= left + 0.5 or right - 0.5 <= box.left):
-                continue
-            if uid not in own or (left < box.right - 0.5 and box.left + 0.5 < right):
-                return False
+        top, bottom, cells = y - PAD, y + PAD, self._cells
+        rows = range(int(top // CELL), int(bottom // CELL) + 1)
+        for across in range(int(left // CELL), int(right // CELL) + 1):
+            for down in rows:
+                for uid, box in cells.get((across, down), ()):
+                    if (
+                        box[1] < bottom
+                        and top < box[3]
+                        and box[0] < right
+                        and left < box[2]
+                        and (uid not in own or (left < box[2] - 0.5 and box[0] + 0.5 < right))
+                    ):
+                        return False
         return True
 
     def clear_upright(self, x: float, top: float, bottom: float) -> bool:
@@ -142,25 +188,39 @@ class Lines:
     def __init__(self) -> None:
         # Each cell's lines are sorted, which is by lane first.
         self._cells: dict[tuple[int, int], list[Line]] = {}
+        self._goals: dict[str, list[Line]] = {}
+
+    def _of(self, line: Line) -> Iterable[tuple[int, int]]:
+        lane = int(line.at // CELL)
+        for along in range(int(line.low // ALONG), int(line.high // ALONG) + 1):
+            yield lane, along
 
     def add(self, line: Line) -> None:
-        lane = int(line.at // CELL)
-        for along in range(int(line.low // CELL), int(line.high // CELL) + 1):
-            insort(self._cells.setdefault((lane, along), []), line)
+        for cell in self._of(line):
+            insort(self._cells.setdefault(cell, []), line)
+        self._goals.setdefault(line.target, []).append(line)
 
     def remove(self, line: Line) -> None:
-        lane = int(line.at // CELL)
-        for along in range(int(line.low // CELL), int(line.high // CELL) + 1):
-            cell = self._cells.get((lane, along))
-            if cell is not None and line in cell:
-                cell.remove(line)
+        for cell in self._of(line):
+            lines = self._cells.get(cell)
+            if lines is not None and line in lines:
+                lines.remove(line)
+        lines = self._goals.get(line.target)
+        if lines is not None and line in lines:
+            lines.remove(line)
+
+    def to(self, goal: str) -> Sequence[Line]:
+        """Those of the pipes that lead there."""
+        return self._goals.get(goal, ())
 
     def between(self, at_low: float, at_high: float, low: float, high: float) -> list[Line]:
         """Segments whose lane lies in at_low..at_high and that overlap low..high, each once."""
-        found = {}
+        found = []
         cells = self._cells
         lanes = range(int(at_low // CELL), int(at_high // CELL) + 1)
-        for along in range(int(low // CELL), int(high // CELL) + 1):
+        first = int(low // ALONG)
+        for along in range(first, int(high // ALONG) + 1):
+            begin = along * ALONG
             for lane in lanes:
                 cell = cells.get((lane, along))
                 if not cell:
@@ -169,9 +229,10 @@ class Lines:
                     line = cell[index]
                     if line[0] > at_high:
                         break
-                    if line[1] < high and low < line[2]:
-                        found[id(line)] = line
-        return list(found.values())
+                    # One that began in a cell before was found there.
+                    if line[1] < high and low < line[2] and (along == first or line[1] >= begin):
+                        found.append(line)
+        return found
 
 
 def simple(points: Sequence[Point]) -> tuple[Point, ...]:

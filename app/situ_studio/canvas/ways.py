@@ -9,10 +9,11 @@ their lane dearer, but what leads to the same card may share it.
 
 from __future__ import annotations
 
+import heapq
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 
-from situ_studio.canvas.detours import detour
+from situ_studio.canvas.detours import detour, through
 from situ_studio.canvas.space import (
     FAR,
     PAD,
@@ -44,6 +45,12 @@ LOOP = 18.0
 """How far below its card a self-loop runs."""
 STUB = 15.0
 """The line and arrow of a folded pipe, before its chip."""
+SHARED = 60.0
+"""What sharing lanes makes a way cheaper by, and 0.3 of how far it leads across."""
+CLEAR = 20.0
+"""A short way that costs no more than this for others is taken, where there are very many."""
+TRIES = 6
+"""Corridors that are drawn before the best is taken; half of them where there are very many."""
 REACH = 700.0
 """How far above and below a pipe's ends corridors are looked for."""
 
@@ -107,6 +114,10 @@ class Ways:
 
     def find(self, pipe: Pipe) -> tuple[Point, ...]:
         """The cheapest way. Always one: straight through only where every other is blocked."""
+        return self.find_within(pipe, FAR) or through(pipe, *_beside(pipe))
+
+    def find_within(self, pipe: Pipe, bound: float) -> tuple[Point, ...] | None:
+        """The cheapest way; None where only ways longer than ``bound`` lead round the cards."""
         if pipe.source == pipe.target:
             return self._loop(pipe)
         (x1, y1), (x2, y2) = pipe.start, pipe.end
@@ -114,8 +125,9 @@ class Ways:
         if abs(y1 - y2) < 0.5 and x2 - x1 >= IN and self.space.clear_level(y1, x1, x2, ends):
             return (x1, y1), (x2, y2)
         best = self._best(pipe, self._short(pipe))
-        best = self._best(pipe, self._long(pipe, best[0] if best is not None else FAR), best)
-        return best[1] if best is not None else detour(self.space, pipe, x1 + OUT, x2 - IN)
+        if best is None or self.careful or best[0] > _least(pipe, 2) + CLEAR:
+            best = self._long(pipe, best)
+        return best[1] if best is not None else detour(self.space, pipe, *_beside(pipe), bound)
 
     def _best(
         self,
@@ -124,11 +136,14 @@ class Ways:
         best: tuple[float, tuple[Point, ...]] | None = None,
     ) -> tuple[float, tuple[Point, ...]] | None:
         """The cheapest with its cost, ``best`` where none is cheaper."""
+        enough = 0.0 if self.careful else _least(pipe, 2) + 1.0
         for points in ways:
             points = simple(points)
             cost = self.cost(pipe, points)
             if (best is None or cost < best[0]) and not _cramped(pipe, points):
                 best = cost, points
+                if cost < enough:
+                    break
         return best
 
     def _loop(self, pipe: Pipe) -> tuple[Point, ...]:
@@ -174,26 +189,23 @@ class Ways:
         near = self.space.near(low - PAD, top - PAD, high + PAD, bottom + PAD)
         return holes(low, high, [(b.left - PAD, b.right + PAD) for _, b in near])
 
-    def _long(self, pipe: Pipe, bound: float) -> Iterable[tuple[Point, ...]]:
-        """One corridor: right, up or down, along, up or down, right."""
+    def _long(
+        self, pipe: Pipe, best: tuple[float, tuple[Point, ...]] | None
+    ) -> tuple[float, tuple[Point, ...]] | None:
+        """One corridor: right, up or down, along, up or down, right. ``best`` or a cheaper one."""
         (x1, y1), (x2, y2) = pipe.start, pipe.end
-        xa, xb = x1 + OUT, x2 - IN
-        left, right = min(xa, xb), max(xa, xb)
-        lanes: list[tuple[float, float]] = []
-        low, high = min(y1, y2) - REACH, max(y1, y2) + REACH
-        near = self.space.near(left - PAD, low, right + PAD, high)
-        margin = PAD + 5
-        free = holes(low, high, [(b.top - margin, b.bottom + margin) for _, b in near])
-        for gap_low, gap_high in free:
-            for y in _rungs(gap_low, gap_high, y1, y2):
-                travel = abs(y - y1) + abs(y - y2)
-                lanes.append((travel + self._crowd(y, left, right, pipe), y))
-        lanes += self._shared(pipe, free, left, right)
-        lanes.sort()
         tried = 0
-        for estimate, y in lanes:
-            if tried >= 6 or estimate > bound:
+        ahead = _least(pipe, 4) - abs(y2 - y1)
+        if self.careful:
+            # Sharing lanes makes a way cheaper, by no more than this.
+            ahead -= SHARED + 0.3 * abs(x2 - x1)
+        for estimate, travel, y in self._corridors(pipe):
+            if tried >= (TRIES if self.careful else TRIES // 2):
                 break
+            if best is not None and estimate > best[0]:
+                break
+            if best is not None and travel + ahead > best[0]:
+                continue
             one = self._lane(pipe, x1, y1, y, +1, pipe.source)
             if one is None:
                 continue
@@ -201,7 +213,38 @@ class Ways:
             if two is None or not self.space.clear_level(y, min(one, two), max(one, two), ()):
                 continue
             tried += 1
-            yield (x1, y1), (one, y1), (one, y), (two, y), (two, y2), (x2, y2)
+            way = (x1, y1), (one, y1), (one, y), (two, y), (two, y2), (x2, y2)
+            best = self._best(pipe, [way], best)
+        return best
+
+    def _corridors(self, pipe: Pipe) -> Iterable[tuple[float, float, float]]:
+        """(estimate, way up and down, y) of the lanes worth a look, the best first.
+
+        How crowded one is is looked at when those nearer by are found to be dearer.
+        """
+        y1, y2 = pipe.start[1], pipe.end[1]
+        xa, xb = _beside(pipe)
+        left, right = min(xa, xb), max(xa, xb)
+        low, high = min(y1, y2) - REACH, max(y1, y2) + REACH
+        near = self.space.near(left - PAD, low, right + PAD, high)
+        margin = PAD + 5
+        free = holes(low, high, [(b.top - margin, b.bottom + margin) for _, b in near])
+        waiting = sorted(
+            (abs(y - y1) + abs(y - y2), y)
+            for gap_low, gap_high in free
+            for y in _rungs(gap_low, gap_high, y1, y2)
+        )
+        found = [
+            (travel + self._crowd(y, left, right, pipe), travel, y)
+            for travel, y in self._shared(pipe, free, left, right)
+        ]
+        heapq.heapify(found)
+        for travel, y in waiting:
+            while found and found[0][0] <= travel - SHARED / 2:
+                yield heapq.heappop(found)
+            heapq.heappush(found, (travel + self._crowd(y, left, right, pipe), travel, y))
+        while found:
+            yield heapq.heappop(found)
 
     def _shared(
         self, pipe: Pipe, free: Sequence[tuple[float, float]], left: float, right: float
@@ -211,14 +254,13 @@ class Ways:
         low, high = (free[0][0], free[-1][1]) if free else (0.0, 0.0)
         found = {
             line.at
-            for line in self.level.between(low, high, left, right)
-            if line.target == pipe.goal and line.pipe != pipe.id
+            for line in self.level.to(pipe.goal)
+            if line.pipe != pipe.id
+            and low <= line.at <= high
+            and line.low < right
+            and left < line.high
         }
-        return [
-            (abs(y - y1) + abs(y - y2) + self._crowd(y, left, right, pipe), y)
-            for y in found
-            if any(a <= y <= b for a, b in free)
-        ]
+        return [(abs(y - y1) + abs(y - y2), y) for y in found if any(a <= y <= b for a, b in free)]
 
     def _crowd(self, y: float, left: float, right: float, pipe: Pipe) -> float:
         """What a horizontal lane costs for those that are drawn there already."""
@@ -251,6 +293,8 @@ class Ways:
             for k in range(6):
                 lane = near + side * k * step
                 if not gap_low <= lane <= gap_high:
+                    break
+                if best is not None and abs(lane - begin) >= best[0]:
                     break
                 if not self.space.clear_level(y, min(x, lane), max(x, lane), (own,)):
                     break
@@ -344,6 +388,17 @@ class Ways:
                 ):
                     count += 1
         return count
+
+
+def _beside(pipe: Pipe) -> tuple[float, float]:
+    """The first vertical and the last."""
+    return pipe.start[0] + OUT, pipe.end[0] - IN
+
+
+def _least(pipe: Pipe, bends: int) -> float:
+    """What a way with so many bends costs at least."""
+    (x1, y1), (x2, y2) = pipe.start, pipe.end
+    return abs(x2 - x1) + abs(y2 - y1) + 14.0 * bends
 
 
 def _rungs(low: float, high: float, y1: float, y2: float) -> list[float]:

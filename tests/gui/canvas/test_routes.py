@@ -271,6 +271,40 @@ def test_narrow_gaps_hold_more_lanes() -> None:
     assert len(set(lanes)) == 4
 
 
+def test_a_way_of_many_bends_leads_round_a_wall() -> None:
+    boxes = {"0": card(0, 0), "1": card(800, 0)}
+    # A pocket, open on the left, in which the one stands; nothing short leads out of it.
+    boxes |= {f"over {i}": card(180 * i, -160) for i in range(2)}
+    boxes |= {f"beside {i}": card(360, -160 + 120 * i) for i in range(4)}
+    boxes |= {f"under {i}": card(180 * i, 200) for i in range(2)}
+    only = pipe(boxes, "0", "1")
+    route = Router().route(boxes, [only])[only.id]
+    lawful(boxes, [only], {only.id: route})
+    assert len(route.points) >= 8
+
+
+def test_what_no_way_leads_to_is_folded_until_one_does() -> None:
+    boxes = {"0": card(0, 0), "1": card(800, 0)}
+    wall = {f"wall {i}": card(400, -3000 + 120 * i) for i in range(50)}
+    only = pipe(boxes, "0", "1")
+    router = Router()
+    assert router.route({**boxes, **wall}, [only])[only.id].folded
+    gone = {uid: None for uid in wall if uid in ("wall 24", "wall 25", "wall 26")}
+    nearer = {**boxes, "1": card(792, 0)}
+    moved = pipe(nearer, "0", "1")
+    router.change({**gone, "1": nearer["1"]}, {moved.id: moved})
+    assert router.routes[moved.id].points
+
+
+def test_very_many_pipes_are_routed_one_between_two_yields() -> None:
+    boxes = {str(i): card(230.0 * (i % 20), 52 + 228 * (i // 20)) for i in range(320)}
+    pipes = [pipe(boxes, str(i), str(i + 1)) for i in range(319)]
+    router = Router()
+    steps = sum(1 for _ in router.routing(boxes, pipes))
+    assert steps > 3 * len(pipes)
+    assert router.routes == Router().route(boxes, pipes)
+
+
 def test_parallel_ways_keep_apart() -> None:
     boxes = {**row(5), "5": card(0, 280), "6": card(460, 280)}
     one, two = pipe(boxes, "4", "5"), pipe(boxes, "3", "6", 1)
