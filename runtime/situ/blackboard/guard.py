@@ -7,9 +7,9 @@ from typing import get_args
 from msgspec.structs import replace
 
 from situ.blackboard import protocol
+from situ.blackboard.acting import No
 from situ.blackboard.audit import Audit
 from situ.blackboard.identity import Identity
-from situ.blackboard.requests import No
 from situ.blackboard.rights import Rights
 
 _CHANGING = (

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable
 from typing import Any, get_args
 
-from msgspec import UNSET, Raw, Struct
+from msgspec import UNSET, Raw
 
 from situ.blackboard import masked, presence, protocol
+from situ.blackboard.acting import No, Session, acts_as, has_a_screen, may_write, writes_as
 from situ.blackboard.asking import one_line
 from situ.blackboard.core import Core
-from situ.blackboard.history import Acting, Performing, Told, Traced, Unwatched, Watched
-from situ.blackboard.identity import Identity
+from situ.blackboard.history import Performing, Told, Traced, Unwatched, Watched
 from situ.blackboard.services import carried_by
-from situ.blackboard.watching import Watching
 from situ.decide import inputs
 from situ.decide.board import Board
 from situ.document import names
@@ -24,58 +23,8 @@ PAGE = 500
 """Trace events in one reply."""
 TAGS = 100_000
 """Tags on the board, deleted ones too, for their versions count on."""
-OPERATOR = "operator"
-"""The module for which operators may ask for authority, where the script knows it."""
 PATTERNS = 1_000
 """Patterns that one session watches."""
-
-
-class Session(Struct):
-    """One client. heard: µs, when it was last heard of. performing: whether it is told what its
-    services are to carry out; heeded: whether its answers count, which they do not where a
-    scenario says what ends and what is measured. http: where its screen is. identity: by whose
-    key it came, None without keys. masked: whether it is not shown what is private: a viewer
-    nowhere, a module not in the trace. acts: whether this operator has asked for authority."""
-
-    id: str
-    peer: Hashable
-    role: protocol.Role
-    module: str | None
-    writer: str
-    heard: int
-    patterns: set[str] = set()
-    tracing: bool = False
-    services: tuple[str, ...] = ()
-    performing: bool = False
-    heeded: bool = True
-    http: str | None = None
-    identity: Identity | None = None
-    masked: bool = False
-    acts: bool = False
-
-    @property
-    def is_blind(self) -> bool:
-        """Whether private values are hidden from it wherever they stand."""
-        return self.masked and self.role == "viewer"
-
-    def watch(self, patterns: Iterable[str], watching: Watching) -> None:
-        """patterns: none that it watches already."""
-        for pattern in patterns:
-            self.patterns.add(pattern)
-            watching.add(pattern, self.is_blind)
-
-    def unwatch(self, patterns: Iterable[str], watching: Watching) -> None:
-        for pattern in patterns:
-            self.patterns.remove(pattern)
-            watching.remove(pattern, self.is_blind)
-
-
-class No(Exception):
-    """A request is refused."""
-
-    def __init__(self, code: protocol.Code, message: str) -> None:
-        super().__init__(message)
-        self.code = code
 
 
 def answer(core: Core, session: Session, request: protocol.Request) -> protocol.Reply:
@@ -97,7 +46,7 @@ def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> pro
 
 
 def _set(core: Core, session: Session, request: protocol.Set) -> protocol.Reply:
-    writer = _writer(core, session, request)
+    writer = writes_as(core, session, request)
     for tag in request.tags:
         if len(tag) > LONGEST:
             raise No("invalid", f"{tag[:LONGEST]!r} and so on is too long for a tag")
@@ -183,7 +132,7 @@ def _unwatch(core: Core, session: Session, request: protocol.Unwatch) -> protoco
 
 
 def _publish(core: Core, session: Session, request: protocol.Publish) -> protocol.Reply:
-    _may_write(session)
+    may_write(session)
     if session.services:
         raise No("role", "a service raises no events: connect as a module or an operator")
     if not request.event.strip():
@@ -196,13 +145,13 @@ def _publish(core: Core, session: Session, request: protocol.Publish) -> protoco
 
 
 def _acquire(core: Core, session: Session, request: protocol.Acquire) -> protocol.Reply:
-    module = _acting(core, session, request.module)
+    module = acts_as(core, session, request.module)
     _do(core, inputs.Acquire(module, request.resources, request.optional))
     return _granted(core, request.id, module)
 
 
 def _abandon(core: Core, session: Session, request: protocol.Abandon) -> protocol.Reply:
-    module = _acting(core, session, request.module)
+    module = acts_as(core, session, request.module)
     _do(core, inputs.Abandon(module, request.resources))
     return _granted(core, request.id, module)
 
@@ -213,7 +162,7 @@ def _granted(core: Core, number: int, module: str) -> protocol.Reply:
 
 
 def _command(core: Core, session: Session, request: protocol.Command) -> protocol.Reply:
-    module = _acting(core, session, request.module)
+    module = acts_as(core, session, request.module)
     if request.valid is not None and request.valid <= 0:
         raise No("invalid", "a command is good for a number of seconds above 0")
     _do(core, inputs.Command(module, request.resource, request.value, request.valid))
@@ -221,19 +170,19 @@ def _command(core: Core, session: Session, request: protocol.Command) -> protoco
 
 
 def _use(core: Core, session: Session, request: protocol.Use) -> protocol.Reply:
-    _has_a_screen(session)
+    has_a_screen(session)
     _do(core, inputs.Use(request.component, request.value))
     return protocol.Done(id=request.id)
 
 
 def _touch(core: Core, session: Session, request: protocol.Touch) -> protocol.Reply:
-    _has_a_screen(session)
+    has_a_screen(session)
     _do(core, inputs.Touch())
     return protocol.Done(id=request.id)
 
 
 def _attend(core: Core, session: Session, request: protocol.Attend) -> protocol.Reply:
-    _has_a_screen(session)
+    has_a_screen(session)
     _do(core, inputs.Attend())
     return protocol.Done(id=request.id)
 
@@ -257,7 +206,7 @@ def _perform(core: Core, session: Session, request: protocol.Perform) -> protoco
 
 
 def _finish(core: Core, session: Session, request: protocol.Finish) -> protocol.Reply:
-    _may_write(session)
+    may_write(session)
     if not session.heeded:
         return protocol.Done(id=request.id)
     _do(
@@ -398,54 +347,6 @@ def _do(core: Core, given: inputs.AnyInput) -> None:
     refused = core.step(given)
     if refused is not None:
         raise No("refused", refused)
-
-
-def _may_write(session: Session) -> None:
-    if session.role == "viewer":
-        raise No("role", "a viewer changes nothing: connect as a module or an operator")
-
-
-def _has_a_screen(session: Session) -> None:
-    _may_write(session)
-    if session.services and "screen" not in session.services:
-        raise No("role", "this service has no screen that anybody could use")
-
-
-def _writer(core: Core, session: Session, request: protocol.Set) -> str:
-    """In whose name it is written."""
-    _may_write(session)
-    if not session.services:
-        if request.writer is not None:
-            raise No("role", "only a service writes in another's name: leave out writer")
-        return session.writer
-    names = {"robot": core.project.adapter, "screen": "screen"}
-    able = [names[service] for service in session.services if service in names]
-    if request.writer not in able:
-        raise No(
-            "role", f"this service writes as {' or '.join(able) or 'nobody'}: say so in writer"
-        )
-    assert request.writer is not None
-    return request.writer
-
-
-def _acting(core: Core, session: Session, named: str | None) -> str:
-    """The module that a request is for."""
-    if session.role == "scenario":
-        if named is None:
-            raise No("role", "a scenario names the module that it plays")
-        return named
-    if named == OPERATOR and session.role == "operator":
-        if OPERATOR in core.modules:
-            raise No("name", f"a module {OPERATOR} is connected: it speaks for itself")
-        if not session.acts:
-            session.acts = True
-            core.remember(Acting(session.id))
-        return OPERATOR
-    if named is not None:
-        raise No("role", "only a scenario speaks for other modules: leave out module")
-    if session.module is None:
-        raise No("role", "only a module asks for authority: connect with its name")
-    return session.module
 
 
 def _check(is_one: Callable[[str], bool], name: str) -> None:

@@ -13,6 +13,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from situ.blackboard import protocol, topics, wire
+from situ.blackboard.acting import OPERATOR, No, Session
 from situ.blackboard.core import Core, Outgoing
 from situ.blackboard.guard import Guard
 from situ.blackboard.history import (
@@ -31,7 +32,7 @@ from situ.blackboard.history import (
 )
 from situ.blackboard.identity import Identity
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses
-from situ.blackboard.requests import OPERATOR, No, Session, answer
+from situ.blackboard.requests import answer
 from situ.blackboard.rights import Rights
 from situ.blackboard.services import SERVICES, carried_by, may_repeat
 from situ.blackboard.wire import Malformed

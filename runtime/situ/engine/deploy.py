@@ -317,8 +317,8 @@ class Deployer:
         if isinstance(found, Exception):
             if not isinstance(found, (SituError, OSError)):
                 _log.error("a version could not be checked", exc_info=found)
-            why = not_kept(found) if isinstance(found, OSError) else str(found)
-            self._refused(wish, why or type(found).__name__)
+            told = not_kept(found) if isinstance(found, OSError) else str(found)
+            self._refused(wish, told or type(found).__name__)
             return
         wish.restart, wish.changed, wish.given = found.restart, found.changed, found.given
         if robot.version == wish.number and robot.deployment().pending is None:
