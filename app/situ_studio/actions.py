@@ -757,6 +757,15 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Shift+F1",
         menu="Help",
     ),
+    _c(
+        "show_log",
+        "Show the log",
+        "show_log",
+        icon="list",
+        menu="Help",
+        rule=True,
+        tip="What the studio noted lately, for a report: names of files, no texts of yours.",
+    ),
     _c("about", "About Situ Studio", "about", icon="info", menu="Help"),
 )
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
 
 from situ_studio import conflict
+from situ_studio.details import Details
 from situ_studio.differing import Differing
 
 Answer = Literal["save", "discard", "cancel"]
@@ -88,6 +89,14 @@ class Dialogs(QObject):
         if box.clickedButton() is new:
             return "new"
         return "here" if box.clickedButton() is here else "cancel"
+
+    def details(self, title: str, words: str, details: str, unfolded: bool = False) -> None:
+        """A sentence, with details that can be copied into a report."""
+        dialog = Details(title, words, details, self._window, unfolded)
+        try:
+            dialog.exec()
+        finally:
+            dialog.deleteLater()
 
     def tell(self, text: str) -> None:
         """Something went wrong, in one line."""

@@ -122,6 +122,10 @@ class FileCommands(StateCommands):
         if self._window.windows is not None:
             self._window.windows.new_window()
 
+    def show_log(self) -> None:
+        if self._window.windows is not None:
+            self._window.windows.show_log(self._window)
+
     def _try(self, what: Callable[[], object]) -> bool:
         """Does something that may fail, and says in one line why it did."""
         try:

@@ -6,38 +6,31 @@ import argparse
 import logging
 import os
 import re
-import signal
-import socket
 import sys
 import tempfile
-import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from types import FrameType, TracebackType
 
-from PySide6.QtCore import QEvent, QEventLoop, QObject, QSettings, QSocketNotifier, Qt, QTimer
+from PySide6.QtCore import QEvent, QEventLoop, QSettings, Qt, QTimer, qInstallMessageHandler
 from PySide6.QtGui import QGuiApplication, QIcon
 from PySide6.QtWidgets import QApplication
 
+import situ
 from situ.document import folder
 from situ.errors import SituError, UsageError
 from situ.resources import examples, resource
 from situ_studio.language import LANGUAGES, Speaking
+from situ_studio.log_file import LogFile, on_qt_message, usual_folder
 from situ_studio.panels.project_tree import stem
 from situ_studio.theme import load_fonts
+from situ_studio.unexpected import Hooks, Interrupts, Unexpected
 from situ_studio.welcome import Example
 from situ_studio.window import MainWindow
 from situ_studio.windows import Windows
 
 _log = logging.getLogger("situ.studio")
 
-Handler = Callable[[int, FrameType | None], object] | int | None
-"""What ``signal.signal`` takes and gives back."""
 WELCOME = "welcome"
-SIGNALS = [
-    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
-]
-"""Ctrl-C, a polite kill, a terminal that was closed."""
 PATIENCE = 5000
 """Milliseconds that a screenshot of a robot waits for it to answer."""
 
@@ -75,10 +68,15 @@ def create_window(
     place of those kept.
     Raises UsageError, with one line, where ``path`` is no project that can be read.
     """
+    made = _windows(settings or QSettings(), theme, language)
+    return made.open_window(None if path is None else Path(path))
+
+
+def _windows(settings: QSettings, theme: str | None, language: str | None) -> Windows:
+    """None yet."""
     qt = application()
     speaking = qt.findChild(Speaking) or Speaking(qt)
-    windows = Windows(settings or QSettings(), speaking, shipped_examples, theme, language)
-    return windows.open_window(None if path is None else Path(path))
+    return Windows(settings, speaking, shipped_examples, theme, language)
 
 
 def shipped_examples() -> list[Example]:
@@ -115,6 +113,7 @@ def parser() -> argparse.ArgumentParser:
     """The options of ``situ studio``."""
     made = argparse.ArgumentParser(prog="situ studio", allow_abbrev=False)
     made.add_argument("project", nargs="?", metavar="PROJECT")
+    made.add_argument("--new", action="store_true")
     made.add_argument("--screenshot", metavar="OUT.png")
     made.add_argument("--size", type=_size, metavar="WxH")
     made.add_argument("--view", metavar="NAME")
@@ -140,7 +139,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     except SystemExit as stopped:
         return stopped.code if isinstance(stopped.code, int) else 2
     level = (options.log_level or "warning").upper()
-    logging.basicConfig(level=level, format="%(levelname)s %(name)s: %(message)s")
+    said = logging.StreamHandler()
+    said.setLevel(level)
+    logging.basicConfig(
+        level=min(logging.INFO, said.level),
+        format="%(levelname)s %(name)s: %(message)s",
+        handlers=[said],
+    )
     try:
         return run(options)
     except SituError as error:
@@ -164,19 +169,37 @@ def run(options: argparse.Namespace) -> int:
         with tempfile.TemporaryDirectory() as fresh:
             # A picture shows the window as it is at the first start, and leaves no trace.
             settings = QSettings(f"{fresh}/settings.ini", QSettings.Format.IniFormat)
-            window = _window(options, settings)
+            window = _window(options, _windows(settings, options.theme, options.language))
             return screenshot(window, options.screenshot, options.connect, options.at)
-    window = _window(options, QSettings())
-    window.show()
-    if options.connect is not None:
-        window.robot.connect_robot(options.connect)
-    sys.excepthook = Unexpected(window.dialogs.tell)
-    with Interrupts(qt):
+    log = LogFile(usual_folder())
+    log.open()
+    before = qInstallMessageHandler(on_qt_message)
+    _log.info("Situ Studio %s", situ.__version__)
+    try:
+        return _use(qt, options, log)
+    finally:
+        qInstallMessageHandler(before)
+        log.close()
+
+
+def _use(qt: QApplication, options: argparse.Namespace, log: LogFile) -> int:
+    """Shows the windows and runs Qt's loop until the last is closed."""
+    windows = _windows(QSettings(), options.theme, options.language)
+    windows.log = log
+    unexpected = Unexpected(windows.keep_unsaved, windows.tell_fault)
+    with Hooks(unexpected), Interrupts(qt):
+        asked = options.project is not None or options.new or options.view is not None
+        window = None if asked else windows.restore()
+        if window is None:
+            window = _window(options, windows)
+            window.show()
+        if options.connect is not None:
+            window.robot.connect_robot(options.connect)
         status = int(qt.exec())
-    if window.isVisible():
-        # Ended from outside: nobody was asked what to do with what is not saved.
-        window.finish_fields()
-        window.recovery.keep()
+    # Ended from outside: nobody was asked what to do with what is not saved.
+    windows.keep_unsaved()
+    if windows.windows:
+        windows.remember()
     return status
 
 
@@ -196,10 +219,10 @@ def choose_platform(picture: bool) -> None:
         )
 
 
-def _window(options: argparse.Namespace, settings: QSettings) -> MainWindow:
+def _window(options: argparse.Namespace, windows: Windows) -> MainWindow:
     """The window that the command line asks for."""
     project = None if options.view == WELCOME else options.project
-    window = create_window(project, settings, options.theme, options.language)
+    window = windows.open_window(None if project is None else Path(project))
     if options.size is not None:
         window.resize(*options.size)
     if options.view is not None:
@@ -299,72 +322,3 @@ def settle(window: MainWindow) -> None:
         QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
         QApplication.processEvents()
     assert window.isVisible()
-
-
-# -- what nobody expected ----------------------------------------------------------------
-
-
-class Unexpected:
-    """``sys.excepthook``: a fault of ours in a slot is logged whole and told once in one line.
-
-    The studio runs on: what is open can still be saved.
-    """
-
-    def __init__(self, tell: Callable[[str], None]) -> None:
-        self._tell = tell
-        self._told: set[str] = set()
-        self._telling = False
-
-    def __call__(
-        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
-    ) -> None:
-        if issubclass(kind, KeyboardInterrupt):
-            QApplication.quit()
-            return
-        _log.error("%s", "".join(traceback.format_exception(kind, error, trace)))
-        line = f"{kind.__name__}: {error}"
-        if self._telling or line in self._told:
-            return
-        self._told.add(line)
-        self._telling = True
-        try:
-            self._tell(
-                f"A fault in Situ Studio itself: {line}. Your documents are as they were; "
-                "save them, then please report this."
-            )
-        finally:
-            self._telling = False
-
-
-class Interrupts(QObject):
-    """What stops a program from outside ends the loop; Qt would not notice it by itself."""
-
-    def __init__(self, qt: QApplication) -> None:
-        super().__init__()
-        self._qt = qt
-        self._read, self._write = socket.socketpair()
-        self._read.setblocking(False)
-        self._write.setblocking(False)
-        self._notifier = QSocketNotifier(self._read.fileno(), QSocketNotifier.Type.Read, self)
-        self._notifier.activated.connect(self._on_signal)
-        self._old: dict[int, Handler] = {}
-        self._wakeup = -1
-
-    def __enter__(self) -> Interrupts:
-        self._wakeup = signal.set_wakeup_fd(self._write.fileno(), warn_on_full_buffer=False)
-        for number in SIGNALS:
-            self._old[number] = signal.signal(number, lambda *_: None)
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        signal.set_wakeup_fd(self._wakeup)
-        for number, handler in self._old.items():
-            signal.signal(number, handler)
-        self._notifier.setEnabled(False)
-        self._read.close()
-        self._write.close()
-
-    def _on_signal(self) -> None:
-        self._read.recv(64)
-        # Whoever stops the program from outside is not asked anything by a dialog.
-        self._qt.exit(0)

@@ -127,7 +127,7 @@ class Recovery(QObject):
             held = lock(file)
             if not held.tryLock(0):
                 continue
-            kept = _read(file)
+            kept = read(file)
             held.unlock()
             if kept is not None and kept.root == root:
                 self._offer(file, kept)
@@ -156,7 +156,8 @@ class Recovery(QObject):
         file.unlink(missing_ok=True)
 
 
-def _read(file: Path) -> Kept | None:
+def read(file: Path) -> Kept | None:
+    """What was kept in ``file``; None where that can not be read."""
     try:
         return msgspec.json.decode(file.read_bytes(), type=Kept)
     except (OSError, msgspec.MsgspecError):

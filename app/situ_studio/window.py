@@ -61,6 +61,8 @@ class MainWindow(Frame):
     ) -> None:
         super().__init__(settings, theme)
         self.windows: Windows | None = None
+        self.asked = False
+        """What becomes of unsaved changes was asked already: it closes without another word."""
         self.session = session
         session.setParent(self)
         self._list_examples = examples
@@ -212,9 +214,9 @@ class MainWindow(Frame):
                 view = self._make_view(file)
             self.documents.setCurrentWidget(view)
             view.show_document(document, self._problems_of(file))
-            self.tabs.views.set_offered(("graph", "outline") if view.has_graph else ("outline",))
+            self.tabs.views.set_offered(view.ways_to_show)
             self.tabs.views.setVisible(view.has_graph)
-            self.tabs.views.show_choice(view.mode)
+            self.tabs.views.show_choice(view.shown_as)
         else:
             self.documents.setCurrentWidget(self.no_document)
             self.tabs.views.hide()
@@ -227,6 +229,9 @@ class MainWindow(Frame):
     def _make_view(self, file: str) -> DocumentView:
         view = DocumentView(self.theme, file)
         view.origin = str((self.session.root / file).resolve())
+        project = self.session.project
+        if project is not None and project.media is not None:
+            view.media = Path(project.root) / project.media
         view.edited.connect(lambda after, text: self.commit(after, text, file))
         view.selection_changed.connect(self._on_selection)
         view.activated.connect(self._on_activated)
@@ -303,11 +308,11 @@ class MainWindow(Frame):
         return self.session.document(self.current_file or "")
 
     def show_mode(self, mode: str) -> None:
-        """Shows the graph or the outline of the current document."""
+        """Shows the current document as ``graph``, ``split`` or ``outline``."""
         view = self.current_view
         if view is not None:
             view.set_mode(mode)
-            self.tabs.views.show_choice(view.mode)
+            self.tabs.views.show_choice(view.shown_as)
             view.current_view().setFocus()
             self.actions_.refresh()
 
@@ -604,7 +609,7 @@ class MainWindow(Frame):
         return answer == "discard"
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.may_leave():
+        if not self.asked and not self.may_leave():
             event.ignore()
             return
         self.keep()

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from situ.errors import SituError
 from situ_studio.language import SYSTEM, Speaking, language_of
+from situ_studio.log_file import LogFile
 from situ_studio.session import Session
 from situ_studio.showing import Showing, show_again, showing
 from situ_studio.welcome import Example
@@ -50,6 +51,7 @@ class Windows(QObject):
         self._examples = examples
         self._theme = theme
         self._quitting = False
+        self.log: LogFile | None = None
         self.windows: list[MainWindow] = []
         self.language = language or str(settings.value("language", SYSTEM))
         self._speak()
@@ -121,13 +123,40 @@ class Windows(QObject):
         window.activateWindow()
 
     def quit(self) -> None:
-        """Closes all windows, until a person wants to stay in one."""
+        """Closes all windows, or none where a person wants to stay in one."""
+        if not all(window.may_leave() for window in self.windows):
+            return
         self.remember()
         self._quitting = True
         for window in list(self.windows):
-            if not window.close():
-                break
+            window.asked = True
+            window.close()
         self._quitting = False
+
+    def keep_unsaved(self) -> None:
+        """Keeps for the next start what is not saved in any window."""
+        for window in self.windows:
+            window.finish_fields()
+            window.recovery.keep()
+
+    def tell_fault(self, words: str, details: str) -> None:
+        """Tells of a fault of the studio over the window that is used."""
+        active = QApplication.activeWindow()
+        shown = [w for w in self.windows if w is active] or self.windows
+        if shown:
+            shown[0].dialogs.details(self.tr("A fault in Situ Studio"), words, details)
+
+    def show_log(self, window: MainWindow) -> None:
+        """Shows the end of the log over ``window``."""
+        if self.log is None:
+            window.say(self.tr("This Situ Studio writes no log."))
+            return
+        words = self.tr(
+            "What Situ Studio noted lately, for a report. It names files, and no texts of yours. "
+            "All of it lies in {0}."
+        )
+        title, text = self.tr("Log"), self.log.end()
+        window.dialogs.details(title, words.format(self.log.path.parent), text, unfolded=True)
 
     def remember(self) -> None:
         """Keeps what is open for the next start."""

@@ -27,6 +27,9 @@ def add(commands: Any) -> None:
         "project", nargs="?", metavar="PROJECT", help="a project's folder, or one of its files"
     )
     studio.add_argument(
+        "--new", action="store_true", help="begin with the welcome page, not with what was open"
+    )
+    studio.add_argument(
         "--screenshot", metavar="OUT.png", help="draw the window into a picture and end"
     )
     studio.add_argument(
@@ -65,6 +68,8 @@ def command(arguments: argparse.Namespace) -> list[str]:
     line = [sys.executable, "-m", "situ_studio"]
     if arguments.project is not None:
         line.append(arguments.project)
+    if arguments.new:
+        line.append("--new")
     for name in ("screenshot", "size", "view", "connect", "at", "theme", "language", "log-level"):
         value = getattr(arguments, name.replace("-", "_"), None)
         if value is not None:

@@ -77,6 +77,7 @@ class Answers:
     def __init__(self) -> None:
         self.waiting: dict[str, list[Any]] = {}
         self.told: list[str] = []
+        self.details_told: list[tuple[str, str]] = []
         self.conflicts: list[Any] = []
         """What differed, each time that it was asked about."""
 
@@ -108,6 +109,9 @@ class Answers:
 
     def where(self, name: str) -> Any:
         return self._take("where")
+
+    def details(self, title: str, words: str, details: str, unfolded: bool = False) -> None:
+        self.details_told.append((words, details))
 
     def tell(self, text: str) -> None:
         self.told.append(text)

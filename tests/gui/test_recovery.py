@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-import signal
+import resource
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
 from PySide6.QtCore import QSettings, Qt
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -133,35 +134,147 @@ def test_a_recovery_file_that_can_not_be_read_is_passed_over(
     assert not studio(folder).window.recovered.isVisible()
 
 
-_KILLED = """
+def ran(script: str, *arguments: str, home: Path) -> subprocess.CompletedProcess[str]:
+    """A studio of its own, whose settings and state lie in ``home``."""
+    return subprocess.run(
+        [sys.executable, "-c", script, *arguments],
+        env={
+            **os.environ,
+            "QT_QPA_PLATFORM": "offscreen",
+            "XDG_STATE_HOME": str(home),
+            "XDG_CONFIG_HOME": str(home),
+        },
+        timeout=120,
+        check=False,
+        capture_output=True,
+        text=True,
+    )
+
+
+_ENDED = """
 import os, signal, sys
 from PySide6.QtCore import QSettings, QTimer
-from situ_studio import main, places
+from situ_studio import main, places, windows
 settings = QSettings(sys.argv[2], QSettings.Format.IniFormat)
-made = main.create_window
-def create(path, _, theme, language):
-    window = made(path, settings, theme, language)
+main.QSettings = lambda: settings
+made = windows.Windows.open_window
+def open_window(self, path=None):
+    window = made(self, path)
     def edit():
         document = window.session.document("reception.rbd.xml")
         window.commit(places.change(document, ("state", "2"), name="killed"), "Rename")
         os.kill(os.getpid(), signal.SIGTERM)
     QTimer.singleShot(0, edit)
     return window
-main.create_window = create
+windows.Windows.open_window = open_window
 sys.exit(main.main([sys.argv[1]]))
 """
 
 
-def test_a_polite_kill_loses_nothing(studio: Start, project: Copy, settings: QSettings) -> None:
+def test_a_polite_kill_loses_nothing(
+    studio: Start, project: Copy, settings: QSettings, tmp_path: Path
+) -> None:
     folder = project("reception")
-    ended = subprocess.run(
-        [sys.executable, "-c", _KILLED, str(folder), settings.fileName()],
-        env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
-        timeout=60,
-        check=False,
-    )
-    assert ended.returncode == 0
-    assert signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
+    ended = ran(_ENDED, str(folder), settings.fileName(), home=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert (tmp_path / "situ-studio" / "studio.log").is_file()
     used = studio(folder)
     used.click(used.window.recovered.buttons[0])
     assert used.session.document(FILE).state("2").name == "killed"
+
+
+_KILLED = """
+import os, random, signal, sys
+from pathlib import Path
+from PySide6.QtCore import QSettings
+from situ.document import codec
+from situ_studio import main, places
+from situ_studio.recovery import read
+FILE = "reception.rbd.xml"
+folder, home = Path(sys.argv[1]), Path(sys.argv[2]).parent / "recovery"
+window = main.create_window(folder, QSettings(sys.argv[2], QSettings.Format.IniFormat))
+random.seed(int(sys.argv[3]))
+for turn in range(12):
+    ears, mouth = os.pipe()
+    child = os.fork()
+    if child == 0:
+        # The same studio goes on, changing and saving, until it is killed.
+        step = 0
+        while True:
+            step += 1
+            document = window.session.document(FILE)
+            name = f"turn {turn} step {step} " + "x" * random.randrange(3000)
+            window.commit(places.change(document, ("state", "2"), name=name), "Rename")
+            window.recovery.keep()
+            os.write(mouth, b".")
+            assert window.commands.save()
+    os.close(mouth)
+    for _ in range(random.randint(1, 3)):
+        assert os.read(ears, 1) == b".", "the studio ended by itself"
+    for _ in range(random.randrange(60000)):
+        pass
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    os.close(ears)
+    data = (folder / FILE).read_bytes()
+    document, problems = codec.read(data, FILE)
+    assert document is not None and not problems, (turn, problems)
+    assert codec.write(document) == data, turn
+    if window.session.disk.is_other(FILE):
+        window.session.take_from_disk(FILE)
+    for file in home.glob("*.json"):
+        kept = read(file)
+        assert kept is not None, (turn, file)
+        restored, problems = codec.read(kept.files[FILE].encode(), FILE)
+        assert restored is not None and not problems, (turn, file)
+"""
+
+
+def test_whenever_it_is_killed_while_it_saves_each_file_is_the_old_one_or_the_new_one_whole(
+    project: Copy, settings: QSettings, tmp_path: Path
+) -> None:
+    ended = ran(_KILLED, str(project("reception")), settings.fileName(), "8", home=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+
+
+def test_a_disk_that_is_full_while_saving_leaves_the_old_file_and_everything_here(
+    studio: Start, project: Copy, caplog: pytest.LogCaptureFixture
+) -> None:
+    folder = project("reception")
+    before = (folder / FILE).read_bytes()
+    used = studio(folder)
+    rename(used, "too much")
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, hard))
+    try:
+        used.key(Qt.Key.Key_S, CONTROL)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    notice = used.window.notice
+    assert "Not saved" in notice.words.text()
+    assert FILE in notice.words.text()
+    assert (folder / FILE).read_bytes() == before
+    assert {f.name for f in folder.iterdir() if f.name.startswith(".")} == set()
+    assert used.session.dirty == [FILE]
+    assert used.session.document(FILE).state("2").name == "too much"
+    used.click(notice.buttons[0])
+    assert not notice.isVisible()
+    assert used.session.dirty == []
+    assert b"too much" in (folder / FILE).read_bytes()
+
+
+def test_recovery_goes_on_once_there_is_room_again(
+    studio: Start, project: Copy, settings: QSettings, caplog: pytest.LogCaptureFixture
+) -> None:
+    used = studio(project("reception"))
+    rename(used, "kept later")
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, hard))
+    try:
+        used.window.recovery.keep()
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert kept(settings) == []
+    assert "can not be kept" in caplog.text
+    used.window.recovery.keep()
+    assert b"kept later" in kept(settings)[0].read_bytes()

@@ -92,12 +92,8 @@ def _aside(base: Aside, mine: Aside, theirs: Aside) -> Aside:
             value = _joined(old.get(key), first, then, "")
         if value is not None:
             attributes[key] = value
-    before, own_parts, other_parts = (dict(one.parts) for one in (base, mine, theirs))
-    nothing = Aside()
-    parts = {
-        name: _joined(*(one.get(name, nothing) for one in (before, own_parts, other_parts)), "")
-        for name in dict.fromkeys((*own_parts, *other_parts))
-    }
+    names = dict.fromkeys(name for one in (mine, theirs) for name, _ in one.parts)
+    parts = {n: _joined(base.part(n), mine.part(n), theirs.part(n), "") for n in names}
     return replace(
         mine,
         before=_joined(base.before, mine.before, theirs.before, ""),

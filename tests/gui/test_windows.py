@@ -1,0 +1,191 @@
+"""Several windows: a project in one of them, closed together, open again at the next start."""
+
+from __future__ import annotations
+
+import gc
+import threading
+import weakref
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from tests.gui.conftest import Studio
+
+from situ_studio.claim import Claim
+from situ_studio.language import Speaking
+from situ_studio.windows import Windows
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+Start = Callable[..., Studio]
+Copy = Callable[[str], Path]
+
+
+def windows_of(used: Studio) -> Windows:
+    windows = used.window.windows
+    assert windows is not None
+    return windows
+
+
+def press(used: Studio, key: Qt.Key, held: Qt.KeyboardModifier) -> None:
+    """A key that may end the window."""
+    QTest.keyClick(used.window, key, held)
+
+
+def opened_beside(used: Studio, path: Path) -> Studio:
+    """The window that opens where a second project is wanted in one of its own."""
+    used.answers.put("project", str(path))
+    used.answers.put("where", "new")
+    used.key(Qt.Key.Key_O, CONTROL)
+    window = windows_of(used).windows[-1]
+    assert window is not used.window
+    assert QTest.qWaitForWindowExposed(window)
+    return Studio(window)
+
+
+def test_a_second_project_opens_where_the_person_says(studio: Start, project: Copy) -> None:
+    first = studio(project("reception"))
+    second = opened_beside(first, project("conversation"))
+    assert first.session.project.name == "reception"
+    assert second.session.project.name == "conversation"
+    first.answers.put("project", str(second.session.root.parent / "nowhere"))
+    first.answers.put("where", "cancel")
+    first.key(Qt.Key.Key_O, CONTROL)
+    assert first.session.project.name == "reception"
+    assert len(windows_of(first).windows) == 2
+
+
+def test_a_project_that_is_open_is_shown_in_its_window(studio: Start, project: Copy) -> None:
+    first = studio(project("reception"))
+    second = opened_beside(first, project("conversation"))
+    for path in (first.session.root, first.session.root / "situ.toml"):
+        second.answers.put("project", str(path))
+        second.settle()
+        assert second.window.isActiveWindow()
+        second.window.commands.open_project()
+        QApplication.processEvents()
+        assert len(windows_of(first).windows) == 2
+        assert first.window.isActiveWindow()
+        assert "open here already" in first.window.status.said.text()
+
+
+def test_a_project_that_another_studio_has_open_is_told(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    folder = project("reception")
+    other = Claim(tmp_path / "recovery")
+    assert other.take(folder)
+    used = studio(folder)
+    assert "another Situ Studio" in used.window.notice.words.text()
+    used.click(used.window.notice.buttons[0])
+    other.release()
+    used.window.open_project(folder)
+    assert not used.window.notice.isVisible()
+    assert not Claim(tmp_path / "recovery").take(folder)
+    used.window.close()
+    assert Claim(tmp_path / "recovery").take(folder)
+
+
+def test_quit_asks_in_each_window_and_closes_none_where_one_wants_to_stay(
+    studio: Start, project: Copy
+) -> None:
+    first = studio(project("reception"))
+    second = opened_beside(first, project("conversation"))
+    second.select("state", "1")
+    form = second.window.inspector.form
+    assert form is not None
+    second.fill(form.field("name"), "changed")
+    second.answers.put("unsaved", "cancel")
+    press(first, Qt.Key.Key_Q, CONTROL)
+    assert first.window.isVisible()
+    assert second.window.isVisible()
+    second.answers.put("unsaved", "discard")
+    windows = windows_of(second)
+    press(first, Qt.Key.Key_Q, CONTROL)
+    assert windows.windows == []
+
+
+def test_what_was_open_is_open_again(
+    studio: Start, project: Copy, settings: QSettings, qt: QApplication
+) -> None:
+    first = studio(project("reception"))
+    first.window.open_file("register.rbd.xml")
+    first.select("state", "2")
+    second = opened_beside(first, project("conversation"))
+    second.window.show_mode("outline")
+    press(second, Qt.Key.Key_Q, CONTROL)
+    speaking = qt.findChild(Speaking)
+    assert speaking is not None
+    again = Windows(settings, speaking, list)
+    shown = again.restore()
+    assert shown is not None
+    one, two = again.windows
+    assert one.session.root == first.session.root
+    assert one.current_file == "register.rbd.xml"
+    view = one.current_view
+    assert view is not None
+    assert view.selected == (("state", "2"),)
+    assert two.current_view is not None
+    assert two.current_view.mode == "outline"
+    Studio(one).settle()
+
+
+def test_windows_closed_one_by_one_leave_the_last_to_be_open_again(
+    studio: Start, project: Copy, settings: QSettings, qt: QApplication
+) -> None:
+    first = studio(project("reception"))
+    second = opened_beside(first, project("conversation"))
+    press(first, Qt.Key.Key_W, CONTROL | SHIFT)
+    second.settle()
+    press(second, Qt.Key.Key_W, CONTROL | SHIFT)
+    speaking = qt.findChild(Speaking)
+    assert speaking is not None
+    again = Windows(settings, speaking, list)
+    again.restore()
+    assert [w.session.root.name for w in again.windows] == ["conversation"]
+
+
+def test_a_project_that_is_gone_at_the_next_start_is_told(
+    studio: Start, project: Copy, settings: QSettings, qt: QApplication
+) -> None:
+    used = studio(project("reception"))
+    folder = used.session.root
+    press(used, Qt.Key.Key_Q, CONTROL)
+    folder.rename(folder.parent / "moved")
+    speaking = qt.findChild(Speaking)
+    assert speaking is not None
+    again = Windows(settings, speaking, list)
+    shown = again.restore()
+    assert shown is not None
+    assert shown.session.project is None
+    assert str(folder) in shown.status.said.text()
+    settings.setValue("open", "no list")
+    assert Windows(settings, speaking, list).restore() is None
+
+
+def test_a_closed_window_is_freed_with_all_that_it_had(studio: Start, project: Copy) -> None:
+    first = studio(project("reception"))
+    threads = threading.active_count()
+    second = opened_beside(first, project("conversation"))
+    second.window.show_mode("outline")
+    second.settle()
+    kept = [
+        weakref.ref(one)
+        for one in (
+            second.window,
+            second.session,
+            second.session.disk,
+            second.window.recovery,
+            second.window.robot.link,
+            second.window.current_view,
+        )
+    ]
+    second.window.close()
+    del second
+    first.settle()
+    gc.collect()
+    assert [one() for one in kept] == [None] * len(kept)
+    assert threading.active_count() == threads
