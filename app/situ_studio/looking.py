@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Collection
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 
 _AROUND = (('"', '"'), ("{", "}"), ("{", "."), (":", '"'))
 """What stands around a name in the files beside the documents."""
+_STATE = re.compile(r'"(?:state|from|to)": *"([^"]+)"')
+"""A state in a scenario: its number, or those on the way into a part."""
 _ICONS = {"event": "event", "tag": "data", "state": "state", "media": "image"}
 
 
@@ -163,4 +167,15 @@ def still_saying(root: Path, name: str) -> list[str]:
         text = file.read_text(encoding="utf-8", errors="replace")
         if any(f"{before}{name}{after}" in text for before, after in _AROUND):
             found.append(file.relative_to(root).as_posix())
+    return found
+
+
+def scenarios_with(root: Path, numbers: Collection[str], inside: bool = False) -> list[str]:
+    """The scenarios that name one of these states: of an application, or (inside) of its parts."""
+    found = []
+    for file in sorted(root.glob("scenarios/*.jsonl")):
+        paths = _STATE.findall(file.read_text(encoding="utf-8", errors="replace"))
+        ways = (path.split("/") for path in paths)
+        if any(set(way[1:] if inside else way[:1]) & set(numbers) for way in ways):
+            found.append(file.stem)
     return found

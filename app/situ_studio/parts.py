@@ -6,6 +6,7 @@ selection and what is seen of it while another is shown.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QPointF
@@ -18,6 +19,7 @@ from situ.document.rbd import Application, Event, State
 from situ_studio import changes, places
 from situ_studio.edit import Place
 from situ_studio.language import said
+from situ_studio.looking import scenarios_with
 from situ_studio.panels.project_tree import stem
 
 if TYPE_CHECKING:
@@ -154,11 +156,16 @@ class PartsSide(QObject):
             window.select(("state", begin))
             view.call("bring_into_view", (("state", begin),))
             ends = sum(1 for state in part.states if state.no not in numbers)
-            window.say(
-                self.tr(
-                    "{0} has {1} states and {2} ways out: double-click it to look inside."
-                ).format(name, len(numbers), ends)
-            )
+            told = self.tr(
+                "{0} has {1} states and {2} ways out: double-click it to look inside."
+            ).format(name, len(numbers), ends)
+            old = scenarios_with(Path(project.root), numbers, file in project.parts)
+            if old:
+                told = self.tr(
+                    "{0} is a part now; in scenarios its states are {1}/… from here: {2}."
+                )
+                told = told.format(name, begin, ", ".join(old))
+            window.say(told)
 
     def dissolve(self) -> None:
         """The states of the part that the selected state runs stand in its place again."""

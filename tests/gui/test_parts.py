@@ -335,3 +335,16 @@ def test_an_application_that_runs_this_one_is_no_part_of_it(used: Any) -> None:
     used.click(used.window.palette_.item("part"))
     assert used.session.document(REGISTER) is before
     assert "can not be a part of it" in used.window.status.said.text()
+
+
+def test_the_scenarios_that_name_states_of_a_new_part_are_told(used: Any, tmp_path: Path) -> None:
+    folder = tmp_path / "reception" / "scenarios"
+    folder.mkdir()
+    for name, state in (("measured", "12"), ("registered", "13/1"), ("began", "1")):
+        line = '{"at":2,"expect":{"kind":"enter","state":"STATE"}}\n'.replace("STATE", state)
+        (folder / f"{name}.jsonl").write_text(line)
+    choose_states(used, *MEASURE)
+    used.answers.put("name", "vitals")
+    command(used, "part.make")
+    said = used.window.status.said.text()
+    assert said == "vitals is a part now; in scenarios its states are 11/… from here: measured."

@@ -20,6 +20,8 @@ RADIUS = 8.0
 STUB = 15.0
 """The line and arrow before a chip."""
 PICTURE = QRectF(8, 54, 48, 31)
+NAME_PIXELS = (14, 13, 12)
+"""Heights of a name's letters, the first that fits."""
 LARGE_PICTURE = QRectF(12, 46, 92, 58)
 LOWER_PICTURE = QRectF(12, 64, 70, 44)
 """Where the name takes two lines."""
@@ -66,6 +68,15 @@ def arrow(
     painter.drawPath(path)
 
 
+def _name(name: str, room: float) -> Label:
+    """A state's name: a little smaller before it is cut, and then in its middle."""
+    for pixels in NAME_PIXELS:
+        label = Label(name, pixels, 600, room, Qt.TextElideMode.ElideMiddle)
+        if not label.cut:
+            break
+    return label
+
+
 class CardItem(NodeFace):
     """The card of a state or of ``always``."""
 
@@ -97,10 +108,10 @@ class CardItem(NodeFace):
         number = Label(card.no, 12, 600)
         left = 36.0 + max(0.0, number.width - 12) if card.no else 30.0
         right = WIDTH - 10 - (18 if card.kind in ("start", "end", "part") else 0)
-        right -= 20 if card.mark else 0
+        right -= 17 if card.mark else 0
         texts = {
             "no": number,
-            "name": Label(card.name, 14, 600, right - left),
+            "name": _name(card.name, right - left),
             "line": Label(card.line, 12, 400, WIDTH - 26 - 8),
         }
         room_icons = WIDTH - 16.0

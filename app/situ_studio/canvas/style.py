@@ -50,11 +50,21 @@ def text_width(text: str, pixels: int, weight: int) -> float:
 
 
 class Label:
-    """A text laid out once: fitted to a width, squeezed a little before it is cut with …"""
+    """A text laid out once: fitted to a width, squeezed a little before it is cut with …
+
+    cut_at: where it is cut; names of states are told apart by their ends.
+    """
 
     __slots__ = ("_ascent", "_font", "_text", "cut", "width")
 
-    def __init__(self, text: str, pixels: int, weight: int, room: float = 1e6) -> None:
+    def __init__(
+        self,
+        text: str,
+        pixels: int,
+        weight: int,
+        room: float = 1e6,
+        cut_at: Qt.TextElideMode = Qt.TextElideMode.ElideRight,
+    ) -> None:
         text = " ".join(text.split())
         wide = metrics(pixels, weight)
         squeezed = False
@@ -66,7 +76,7 @@ class Label:
             self.width = narrow.horizontalAdvance(text)
             if self.width > room:
                 self.cut = True
-                text = narrow.elidedText(text, Qt.TextElideMode.ElideRight, room)
+                text = narrow.elidedText(text, cut_at, room)
                 self.width = narrow.horizontalAdvance(text)
         self._font = sized(pixels, weight, squeezed)
         self._ascent = metrics(pixels, weight, squeezed).ascent()
