@@ -13,8 +13,7 @@ from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtWidgets import QApplication
 
 from situ.document import rbd
-from situ.resources import resource
-from situ_studio import actions, icons, kinds, theme
+from situ_studio import actions, kinds, theme
 from situ_studio.commands import Commands
 from situ_studio.theme_qss import qss
 
@@ -59,32 +58,6 @@ def test_what_a_kind_makes_is_of_that_kind_and_has_a_summary(kind: kinds.Kind) -
     made = kind.make("name1")
     assert type(made) is kind.value
     assert isinstance(kind.summary(made), str)
-
-
-def test_every_icon_of_the_tables_is_there(qt: QApplication) -> None:
-    names = {k.icon for k in kinds.KINDS} | {c.icon for c in actions.COMMANDS if c.icon}
-    for name in names | {"error", "warning", "start", "end", "part"}:
-        assert icons.renderer(name, "#123456").isValid(), name
-
-
-def test_icons_are_of_one_family() -> None:
-    for file in resource("icons").glob("*.svg"):
-        text = file.read_text(encoding="utf-8")
-        if file.stem != "situ":
-            assert 'viewBox="0 0 20 20"' in text, file.name
-            assert "currentColor" in text, file.name
-            assert not re.search(r"#[0-9A-Fa-f]{6}", text), file.name
-
-
-def test_an_icon_is_drawn_in_the_colour_asked_for(qt: QApplication) -> None:
-    picture = icons.pixmap("start", "#FF0000", 20, 1.0).toImage()
-    colours = {
-        picture.pixelColor(x, y).name()
-        for x in range(20)
-        for y in range(20)
-        if picture.pixelColor(x, y).alpha() == 255
-    }
-    assert colours == {"#ff0000"}
 
 
 def test_every_command_has_its_handler_and_condition() -> None:
