@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QScrollBar
 
 from situ_studio import places
 
@@ -51,6 +51,32 @@ def test_a_state_that_runs_a_part_has_a_form_of_its_own(studio: Start, project: 
     assert value(used, "state", "16").flow == "learn.rbd.xml"
     used.select("state", "15")
     assert form(used).kind.name == "state"
+
+
+def test_a_note_without_a_colour_shows_the_usual_one(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("note", "0")
+    assert value(used, "note", "0").color == ""
+    assert form(used).field("color").currentText() == "The usual"
+
+
+def test_a_form_too_high_for_its_panel_is_as_wide_as_the_others(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.select("state", "16")
+    low = form(used)
+    (bar,) = [b for b in used.window.inspector.findChildren(QScrollBar) if b.width() < b.height()]
+    width = low.width()
+    assert not bar.isVisible()
+    used.select("state", "7")
+    assert form(used).height() > used.window.inspector.height()
+    assert bar.isVisible()
+    assert form(used).width() == width
+
+    top = form(used).y()
+    QTest.mouseClick(bar, LEFT, pos=QPoint(5, bar.height() - 4))
+    assert form(used).y() < top
 
 
 def test_rows_are_moved_by_keys(studio: Start, project: Copy) -> None:

@@ -267,6 +267,8 @@ class Choice(QComboBox):
         self.blockSignals(False)
 
     def show_value(self, value: Any) -> None:
+        # What a document writes as nothing is nothing chosen.
+        value = None if value == "" else value
         self._value = value
         index = self.findData(value)
         if index < 0 and value is not None:

@@ -5,7 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QScrollBar,
+    QVBoxLayout,
+    QWidget,
+)
 
 from situ.document.problem import Problem
 from situ_studio import kinds, places, words
@@ -22,16 +31,33 @@ from situ_studio.vocabulary import Vocabulary
 
 
 class _Scroll(QScrollArea):
-    """Its bar lies over the form's right margin: where it comes, nothing moves."""
+    """Its bar lies over the form's right margin: where it comes, nothing moves.
+
+    The area's own bar would make the form narrower, and a picture in it lower, so that the bar
+    is not needed any more.
+    """
 
     def __init__(self) -> None:
         super().__init__()
-        self.verticalScrollBar().rangeChanged.connect(self._on_range)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        own = self.verticalScrollBar()
+        self._bar = QScrollBar(Qt.Orientation.Vertical, self)
+        self._bar.hide()
+        own.rangeChanged.connect(self._on_range)
+        own.valueChanged.connect(self._bar.setValue)
+        self._bar.valueChanged.connect(own.setValue)
 
     def _on_range(self, low: int, high: int) -> None:
-        bar = self.verticalScrollBar()
-        self.setViewportMargins(0, 0, -bar.sizeHint().width() if high > low else 0, 0)
-        bar.parentWidget().raise_()
+        self._bar.setRange(low, high)
+        self._bar.setPageStep(self.viewport().height())
+        self._bar.setSingleStep(self.verticalScrollBar().singleStep())
+        self._bar.setVisible(high > low)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        width = self._bar.sizeHint().width()
+        self._bar.setGeometry(self.width() - width, 0, width, self.height())
+        self._bar.setPageStep(self.viewport().height())
 
 
 class Inspector(QWidget):
