@@ -124,7 +124,7 @@ class Commands(FileCommands):
 
     def shows_view(self, mode: str) -> bool:
         view = self._window.current_view
-        return view is not None and view.mode == mode
+        return view is not None and view.shown_as == mode
 
     def has_language(self, choice: str) -> bool:
         windows = self._window.windows

@@ -14,7 +14,6 @@ from situ_studio.icon_widgets import IconButton
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
 
-
 READABLE = 168
 """Px that a tab has at least, if its name wants them."""
 
@@ -112,7 +111,11 @@ class DocumentTabs(QFrame):
         line.addStretch(1)
         self.views = Segments(
             theme,
-            (("graph", "graph", self.tr("Graph")), ("outline", "table", self.tr("Outline"))),
+            (
+                ("graph", "graph", self.tr("Graph")),
+                ("split", "split", self.tr("Split")),
+                ("outline", "table", self.tr("Outline")),
+            ),
             self.tr("View"),
         )
         self.views.chosen.connect(self.view_chosen)
@@ -147,7 +150,7 @@ class DocumentTabs(QFrame):
         """Whether a tab was closed that is not open again."""
         return any(file not in self.files() for file, _ in self._gone)
 
-    def move(self, file: str, index: int) -> None:
+    def put(self, file: str, index: int) -> None:
         """Puts the tab of a file at a place, the last one at most."""
         self.bar.moveTab(self.files().index(file), min(index, self.bar.count() - 1))
 
@@ -195,6 +198,10 @@ class DocumentTabs(QFrame):
         if self.bar.count() > 1:
             self.closed.emit(file)
 
+    def _ask_to_close_all(self, files: list[str]) -> None:
+        for file in files:
+            self._ask_to_close(file)
+
     def _on_menu(self, index: int, at: QPoint) -> None:
         file = self.bar.tabData(index)
         others = [other for other in self.files() if other != file]
@@ -202,7 +209,7 @@ class DocumentTabs(QFrame):
         one = menu.addAction(self.tr("Close"))
         one.triggered.connect(lambda: self._ask_to_close(file))
         rest = menu.addAction(self.tr("Close the others"))
-        rest.triggered.connect(lambda: [self._ask_to_close(other) for other in others])
+        rest.triggered.connect(partial(self._ask_to_close_all, others))
         for action in (one, rest):
             action.setEnabled(bool(others))
         menu.popup(at)

@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
 
 class Shown(Struct, frozen=True):
-    """How one document is shown: as graph or outline, what is selected, where the canvas looks."""
+    """How one document is shown: as what, what is selected, where the canvas looks.
+
+    mode: ``graph``, ``split`` or ``outline``.
+    """
 
     mode: str
     selected: tuple[Place, ...] = ()
@@ -44,7 +47,7 @@ def showing(window: MainWindow) -> Showing:
         tuple(window.parts.way_of(file) for file in window.tabs.files()),
         window.tabs.chosen_file,
         {
-            file: Shown(view.mode, view.selected, view.call("looking"))
+            file: Shown(view.shown_as, view.selected, view.call("looking"))
             for file, view in window.views.items()
         },
         window.bottom.current,
@@ -61,7 +64,7 @@ def show_again(window: MainWindow, wanted: Showing) -> None:
             window.open_file(way[0])
     for place, way in enumerate(wanted.ways):
         if way[0] in window.tabs.files():
-            window.tabs.move(way[0], place)
+            window.tabs.put(way[0], place)
     for file in window.tabs.files():
         if file not in {way[0] for way in wanted.ways}:
             window.close_file(file)

@@ -173,6 +173,8 @@ QTabBar[role="documents"]::tab {{ height: 35px; padding: 0 12px; background: {wi
 QTabBar[role="documents"]::tab:selected {{ background: {panel}; color: {text};
   border-top-color: {accent}; border-bottom-color: {panel}; }}
 QTabBar[role="documents"]::tab:hover:!selected {{ background: {hover}; }}
+QSplitter::handle {{ background: {line}; }}
+QSplitter::handle:horizontal {{ width: 1px; margin: 0 2px; }}
 QTabBar[role="documents"]::scroller, QTabBar[role="documents"]::tear {{ width: 0; }}
 QFrame[role="tabs"] {{ background: {window}; border: 0; border-bottom: 1px solid {line}; }}
 

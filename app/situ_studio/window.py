@@ -263,7 +263,7 @@ class MainWindow(Frame):
             file, place = last
             if file not in self.tabs.files() and self.session.document(file) is not None:
                 self.open_file(file)
-                self.tabs.move(file, place)
+                self.tabs.put(file, place)
                 return
 
     def show_welcome(self, with_examples: bool = True) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
@@ -22,7 +22,8 @@ Copy = Callable[[str], Path]
 
 def middle_of(used: Any, file: str) -> QPoint:
     tabs = used.window.tabs
-    return tabs.bar.tabRect(tabs.files().index(file)).center()
+    room: QRect = tabs.bar.tabRect(tabs.files().index(file))
+    return room.center()
 
 
 def drag(used: Any, file: str, to: QPoint) -> None:
@@ -65,7 +66,8 @@ def with_parts(folder: Path, count: int) -> list[str]:
         (folder / file).write_text(text, encoding="utf-8")
     main = folder / "reception.rbd.xml"
     states = "".join(
-        f'<state no="{100 + number}"><flow src="{file}"/></state>' for number, file in enumerate(files)
+        f'<state no="{100 + number}"><flow src="{file}"/></state>'
+        for number, file in enumerate(files)
     )
     old = main.read_text(encoding="utf-8")
     main.write_text(old.replace("</application>", f"{states}</application>"), encoding="utf-8")

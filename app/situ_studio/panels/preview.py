@@ -219,6 +219,11 @@ class ScreenPreview(QWidget):
         self._theme, self._screen, self._above, self._media = theme, screen, above, media
         self.update()
 
+    @property
+    def components(self) -> tuple[rbd.Component, ...]:
+        """Those of the screen and those that Always adds, back to front."""
+        return (*(self._screen.components if self._screen is not None else ()), *self._above)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.setFixedHeight(int(event.size().width() * RATIO))

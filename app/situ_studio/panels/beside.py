@@ -1,0 +1,132 @@
+"""The screen of the selected state, beside its graph: what people see and hear there."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
+
+from situ.document import rbd
+from situ_studio import places, words
+from situ_studio.edit import Place
+from situ_studio.layouts import clear
+from situ_studio.panels.preview import ScreenPreview
+from situ_studio.theme import Theme
+
+
+class Sheet(ScreenPreview):
+    """The screen; a click tells what of it was clicked: the uppermost component, or None."""
+
+    touched = Signal(object)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if not self.rect().contains(event.position().toPoint()):
+            return
+        across = event.position().x() / self.width() * 100
+        down = event.position().y() / self.height() * 100
+        hit = None
+        for one in self.components:
+            if one.x <= across <= one.x + one.width and one.y <= down <= one.y + one.height:
+                hit = one.id
+        self.touched.emit(hit)
+
+
+class ScreenBeside(QScrollArea):
+    """Of what is selected in an application: the screen, at the size there is, and the speech.
+
+    While nothing is selected that has a screen, the one before is shown, at first the start's.
+    """
+
+    selected = Signal(tuple)
+    """The place of what was clicked on the screen."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._application: rbd.Application | None = None
+        self._place: Place = ()
+        self.media: Path | None = None
+        self.setAccessibleName(self.tr("Screen of the selected state"))
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setMinimumWidth(280)
+        self.viewport().setProperty("role", "panel")
+        page = QWidget()
+        page.setProperty("role", "panel")
+        column = QVBoxLayout(page)
+        column.setContentsMargins(16, 12, 16, 16)
+        column.setSpacing(8)
+        self.title = QLabel()
+        self.title.setProperty("role", "section")
+        column.addWidget(self.title)
+        self.sheet = Sheet(theme)
+        self.sheet.touched.connect(self._on_touched)
+        column.addWidget(self.sheet)
+        self._speech = QVBoxLayout()
+        self._speech.setSpacing(4)
+        column.addLayout(self._speech)
+        column.addStretch(1)
+        self.setWidget(page)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self._show()
+
+    def show_selection(self, application: rbd.Application, selected: tuple[Place, ...]) -> None:
+        """Shows the screen of the first of these that has one, as it is now."""
+        self._application = application
+        for place in (*selected, self._place, ("state", application.start_no or "")):
+            root = places.root(place)
+            if root and isinstance(places.get(application, root), rbd.State | rbd.Always):
+                self._place = root
+                break
+        else:
+            self._place = ()
+        self._show()
+
+    @property
+    def texts(self) -> list[str]:
+        """What is said there, a line a speech."""
+        part = self._part()
+        actions = part.actions if isinstance(part, rbd.State) else ()
+        return [one.text for one in actions if isinstance(one, rbd.Speech) and one.text]
+
+    def _part(self) -> rbd.State | rbd.Always | None:
+        if self._application is None or not self._place:
+            return None
+        found = places.get(self._application, self._place)
+        return found if isinstance(found, rbd.State | rbd.Always) else None
+
+    def _show(self) -> None:
+        application, part = self._application, self._part()
+        if application is None:
+            return
+        above: tuple[rbd.Component, ...] = ()
+        if isinstance(part, rbd.State):
+            self.title.setText(words.state_words(application, part.no))
+            always = application.always_in(part)
+            if always is not None and always.screen is not None:
+                above = always.screen.components
+        else:
+            self.title.setText(self.tr("In every state"))
+        self.sheet.setVisible(part is not None)
+        screen = part.screen if part is not None else None
+        self.sheet.show_screen(self._theme, screen, above, self.media)
+        clear(self._speech)
+        for text in self.texts:
+            said = QLabel(self.tr("“{0}”").format(text))
+            said.setTextFormat(Qt.TextFormat.PlainText)
+            said.setProperty("role", "dim")
+            said.setWordWrap(True)
+            self._speech.addWidget(said)
+
+    def _on_touched(self, hit: str | None) -> None:
+        part = self._part()
+        if part is None:
+            return
+        if part.screen is not None and any(c.id == hit for c in part.screen.components):
+            self.selected.emit((*self._place, "screen", hit))
+        else:
+            self.selected.emit(self._place)
