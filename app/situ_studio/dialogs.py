@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QInputDialog,
+    QLineEdit,
+    QMessageBox,
+    QPushButton,
+)
 
-from situ_studio import conflict
+from situ_studio import conflict, icons
 from situ_studio.details import Details
 from situ_studio.differing import Differing
 
+if TYPE_CHECKING:
+    from situ_studio.frame import Frame
+
+WIDTH = 352
+"""Px of a field that is asked for."""
 Answer = Literal["save", "discard", "cancel"]
 Where = Literal["here", "new", "cancel"]
 
@@ -18,7 +32,7 @@ Where = Literal["here", "new", "cancel"]
 class Dialogs(QObject):
     """Modal windows over ``window``."""
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: Frame) -> None:
         super().__init__(window)
         self._window = window
 
@@ -36,31 +50,46 @@ class Dialogs(QObject):
 
     def name(self, title: str, label: str, usual: str) -> str | None:
         """One line of text; None: nothing was given."""
-        text, well = QInputDialog.getText(
-            self._window, title, label, QLineEdit.EchoMode.Normal, usual
-        )
-        return text.strip() or None if well else None
+        dialog = QInputDialog(self._window)
+        dialog.setWindowTitle(title)
+        dialog.setLabelText(label)
+        dialog.setTextValue(usual)
+        return self._given(dialog)
 
     def part(self, known: list[str]) -> str | None:
         """Which part a state shall run: one of these, or the name of a new one; None: neither."""
-        text, well = QInputDialog.getItem(
-            self._window,
-            self.tr("Add a part"),
-            self.tr("Choose a part, or type the name of a new one"),
-            known,
-            editable=True,
-        )
-        return text.strip() or None if well else None
+        dialog = QInputDialog(self._window)
+        dialog.setWindowTitle(self.tr("Add a part"))
+        dialog.setLabelText(self.tr("Choose a part, or type the name of a new one"))
+        dialog.setComboBoxItems(known)
+        dialog.setComboBoxEditable(True)
+        return self._given(dialog)
+
+    def _given(self, dialog: QInputDialog) -> str | None:
+        # The layout is made at the first question for it.
+        dialog.sizeHint()
+        make_room(dialog)
+        buttons = dialog.findChild(QDialogButtonBox)
+        if buttons is not None:
+            _fill(buttons.button(QDialogButtonBox.StandardButton.Ok))
+        for field in (*dialog.findChildren(QLineEdit), *dialog.findChildren(QComboBox)):
+            field.setMinimumWidth(WIDTH)
+        try:
+            well = dialog.exec()
+            return dialog.textValue().strip() or None if well else None
+        finally:
+            dialog.deleteLater()
 
     def unsaved(self, files: list[str]) -> Answer:
         """What to do with documents that have changed."""
         box = QMessageBox(self._window)
-        box.setIcon(QMessageBox.Icon.NoIcon)
         box.setText(self.tr("Save the changes to {0}?").format(", ".join(files)))
         save = box.addButton(self.tr("Save"), QMessageBox.ButtonRole.AcceptRole)
         discard = box.addButton(self.tr("Do not save"), QMessageBox.ButtonRole.DestructiveRole)
         box.addButton(self.tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
         box.setDefaultButton(save)
+        _fill(save)
+        self._lay_out(box, "save", "text2")
         box.exec()
         if box.clickedButton() is save:
             return "save"
@@ -78,17 +107,23 @@ class Dialogs(QObject):
     def where(self, name: str) -> Where:
         """In which window a second project is opened."""
         box = QMessageBox(self._window)
-        box.setIcon(QMessageBox.Icon.NoIcon)
         box.setText(self.tr("{0} is open in this window.").format(name))
         box.setInformativeText(self.tr("Where shall the other project be opened?"))
         new = box.addButton(self.tr("New window"), QMessageBox.ButtonRole.AcceptRole)
         here = box.addButton(self.tr("This window"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(self.tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
         box.setDefaultButton(new)
+        _fill(new)
+        self._lay_out(box, "new_window", "text2")
         box.exec()
         if box.clickedButton() is new:
             return "new"
         return "here" if box.clickedButton() is here else "cancel"
+
+    def _lay_out(self, box: QMessageBox, name: str, token: str) -> None:
+        """The family's icon before the words, and room round them."""
+        box.setIconPixmap(icons.pixmap(name, self._window.theme.color(token), 24))
+        make_room(box)
 
     def details(self, title: str, words: str, details: str, unfolded: bool = False) -> None:
         """A sentence, with details that can be copied into a report."""
@@ -101,6 +136,21 @@ class Dialogs(QObject):
     def tell(self, text: str) -> None:
         """Something went wrong, in one line."""
         box = QMessageBox(self._window)
-        box.setIcon(QMessageBox.Icon.NoIcon)
         box.setText(text)
+        self._lay_out(box, "info", "text2")
         box.exec()
+
+
+def make_room(dialog: QDialog) -> None:
+    """Space round what a dialog says: Qt's own measures are narrow."""
+    layout = dialog.layout()
+    if layout is not None:
+        layout.setContentsMargins(24, 20, 24, 20)
+        layout.setSpacing(12)
+
+
+def _fill(button: QPushButton) -> None:
+    """The one filled button: what is usually wanted."""
+    button.setProperty("role", "filled")
+    button.style().unpolish(button)
+    button.style().polish(button)
