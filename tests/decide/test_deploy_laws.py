@@ -95,14 +95,25 @@ def renumbered(source: Application) -> Application:
 
 @st.composite
 def versions(draw: st.DrawFn) -> Project:
-    """Some without an application, a script or a state that others have."""
+    """Some without an application, a script, a part or a state that others have."""
     project = draw(projects())
     kept = draw(st.sampled_from(["ab", "ba", "a", ""]))
     applications = {name: project.applications[f"{name}.rbd.xml"] for name in kept}
     if draw(st.booleans()):
         applications = {name: renumbered(one) for name, one in applications.items()}
+    parts = {}
+    if applications and draw(st.booleans()):
+        running = draw(st.sampled_from(sorted(applications)))
+        applications[running] = running_part(applications[running])
+        parts["p.rbd.xml"] = replace(project.applications["b.rbd.xml"], name="p")
     script = draw(st.sampled_from([project.spds, None]))
-    return replace(project, applications=applications, spds=script)
+    return replace(project, applications=applications, parts=parts, spds=script)
+
+
+def running_part(source: Application) -> Application:
+    """Its first state runs a part."""
+    first, *others = source.states
+    return replace(source, states=(replace(first, flow="p.rbd.xml"), *others))
 
 
 def is_what_its_project_says(robot: Robot) -> None:
