@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from itertools import compress, count
+from operator import is_not
 from pathlib import Path
 from typing import Any
 
@@ -88,11 +90,54 @@ class _Words(Struct, frozen=True):
     resources: frozenset[str]
 
 
-class _Known(Struct, frozen=True):
-    """What one state adds; kept as long as the state is this very value."""
+class _Read(Struct, frozen=True):
+    """What was read of one application: its parts, the words of each, and of all together."""
 
-    part: rbd.State | rbd.Always
-    words: _Words
+    application: Application
+    parts: list[rbd.State | rbd.Always]
+    words: list[_Words]
+    every: _Words
+    states: tuple[tuple[str, str], ...]
+
+
+def _words(part: rbd.State | rbd.Always) -> _Words:
+    robot = (a for a in _actions(part) if isinstance(a, rbd.Robot))
+    return _Words(events(part), tags(part), frozenset(a.resource for a in robot))
+
+
+def _union(words: Iterable[_Words]) -> _Words:
+    every = list(words)
+    return _Words(
+        frozenset().union(*(one.events for one in every)),
+        frozenset().union(*(one.tags for one in every)),
+        frozenset().union(*(one.resources for one in every)),
+    )
+
+
+def _read(application: Application, before: _Read | None) -> _Read:
+    """before: what was read of the same application; what did not change is taken from it."""
+    if before is not None and before.application is application:
+        return before
+    parts = [*_parts(application)]
+    if before is not None and len(before.parts) == len(parts):
+        words, states = list(before.words), before.states
+        same = True
+        for at in compress(count(), map(is_not, before.parts, parts)):
+            words[at] = _words(parts[at])
+            same = same and words[at] == before.words[at]
+            same_name = _called(before.parts[at]) == _called(parts[at])
+            states = states if same_name else ()
+        every = before.every if same else _union(words)
+    else:
+        known = dict(zip(map(id, before.parts), before.words, strict=True)) if before else {}
+        words = [known.get(id(part)) or _words(part) for part in parts]
+        every, states = _union(words), ()
+    states = states or tuple((s.no, s.name) for s in application.states)
+    return _Read(application, parts, words, every, states)
+
+
+def _called(part: rbd.State | rbd.Always) -> tuple[str, str]:
+    return (part.no, part.name) if isinstance(part, rbd.State) else ("", "")
 
 
 def _media(project: Project) -> tuple[str, ...]:
@@ -109,9 +154,7 @@ class Lexicon:
     """Makes vocabularies of successive values of a project; only what changed is read anew."""
 
     def __init__(self) -> None:
-        self._known: dict[int, _Known] = {}
-        self._words = _Words(frozenset(), frozenset(), frozenset())
-        self._of: list[_Known] = []
+        self._read: list[_Read] = []
         self._project: Project | None = None
         self._document: Document | None = None
         self._made = Vocabulary()
@@ -123,35 +166,11 @@ class Lexicon:
             self._made = self._make(project, document)
         return self._made
 
-    def _parts(self, project: Project) -> Iterator[_Known]:
-        kept: dict[int, _Known] = {}
-        for application in (*project.applications.values(), *project.parts.values()):
-            for part in _parts(application):
-                known = self._known.get(id(part))
-                if known is None or known.part is not part:
-                    robot = (a for a in _actions(part) if isinstance(a, rbd.Robot))
-                    resources = frozenset(a.resource for a in robot)
-                    known = _Known(part, _Words(events(part), tags(part), resources))
-                kept[id(part)] = known
-                yield known
-        self._known = kept
-
-    def _words_of(self, parts: list[_Known]) -> _Words:
-        """Of all states; those of before where no state has other words than it had."""
-        before, self._of = self._of, parts
-        if len(before) == len(parts) and all(
-            old.words == new.words for old, new in zip(before, parts, strict=True) if old is not new
-        ):
-            return self._words
-        self._words = _Words(
-            frozenset().union(*(known.words.events for known in parts)),
-            frozenset().union(*(known.words.tags for known in parts)),
-            frozenset().union(*(known.words.resources for known in parts)),
-        )
-        return self._words
-
     def _make(self, project: Project, document: Document) -> Vocabulary:
-        words = self._words_of([*self._parts(project)])
+        every = (*project.applications.values(), *project.parts.values())
+        before = {one.application.name: one for one in self._read}
+        self._read = [_read(application, before.get(application.name)) for application in every]
+        words = _union(one.every for one in self._read)
         known_tags = {*project.tags, *words.tags}
         resources = {"screen", "speech", *words.resources}
         if project.spds is not None:
@@ -167,7 +186,7 @@ class Lexicon:
         script = document if isinstance(document, Spds) else project.spds
         application = document if isinstance(document, Application) else None
         return Vocabulary(
-            states=tuple((s.no, s.name) for s in application.states) if application else (),
+            states=self._states_of(application) if application is not None else (),
             events=tuple(sorted(words.events)),
             tags=tuple(sorted(known_tags)),
             resources=tuple(sorted(resources)),
@@ -175,6 +194,11 @@ class Lexicon:
             modules=tuple(sorted({*project.declared(), *_names(project)})),
             media=_media(project),
         )
+
+    def _states_of(self, application: Application) -> tuple[tuple[str, str], ...]:
+        """The very same value while no number and no name changes."""
+        known = (one.states for one in self._read if one.application is application)
+        return next(known, None) or tuple((s.no, s.name) for s in application.states)
 
 
 def _names(project: Project) -> set[str]:

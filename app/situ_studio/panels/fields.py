@@ -7,6 +7,8 @@ finished a different one: at Enter, at leaving the field, at a choice.
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import compress, count
+from operator import ne
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QStringListModel, Qt, Signal
@@ -259,11 +261,18 @@ class Choice(QComboBox):
         """The values and what stands for each."""
         if choices == self._offered and self.count() == len(choices):
             return
-        self._offered = choices
+        shown, self._offered = self._offered, choices
         self.blockSignals(True)
-        self.clear()
-        for value, text in choices:
-            self.addItem(text, value)
+        if self.count() == len(shown) == len(choices):
+            # One state of thousands has another name: the others stand as they are.
+            for index in compress(count(), map(ne, shown, choices)):
+                value, text = choices[index]
+                self.setItemText(index, text)
+                self.setItemData(index, value)
+        else:
+            self.clear()
+            for value, text in choices:
+                self.addItem(text, value)
         self.blockSignals(False)
 
     def show_value(self, value: Any) -> None:

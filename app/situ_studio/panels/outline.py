@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from operator import is_
+from itertools import compress, count
+from operator import is_, is_not
 
 from msgspec import Struct
 from PySide6.QtCore import QItemSelection, QModelIndex, QSortFilterProxyModel, Qt, Signal
@@ -48,6 +49,11 @@ class Row(Struct, frozen=True, kw_only=True):
             (MARKS, self.marks),
             (DETAIL, self.detail),
         )
+
+
+def _stand(row: Row) -> tuple[Place, bool]:
+    """What it stands for, and whether it is twice as high."""
+    return row.place, bool(row.detail)
 
 
 def drawn_rows(application: Application) -> list[Row]:
@@ -213,18 +219,22 @@ class Outline(QWidget):
         shown, self._rows = self._rows, rows
         if shown == rows:
             return
-        self._at = {}
-        for index, row in enumerate(rows):
-            self._at.setdefault(row.place, []).append(index)
+        other = [*compress(count(), map(is_not, shown, rows))]
+        if len(shown) != len(rows) or any(_stand(shown[i]) != _stand(rows[i]) for i in other):
+            self._at = {}
+            for index, row in enumerate(rows):
+                self._at.setdefault(row.place, []).append(index)
+            # Else each row's height would be asked for again with every change.
+            self.list.setUniformItemSizes(len({bool(row.detail) for row in rows}) < 2)
         model, chosen = self._model, self._told
         selection = self.list.selectionModel()
         selection.blockSignals(True)
         if len(shown) == len(rows):
-            for index, (old, new) in enumerate(zip(shown, rows, strict=True)):
-                if old is not new and old != new:
+            for index in other:
+                if shown[index] != rows[index]:
                     item = model.item(index)
-                    item.setText(new.name)
-                    for role, value in new.data():
+                    item.setText(rows[index].name)
+                    for role, value in rows[index].data():
                         item.setData(value, role)
         else:
             model.clear()
