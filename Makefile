@@ -4,11 +4,12 @@
 # make bench  measures ours beside what else there is; ARGS="-k fsm" only some
 # make soak   the faults, long and often, with figures; SITU_SEED=N chooses other ones
 # make fuzz   damaged files of each kind, SECONDS=60 long
+# make pictures  makes the reference pictures of the studio anew: look at each, then commit
 # make bare   what a robot gets, without Qt, in an environment of its own: installed and run
 # make format rewrites the code's layout;  make clean removes what was made here
 
 .DELETE_ON_ERROR:
-.PHONY: demo test check lint bench soak fuzz bare format clean
+.PHONY: demo test check lint bench soak fuzz pictures bare format clean
 
 VENV := .venv
 READY := $(VENV)/.ready
@@ -61,6 +62,9 @@ soak: $(READY)
 
 fuzz: $(READY)
 	@SITU_FUZZ=$(SECONDS) $(BIN)/pytest -q -o timeout=0 -n $(WORKERS) tests/test_fuzz.py
+
+pictures: $(READY)
+	@SITU_PICTURES=1 QT_QPA_PLATFORM=offscreen $(BIN)/pytest -q -n $(WORKERS) tests/gui/test_looks.py
 
 bare:
 	@sh packaging/bare_check.sh $(PYTHON)

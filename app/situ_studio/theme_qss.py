@@ -17,6 +17,7 @@ _SHEET = """
 QWidget {{ color: {text}; }}
 QMainWindow, QDialog {{ background: {panel}; }}
 QMainWindow::separator {{ background: {line}; width: 1px; height: 1px; }}
+QMainWindow::separator:hover {{ background: {accent}; }}
 QToolTip {{ background: {text}; color: {panel}; border: 0; padding: 4px 8px; font-size: 12px; }}
 
 QMenuBar {{ background: {panel}; color: {text2}; padding: 0 4px; spacing: 0; font-size: 13px; }}
@@ -174,6 +175,7 @@ QTabBar[role="documents"]::tab:selected {{ background: {panel}; color: {text};
   border-top-color: {accent}; border-bottom-color: {panel}; }}
 QTabBar[role="documents"]::tab:hover:!selected {{ background: {hover}; }}
 QSplitter::handle {{ background: {line}; }}
+QSplitter::handle:hover {{ background: {accent}; }}
 QSplitter::handle:horizontal {{ width: 1px; margin: 0 2px; }}
 QTabBar[role="documents"]::scroller, QTabBar[role="documents"]::tear {{ width: 0; }}
 QFrame[role="tabs"] {{ background: {window}; border: 0; border-bottom: 1px solid {line}; }}

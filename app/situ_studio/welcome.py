@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from msgspec import Struct
-from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -25,6 +25,7 @@ from situ.document.spds import Spds
 from situ_studio import icons, thumbnail
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import clear
+from situ_studio.status import count
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
 
@@ -44,17 +45,21 @@ class Example(Struct, frozen=True):
         return next(iter(self.project.applications.values()), None)
 
 
-def _count(number: int, word: str) -> str:
-    return f"{number} {word}" if number == 1 else f"{number} {word}s"
-
-
 def facts(document: Application | Spds | None) -> str:
     """``20 states`` or ``5 situations, 7 modules``."""
+    said = QCoreApplication.translate
     if isinstance(document, Application):
-        return _count(len(document.states), "state")
+        return count(len(document.states), said("Status", "state"), said("Status", "states"))
     if isinstance(document, Spds):
-        situations = _count(len(document.situations), "situation")
-        return f"{situations}, {_count(len(document.modules), 'module')}"
+        parts = (
+            count(
+                len(document.situations),
+                said("Status", "situation"),
+                said("Status", "situations"),
+            ),
+            count(len(document.modules), said("Status", "module"), said("Status", "modules")),
+        )
+        return ", ".join(parts)
     return ""
 
 

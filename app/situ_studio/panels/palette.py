@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from PySide6.QtCore import QMimeData, QPoint, Qt, Signal
 from PySide6.QtGui import QDrag, QMouseEvent
 from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QScrollArea, QVBoxLayout, QWidget
@@ -27,6 +29,11 @@ def offered(document: Document | None) -> tuple[Kind, ...]:
         parts = ("script",)
     elif isinstance(document, Modules):
         parts = ("modules",)
+    return _of(parts)
+
+
+@lru_cache
+def _of(parts: tuple[str, ...]) -> tuple[Kind, ...]:
     return tuple(k for part in parts for k in KINDS if k.palette == part)
 
 
@@ -93,6 +100,8 @@ class PaletteRoom(QScrollArea):
         height = self._palette.maximumHeight()
         self.setMaximumHeight(height)
         self.setMinimumHeight(min(height, LOWEST) if self._low else height)
+        bar = self.verticalScrollBar().sizeHint().width() if self._low else 0
+        self.setMinimumWidth(self._palette.minimumSizeHint().width() + bar)
 
 
 class Palette(QWidget):
