@@ -1,22 +1,17 @@
-"""One document in the middle of the window: its graph and its outline twin, one of them shown.
-
-Beside the graph of an application the screen of the selected state can be shown: the split view.
-"""
+"""One document in the middle of the window: its graph and its outline twin, one of them shown."""
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtWidgets import QSplitter, QStackedWidget, QWidget
+from PySide6.QtCore import QPoint, Signal
+from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio.copying import Copying
 from situ_studio.edit import Document, Place
-from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.twin import Twin
 from situ_studio.theme import Theme
 
@@ -50,8 +45,6 @@ class DocumentView(QStackedWidget):
 
     origin: str
     """The path of the file, for what is copied from here."""
-    media: Path | None = None
-    """The folder of the pictures that its screens show."""
 
     def __init__(self, theme: Theme, file: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -63,8 +56,6 @@ class DocumentView(QStackedWidget):
         self._problems: list[Problem] = []
         self._canvas: Any = None
         self._twin: Twin | None = None
-        self._splitter: QSplitter | None = None
-        self._beside: ScreenBeside | None = None
         self._split = False
         self._live: Any = None
         self._mode = "graph"
@@ -78,7 +69,7 @@ class DocumentView(QStackedWidget):
 
     @property
     def shown_as(self) -> str:
-        """``graph``, ``split`` (the graph, with the state's screen beside it) or ``outline``."""
+        """``graph``, ``split`` (the window shows the state's screen beside it) or ``outline``."""
         return "split" if self._split and self._mode == "graph" else self._mode
 
     @property
@@ -87,11 +78,6 @@ class DocumentView(QStackedWidget):
         if isinstance(self._document, Application):
             return "graph", "split", "outline"
         return ("graph", "outline") if self.has_graph else ("outline",)
-
-    @property
-    def beside(self) -> ScreenBeside | None:
-        """The screen beside the graph; None before it was first shown."""
-        return self._beside
 
     @property
     def problems(self) -> list[Problem]:
@@ -134,11 +120,7 @@ class DocumentView(QStackedWidget):
         if self._document is None:
             return
         shown = self.current_view()
-        if self._splitter is not None and shown is self._canvas:
-            self.setCurrentWidget(self._splitter)
-        else:
-            self.setCurrentWidget(shown)
-        self._show_beside()
+        self.setCurrentWidget(shown)
         if self._mode in self._fresh:
             return
         self._fresh.add(self._mode)
@@ -149,26 +131,6 @@ class DocumentView(QStackedWidget):
             shown.select(self.selected)
         finally:
             self._telling = False
-
-    def _show_beside(self) -> None:
-        """The screen beside the graph, brought up to date, or hidden."""
-        shown = self.shown_as == "split"
-        if self._beside is None and shown:
-            assert self._splitter is not None
-            self._beside = ScreenBeside(self._theme)
-            self._beside.selected.connect(self._on_screen)
-            self._splitter.addWidget(self._beside)
-            wide = self._splitter.width()
-            self._splitter.setSizes([wide * 3 // 5, wide * 2 // 5])
-        if self._beside is not None:
-            self._beside.setVisible(shown)
-        if self._beside is not None and shown and isinstance(self._document, Application):
-            self._beside.media = self.media
-            self._beside.show_selection(self._document, self.selected)
-
-    def _on_screen(self, place: Place) -> None:
-        self.select((place,))
-        self.selection_changed.emit(self.selected)
 
     def current_view(self) -> Any:
         """The view of the present mode, made at its first use."""
@@ -197,20 +159,13 @@ class DocumentView(QStackedWidget):
         view.status.connect(self.status)
         if hasattr(view, "menu_requested"):
             view.menu_requested.connect(self.menu_requested)
-        if view is not self._canvas:
-            self.addWidget(view)
-            return
-        self._splitter = QSplitter(Qt.Orientation.Horizontal)
-        self._splitter.setChildrenCollapsible(False)
-        self._splitter.addWidget(view)
-        self.addWidget(self._splitter)
+        self.addWidget(view)
 
     def _on_selection(self, chosen: Any) -> None:
         if self._telling:
             return
         self.selected = tuple(tuple(p) for p in chosen)
         self._fresh &= {self._mode}
-        self._show_beside()
         self.selection_changed.emit(self.selected)
 
     def _on_clicked(self) -> None:
@@ -230,7 +185,6 @@ class DocumentView(QStackedWidget):
             self.current_view().select(chosen)
         finally:
             self._telling = False
-        self._show_beside()
 
     def can(self, method: str) -> bool:
         """Whether the present view knows a method of the contract."""
@@ -244,7 +198,7 @@ class DocumentView(QStackedWidget):
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
-        for view in (self._canvas, self._twin, self._beside):
+        for view in (self._canvas, self._twin):
             if view is not None:
                 view.set_theme(theme)
 

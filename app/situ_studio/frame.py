@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QMainWindow,
     QSizePolicy,
+    QSplitter,
     QStackedWidget,
     QToolBar,
     QVBoxLayout,
@@ -26,6 +27,7 @@ from situ_studio.document_tabs import DocumentTabs
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.menus import Actions
+from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.fields import Choice, Flag
 from situ_studio.panels.header import PanelHeader
 from situ_studio.panels.inspector import Inspector
@@ -124,7 +126,15 @@ class Frame(QMainWindow):
         self.no_document.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.no_document.setWordWrap(True)
         self.documents.addWidget(self.no_document)
-        column.addWidget(self.documents, 1)
+        self.beside = ScreenBeside(self.theme)
+        self.beside.hide()
+        sides = QSplitter(Qt.Orientation.Horizontal)
+        sides.setChildrenCollapsible(False)
+        for side, share in ((self.documents, 3), (self.beside, 2)):
+            sides.addWidget(side)
+            sides.setStretchFactor(sides.indexOf(side), share)
+        sides.setSizes([600, 400])
+        column.addWidget(sides, 1)
         self.stack.addWidget(centre)
         self.setCentralWidget(self.stack)
 
@@ -271,6 +281,7 @@ class Frame(QMainWindow):
             self.tabs,
             self.crumbs,
             self.bottom,
+            self.beside,
             self.welcome,
             self.finder,
         )

@@ -101,6 +101,7 @@ class MainWindow(Frame):
         self.project_tree.file_asked.connect(self.open_file)
         self.outline.selected.connect(self._on_outline)
         self.outline.activated.connect(self._on_outline_activated)
+        self.beside.selected.connect(self.select)
         self.palette_.kind_asked.connect(self.commands.insert)
         self.inspector.edited.connect(self._on_form)
         self.inspector.place_asked.connect(self.select)
@@ -229,9 +230,6 @@ class MainWindow(Frame):
     def _make_view(self, file: str) -> DocumentView:
         view = DocumentView(self.theme, file)
         view.origin = str((self.session.root / file).resolve())
-        project = self.session.project
-        if project is not None and project.media is not None:
-            view.media = Path(project.root) / project.media
         view.edited.connect(lambda after, text: self.commit(after, text, file))
         view.selection_changed.connect(self._on_selection)
         view.activated.connect(self._on_activated)
@@ -313,6 +311,7 @@ class MainWindow(Frame):
         if view is not None:
             view.set_mode(mode)
             self.tabs.views.show_choice(view.shown_as)
+            self._settle_beside()
             view.current_view().setFocus()
             self.actions_.refresh()
 
@@ -547,6 +546,7 @@ class MainWindow(Frame):
             self.inspector.usages.hide()
             self.status.show_selection(())
             self.actions_.refresh()
+            self._settle_beside()
             return
         media = Path(project.root) / project.media if project.media is not None else None
         self.inspector.show_selection(
@@ -560,6 +560,16 @@ class MainWindow(Frame):
         self.outline.select(view.selected)
         self.status.show_selection(view.selected)
         self.actions_.refresh()
+        self._settle_beside()
+
+    def _settle_beside(self) -> None:
+        """The screen beside the graph, where the document is shown so."""
+        view, document, project = self.current_view, self.current_document, self.session.project
+        shown = view is not None and view.shown_as == "split"
+        self.beside.setVisible(shown)
+        if shown and view is not None and project is not None and isinstance(document, Application):
+            media = Path(project.root) / project.media if project.media is not None else None
+            self.beside.show_selection(view.file, document, view.selected, media)
 
     def _refresh_tree(self) -> None:
         dirty = self.session.dirty

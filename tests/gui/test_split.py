@@ -31,21 +31,23 @@ def test_the_screen_follows_the_selection_and_says_what_is_spoken(
     used = split(studio, project("reception"))
     view = used.window.current_view
     assert view.canvas.isVisible()
-    assert view.beside.title.text() == "1 start"
+    assert used.window.beside.title.text() == "1 start"
     used.click_row(used.window.outline.list, used.row_with(used.window.outline.list, "main menu"))
-    assert view.beside.title.text() == "11 main menu"
-    assert view.beside.texts == ["What would you like to do? I can measure, or we say goodbye."]
+    assert used.window.beside.title.text() == "11 main menu"
+    assert used.window.beside.texts == [
+        "What would you like to do? I can measure, or we say goodbye."
+    ]
     used.window.select(())
-    assert view.beside.title.text() == "11 main menu"
+    assert used.window.beside.title.text() == "11 main menu"
 
 
 def test_the_screen_shows_a_change_as_it_is_made(studio: Start, project: Copy) -> None:
     used = split(studio, project("reception"))
     used.select("state", "11")
-    sheet = used.window.current_view.beside.sheet
+    sheet = used.window.beside.sheet
     before = sheet.grab().toImage()
     used.fill(used.window.inspector.form.field("name"), "services")
-    assert used.window.current_view.beside.title.text() == "11 services"
+    assert used.window.beside.title.text() == "11 services"
     assert sheet.grab().toImage() == before
     component = used.session.document("reception.rbd.xml").state("11").screen.components[0]
     used.select("state", "11", "screen", component.id)
@@ -56,7 +58,7 @@ def test_the_screen_shows_a_change_as_it_is_made(studio: Start, project: Copy) -
 def test_a_click_on_the_screen_selects_what_lies_there(studio: Start, project: Copy) -> None:
     used = split(studio, project("reception"))
     used.select("state", "11")
-    sheet = used.window.current_view.beside.sheet
+    sheet = used.window.beside.sheet
     state = used.session.document("reception.rbd.xml").state("11")
     button = next(c for c in state.screen.components if getattr(c, "event", None))
     middle = at(sheet, button.x + button.width / 2, button.y + button.height / 2)
@@ -86,4 +88,4 @@ def test_split_graph_and_outline_by_their_keys(studio: Start, project: Copy) -> 
         shown.append((view.shown_as, view.canvas.isVisible()))
         assert used.window.tabs.views.button(view.shown_as).isChecked()
     assert shown == [("split", True), ("outline", False), ("split", True), ("graph", True)]
-    assert not view.beside.isVisible()
+    assert not used.window.beside.isVisible()

@@ -47,7 +47,8 @@ class ScreenBeside(QScrollArea):
         self._theme = theme
         self._application: rbd.Application | None = None
         self._place: Place = ()
-        self.media: Path | None = None
+        self._file = ""
+        self._media: Path | None = None
         self.setAccessibleName(self.tr("Screen of the selected state"))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -74,9 +75,20 @@ class ScreenBeside(QScrollArea):
         self._theme = theme
         self._show()
 
-    def show_selection(self, application: rbd.Application, selected: tuple[Place, ...]) -> None:
-        """Shows the screen of the first of these that has one, as it is now."""
-        self._application = application
+    def show_selection(
+        self,
+        file: str,
+        application: rbd.Application,
+        selected: tuple[Place, ...],
+        media: Path | None,
+    ) -> None:
+        """Shows the screen of the first of these that has one, as it is now.
+
+        media: the folder of the pictures.
+        """
+        if file != self._file:
+            self._file, self._place = file, ()
+        self._application, self._media = application, media
         for place in (*selected, self._place, ("state", application.start_no or "")):
             root = places.root(place)
             if root and isinstance(places.get(application, root), rbd.State | rbd.Always):
@@ -113,7 +125,7 @@ class ScreenBeside(QScrollArea):
             self.title.setText(self.tr("In every state"))
         self.sheet.setVisible(part is not None)
         screen = part.screen if part is not None else None
-        self.sheet.show_screen(self._theme, screen, above, self.media)
+        self.sheet.show_screen(self._theme, screen, above, self._media)
         clear(self._speech)
         for text in self.texts:
             said = QLabel(self.tr("“{0}”").format(text))
