@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from situ.document.check import check
 from situ.document.problem import Problem
 from situ.document.project import Project
+from situ_studio.working import Work, WorkStrip
 
 _log = logging.getLogger("situ.studio")
 
@@ -32,6 +33,10 @@ class Checker(QObject):
     """
 
     found = Signal(object, list)
+    began = Signal()
+    """A check goes on beside the window."""
+    ended = Signal()
+    """None does any more."""
     _done = Signal(object, list)
 
     def __init__(self, parent: QObject | None = None, large: int = LARGE) -> None:
@@ -51,8 +56,13 @@ class Checker(QObject):
         if not self._running:
             self._start()
 
+    def cancel(self) -> None:
+        """Nobody is told of the check that goes on; it ends by itself."""
+        self._wanted = None
+
     def _start(self) -> None:
         self._running = True
+        self.began.emit()
         # Documents are values: what another thread reads does not change under it.
         threading.Thread(target=self._work, args=(self._wanted,), daemon=True).start()
 
@@ -77,3 +87,29 @@ class Checker(QObject):
             self.found.emit(project, problems)
         elif self._wanted is not None:
             self._start()
+            return
+        self.ended.emit()
+
+
+class CheckWork(QObject):
+    """Shows in a window's strip that a check goes on; cancelled, the problems stay as they were."""
+
+    def __init__(self, checker: Checker, strip: WorkStrip) -> None:
+        super().__init__(strip)
+        self._checker, self._strip = checker, strip
+        self._work: Work | None = None
+        checker.began.connect(self._on_began)
+        checker.ended.connect(self._on_ended)
+
+    def _on_began(self) -> None:
+        if self._work is None:
+            self._work = self._strip.begin(self.tr("Looking for problems"), self._cancelled)
+
+    def _cancelled(self) -> None:
+        self._work = None
+        self._checker.cancel()
+
+    def _on_ended(self) -> None:
+        if self._work is not None:
+            self._work.end()
+            self._work = None

@@ -9,6 +9,7 @@ from pathlib import Path
 from situ.document.beginning import project_name
 from situ.errors import SituError
 from situ_studio import projects
+from situ_studio.opening import Found, Opening, is_large
 from situ_studio.state_commands import StateCommands
 
 
@@ -66,7 +67,7 @@ class FileCommands(StateCommands):
             windows = window.windows
             shown = self._try(lambda: windows.show_project(made()))
         elif where == "here" and window.may_leave():
-            shown = self._try(lambda: window.open_project(made()))
+            shown = self._try(lambda: self._read(made()))
         else:
             return
         if shown and new:
@@ -74,6 +75,31 @@ class FileCommands(StateCommands):
             opened = window if where == "here" else window.windows and window.windows.windows[-1]
             if opened:
                 opened.select(("state", "1"))
+
+    def _read(self, path: Path) -> None:
+        """Opens a project here; a large one is read beside the window, and can be cancelled."""
+        if not is_large(path):
+            self._window.open_project(path)
+            return
+        window = self._window
+        opening = Opening(window)
+        work = window.status.work.begin(self.tr("Reading {0}").format(path.name), opening.cancel)
+        work.ended.connect(opening.deleteLater)
+
+        def taken(found: Found) -> None:
+            work.end()
+            # Somebody may have gone on with the one that is still open.
+            if window.may_leave():
+                self._try(lambda: window.take_project(found, path))
+
+        def refused(why: str) -> None:
+            work.end()
+            if why:
+                window.dialogs.tell(why)
+
+        opening.read.connect(taken)
+        opening.refused.connect(refused)
+        opening.start(path)
 
     def forget_recent(self, path: str) -> None:
         """Takes a project off the list of recent ones; its files stay."""

@@ -95,8 +95,8 @@ class Session(QObject):
         self._check_soon.setSingleShot(True)
         self._check_soon.setInterval(0)
         self._check_soon.timeout.connect(self._check)
-        self._checker = Checker(self)
-        self._checker.found.connect(self._on_found)
+        self.checker = Checker(self)
+        self.checker.found.connect(self._on_found)
         self.disk = FolderWatch(self)
         self.disk.changed.connect(self.changed_on_disk)
         self.disk.settings_changed.connect(self.read_settings)
@@ -148,7 +148,10 @@ class Session(QObject):
 
         Raises UsageError, with one line for the user, where there is nothing to open.
         """
-        project, problems = folder.load(path)
+        self.take(*folder.load(path), path)
+
+    def take(self, project: Project | None, problems: list[Problem], path: str | Path) -> None:
+        """Opens what ``folder.load`` found at ``path``; as ``open``."""
         if project is None:
             raise UsageError(str(problems[0]) if problems else f"{path}: no project could be read")
         self._project = project
@@ -465,7 +468,7 @@ class Session(QObject):
     def _check(self) -> None:
         """Has the problems found; those of a large project come later."""
         if self._project is not None:
-            self._checker.ask(self._project)
+            self.checker.ask(self._project)
 
     def _on_found(self, project: Project, found: list[Problem]) -> None:
         if project is not self._project:

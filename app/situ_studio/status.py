@@ -15,6 +15,7 @@ from situ.document.spds import Spds
 from situ_studio.edit import Document
 from situ_studio.icon_widgets import IconLabel, ThemedButton
 from situ_studio.theme import Theme
+from situ_studio.working import WorkStrip
 
 SAID_FOR = 6000
 """Milliseconds that a passing message stays."""
@@ -65,6 +66,8 @@ class Status(QStatusBar):
         self.saved = QLabel()
         saved.addWidget(self.saved)
         end.addLayout(saved)
+        self.work = WorkStrip()
+        self.addPermanentWidget(self.work)
         self.addPermanentWidget(right)
         self._counted: list[State | Always] = []
         self._leading = 0

@@ -14,6 +14,7 @@ from situ.document.mend import mends
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places, recent, words
+from situ_studio.checking import CheckWork
 from situ_studio.claim import Claim
 from situ_studio.commands import Commands
 from situ_studio.context_menus import ContextMenus
@@ -25,6 +26,7 @@ from situ_studio.frame import Frame
 from situ_studio.live.link import RobotLink
 from situ_studio.looking import FindingSide
 from situ_studio.menus import Actions
+from situ_studio.opening import Found
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.parts import PartsSide
@@ -77,6 +79,7 @@ class MainWindow(Frame):
         self.commands = Commands(self)
         self.robot = RobotSide(self, link)
         self.disk = DiskSide(self)
+        CheckWork(session.checker, self.status.work)
         self.parts = PartsSide(self)
         self.finding = FindingSide(self)
         self.context_menus = ContextMenus(self)
@@ -143,6 +146,14 @@ class MainWindow(Frame):
     def open_project(self, path: Path) -> None:
         """Opens a project; UsageError, with one line for the user, where it can not be read."""
         self.session.open(path)
+        self._on_open(path)
+
+    def take_project(self, found: Found, path: Path) -> None:
+        """Opens what was read at ``path``; as ``open_project``."""
+        self.session.take(*found, path)
+        self._on_open(path)
+
+    def _on_open(self, path: Path) -> None:
         self.remember(path)
         if not self.claim.take(self.session.root):
             self.notice.ask(
