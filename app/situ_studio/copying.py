@@ -90,7 +90,9 @@ class Copying:
         self.select(made)
 
     def _from_clipboard(self) -> Application | None:
-        mime = QGuiApplication.clipboard().mimeData()
+        # Where nothing was ever copied it is None, whatever the types of Qt say.
+        there: QMimeData | None = QGuiApplication.clipboard().mimeData()
+        mime = there if there is not None else QMimeData()
         data = bytes(mime.data(MIME).data()) if mime.hasFormat(MIME) else mime.text().encode()
         copied, problems = codec.read(data, "clipboard") if data.strip() else (None, [])
         wrong = next((p for p in problems if p.severity == "error"), None)

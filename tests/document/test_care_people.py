@@ -338,3 +338,14 @@ def test_who_has_left_a_part_alone_is_not_there_after_it(done: str, is_told: boo
     part = asks + state(no="2") + state(no="gone")
     found = private(START + holder + third, part, code="private-spoken")
     assert found == ([("state", "3", "action", "0")] if is_told else [])
+
+
+def test_who_has_done_something_in_a_part_is_there_after_it() -> None:
+    """As where the part's states stand in the application itself."""
+    part = app(state(BUTTON, events='<event name="click" next="9"/>') + state(no="9"), "part")
+    shows = '<text id="t" x="0" y="0" width="50" height="20">{user.name}</text>'
+    holder = state(
+        rest='<flow src="part1.rbd.xml"/>', events='<event name="done.9" next="3"/>', no="2"
+    )
+    outer = state(BUTTON, events=TOUCHED) + holder + state(shows, rest=idle(20, "2"), no="3")
+    assert told(whole(app(outer), part, private=("user.**",)), "private-shown") == []

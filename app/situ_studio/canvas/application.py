@@ -323,6 +323,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         x, y = gestures.snap(spot.x() - 88), gestures.snap(spot.y() - 58)
         if kind.name == ALWAYS and self.document.always is None:
             after, made, text = insert(self.document, kind, ())
+            assert isinstance(after, Application)
             self._edit(gestures.move(after, {made: (x, y)})[0], text)
             self.select([made])
             return

@@ -55,9 +55,9 @@ class Between:
         if meant != self._meant:
             self._meant = meant
             self._show_hint()
-            if meant is not None and card is not None:
-                said = tr("State {0} goes in between here. Alt: it is only moved.")
-                self._canvas.status.emit(said.format(card.no))
+            said = tr("State {0} goes in between here. Alt: it is only moved.")
+            no = card.no if card is not None and meant is not None else ""
+            self._canvas.status.emit(said.format(no) if no else "")
 
     def _under(self, card: Card, at: QPointF) -> tuple[str, ...] | None:
         """The pipe at a spot that neither leaves nor enters the card, and that it can lead on."""
@@ -91,6 +91,8 @@ class Between:
     def end(self) -> tuple[str, ...] | None:
         """The drag has ended: the pipe that was meant."""
         meant, self._meant, self._ways = self._meant, None, None
+        if meant is not None:
+            self._canvas.status.emit("")
         if self._hint is not None:
             self._hint.setPath(QPainterPath())
         if self._canvas.viewer.held & Qt.KeyboardModifier.AltModifier:

@@ -84,8 +84,8 @@ class ProblemDelegate(QStyledItemDelegate):
         if problem is None:
             painter.setFont(font(12, 500))
             painter.setPen(theme.color("accent"))
-            text = rect.adjusted(36, 0, 0, 0)
-            painter.drawText(text, int(Qt.AlignmentFlag.AlignVCenter), index.data())
+            room = rect.adjusted(36, 0, 0, 0)
+            painter.drawText(room, int(Qt.AlignmentFlag.AlignVCenter), index.data())
             painter.restore()
             return
         icons.paint(painter, problem.severity, box, theme.color(problem.severity))

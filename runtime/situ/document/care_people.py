@@ -109,11 +109,18 @@ def _alone(project: Project, along: dict[str, list[Way]]) -> dict[str, set[str]]
         served = {state.no: serves(application, state) for state in application.states}
         idle = {no for no, timeout in served.items() if timeout is not None and timeout.idle}
         starts[file] |= {w.target for w in along[file] if w.by == "time" and w.source in idle}
+    parts = {file: [s for s in one.states if s.flow in files] for file, one in files.items()}
+    held = {file: {holder.no for holder in some} for file, some in parts.items()}
+    # Where a part ends depends on who has done something in it: see below.
     free = {
-        file: [way for way in some if way.by not in ("hand", "elsewhere")]
+        file: [
+            way
+            for way in some
+            if way.by not in ("hand", "elsewhere")
+            and not (way.by == "itself" and way.source in held[file])
+        ]
         for file, some in along.items()
     }
-    parts = {file: [s for s in one.states if s.flow in files] for file, one in files.items()}
     while True:
         known = sum(map(len, starts.values()))
         found = {file: forward(starts[file], free[file]) for file in files}

@@ -598,11 +598,13 @@ def test_copies_go_by_the_clipboard_to_another_canvas(
 def test_pasting_something_else_says_so(made: Any) -> None:
     said: list[str] = []
     made.canvas.status.connect(said.append)
+    QGuiApplication.clipboard().clear()
+    made.canvas.paste()
     for text in ("", "hello", "<spds name='x'/>", "<application name='x'/>"):
         QGuiApplication.clipboard().setText(text)
         made.canvas.paste()
     assert made.edits == []
-    assert said == ["There are no states on the clipboard"] * 4
+    assert said == ["There are no states on the clipboard"] * 5
 
 
 # -- drops from the palette ------------------------------------------------------------------------

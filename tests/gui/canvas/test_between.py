@@ -46,9 +46,13 @@ def hint(made: Any) -> bool:
 
 
 def test_a_card_dropped_on_a_pipe_is_put_in_between_in_one_step(made: Any, check: Check) -> None:
+    said: list[str] = []
+    made.canvas.status.connect(said.append)
     goal = begin(made, "3")
     assert hint(made)
+    assert said == ["State 3 goes in between here. Alt: it is only moved."]
     made.hand.release(goal)
+    assert said[1:] == [""]
     assert made.edits == ["Insert state 3"]
     assert made.document.state("1").events[0].next == "3"
     assert [e.next for e in made.document.state("3").events] == ["2"]
