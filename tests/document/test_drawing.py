@@ -101,6 +101,26 @@ def test_the_example_has_a_frame_and_a_note() -> None:
     assert titles == ["Vital signs"]
 
 
+def test_one_before_what_every_state_has_is_read_and_exchanged_there() -> None:
+    before = read(
+        '<application name="a" xmlns:ed="urn:situ:editor" xmlns:my="urn:mine">'
+        '<ed:note x="1">one</ed:note><my:note/>'
+        '<always><timeout next="1">3</timeout></always><state no="1"/></application>'
+    )
+    after = exchange(before, 0, Note(2, text="two"))
+    assert (drawn(before), drawn(after)) == ((Note(1, text="one"),), (Note(2, text="two"),))
+    written = codec.write(after)
+    assert written.index(b"two") < written.index(b"<always")
+    assert b"<my:note/>" in written
+
+
+def test_what_can_not_be_read_draws_nothing_and_stays() -> None:
+    before = read(FILE)
+    broken = replace(before, aside=replace(before.aside, inside=("<ed:note>", "<ed:note/>")))
+    assert drawn(broken)[-1:] == (Note(),)
+    assert len(drawn(broken)) == len(drawn(before))
+
+
 def test_what_stands_before_a_state_stays_when_that_goes() -> None:
     before = read(FILE)
     after = kept(before, "2")

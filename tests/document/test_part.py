@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, reject, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from situ.decide.trace import to_fields
 from situ.document import codec
@@ -299,6 +300,7 @@ def test_cards_keep_their_places_and_the_ends_stand_at_the_right() -> None:
 ALWAYS_AGAIN = '<always><expectedevents><event name="z" next="#again"/></expectedevents></always>'
 REFUSED = [
     (CHAIN, [], "Select the states"),
+    (state("1", ways("2")) + state("2") + state("2"), ["2"], "Two of these states have one number"),
     (CHAIN, ["2", "4"], "lead to state 2 n2 and state 4 n4: select more or fewer"),
     (state("1", ways("2")) + state("2", ways("#back")), ["2"], "lead it to a state first"),
     (ALWAYS_AGAIN + CHAIN, ["2", "3"], "What every state has leads to the state anew"),
@@ -375,6 +377,7 @@ def test_a_part_dissolved_is_what_it_was_made_of(seed: int) -> None:
 
 
 DONE = '<event name="done" next="3"/>'
+EXPECTS = f"<expectedevents>{DONE}</expectedevents>"
 
 
 def held(events: str = DONE) -> str:
@@ -384,6 +387,31 @@ def held(events: str = DONE) -> str:
 
 
 SUB = state("1", ways("2", "9")) + state("2", ways("9")) + state("9")
+
+
+def test_an_application_begins_where_the_part_did() -> None:
+    inner = state("1", ways("9")) + state("2", ways("1")) + state("9")
+    made = project(state("2", f'<flow src="sub.rbd.xml"/>{EXPECTS}') + state("3"), sub=inner)
+    sub = replace(made.parts["sub.rbd.xml"], start="2")
+    after = dissolve(replace(made, parts={"sub.rbd.xml": sub}), FILE, "2").applications[FILE]
+    assert ([s.no for s in after.states], after.start_no) == (["1", "2", "3"], "2")
+
+
+def test_an_end_that_would_end_the_part_around_is_refused() -> None:
+    holder = state("1", '<flow src="deep.rbd.xml"/>')
+    made = project(
+        state("1", '<flow src="sub.rbd.xml"/>'), sub=holder, deep=state("1", ways("5")) + state("5")
+    )
+    with pytest.raises(NoPart, match="State 5 n5 would be an end for which app waits"):
+        dissolve(made, "sub.rbd.xml", "1")
+
+
+def test_cards_lie_as_they_did_in_the_part_from_where_its_card_was() -> None:
+    at = ' xmlns:ed="urn:situ:editor" ed:x="{}" ed:y="{}"'.format
+    inner = state("1", ways("2"), at(10, 10)) + state("2", ways("9"), at(30, 50)) + state("9")
+    holder = state("1", f'<flow src="sub.rbd.xml"/>{EXPECTS}', at(500, 600)) + state("3")
+    after = dissolve(project(holder, sub=inner), FILE, "1").applications[FILE]
+    assert [s.aside.position for s in after.states] == [(500, 600), (520, 640), None]
 
 
 def test_numbers_that_are_taken_change_and_ways_follow() -> None:
@@ -422,6 +450,11 @@ SPEAKS = "<backgroundactions><speech>bye</speech></backgroundactions>"
         (GUARDED, SUB, "without a condition"),
         (DONE, state("1", ways("9")) + state("9", SPEAKS), "let an empty state after it"),
         (DONE, state("1"), "there is nothing in it"),
+        (
+            '<event name="done" next="3"><set tag="t">1</set></event>',
+            state("1", '<timeout next="9">5</timeout>') + state("9"),
+            "The timeout of state 1 n1 ends the part, and done does something",
+        ),
         (f'{DONE}<event name="z" next="#back"/>', SUB, "In state 2 n2 z leads to #back"),
         (DONE, state("1", ways("#back", "9")) + state("9"), "leads back to the state before"),
     ],

@@ -239,6 +239,13 @@ def test_a_deletion_is_no_secret_and_what_was_there_stays_one() -> None:
     assert [told[1]["value"], told[2]["text"]] == [None, HIDDEN]
 
 
+def test_a_value_and_a_text_are_shown_by_what_is_known() -> None:
+    mask = Mask(["user"])
+    assert mask.shown("user", "Ann") == HIDDEN
+    assert mask.shown("note", {"to": "Dear Ann", "at": 3}) == {"to": HIDDEN, "at": 3}
+    assert [mask.text("Dear Ann"), mask.text("Dear Bob")] == [HIDDEN, "Dear Bob"]
+
+
 def test_where_components_stand_is_no_secret() -> None:
     component = {"type": "text", "id": "3", "x": 3, "y": 3, "text": "3", "items": [{"id": 3}]}
     value = {"components": [component]}

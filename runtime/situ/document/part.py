@@ -111,7 +111,7 @@ def _begin(project: Project, file: str, inside: tuple[State, ...]) -> str:
             f"{called(left_out)} leaves out what every state has, and others do not: "
             "select them apart, or make them alike."
         )
-    entries = [no for no in dict.fromkeys(_ways_in(source, within)) if no in within]
+    entries = [no for no in dict.fromkeys(_ways_in(source, within)) if no and no in within]
     if len(entries) > 1:
         listed = " and ".join(called(source.state(no)) for no in entries[:2])
         raise NoPart(
@@ -131,10 +131,9 @@ def _begin(project: Project, file: str, inside: tuple[State, ...]) -> str:
     return begin
 
 
-def _ways_in(source: Application, within: set[str]) -> Iterator[str]:
+def _ways_in(source: Application, within: set[str]) -> Iterator[str | None]:
     """Where ways from outside the part, and the start, lead; several times perhaps."""
-    if source.start_no is not None:
-        yield source.start_no
+    yield source.start_no
     for state in source.states:
         if state.no not in within:
             yield from _targets(state)
