@@ -440,6 +440,13 @@
     </message>
 </context>
 <context>
+    <name>CheckWork</name>
+    <message>
+        <source>Looking for problems</source>
+        <translation>問題を調べています</translation>
+    </message>
+</context>
+<context>
     <name>Choice</name>
     <message>
         <source>{0} (missing)</source>
@@ -677,6 +684,10 @@ Draw what a robot says, shows and does.</source>
         <translation>グラフ</translation>
     </message>
     <message>
+        <source>Split</source>
+        <translation>分割</translation>
+    </message>
+    <message>
         <source>Outline</source>
         <translation>アウトライン</translation>
     </message>
@@ -718,6 +729,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Where shall the copy of the example be?</source>
         <translation>例のコピーを置く場所</translation>
+    </message>
+    <message>
+        <source>Reading {0}</source>
+        <translation>{0} を読み込み中</translation>
     </message>
     <message>
         <source>Where shall the copy of the project be?</source>
@@ -1091,6 +1106,10 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} には状態が {1} 個、出口が {2} 個あります。ダブルクリックすると中を見られます。</translation>
     </message>
     <message>
+        <source>{0} is a part now; in scenarios its states are {1}/… from here: {2}.</source>
+        <translation>{0} は部品になりました。シナリオでは、その状態はこれから {1}/… になります：{2}</translation>
+    </message>
+    <message>
         <source>Dissolve part {0}</source>
         <translation>部品 {0} を解く</translation>
     </message>
@@ -1243,6 +1262,21 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Move down</source>
         <translation>下へ</translation>
+    </message>
+</context>
+<context>
+    <name>ScreenBeside</name>
+    <message>
+        <source>Screen of the selected state</source>
+        <translation>選んだ状態の画面</translation>
+    </message>
+    <message>
+        <source>In every state</source>
+        <translation>すべての状態</translation>
+    </message>
+    <message>
+        <source>“{0}”</source>
+        <translation>「{0}」</translation>
     </message>
 </context>
 <context>
@@ -1683,6 +1717,10 @@ Draw what a robot says, shows and does.</source>
         <translation>ようこそ</translation>
     </message>
     <message>
+        <source>Language</source>
+        <translation type="unfinished">言語</translation>
+    </message>
+    <message>
         <source>Like the system</source>
         <translation>システムに合わせる</translation>
     </message>
@@ -1812,6 +1850,13 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Not there any more: {0}</source>
         <translation>もうありません：{0}</translation>
+    </message>
+</context>
+<context>
+    <name>WorkStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
     </message>
 </context>
 <context>
@@ -2297,6 +2342,10 @@ Draw what a robot says, shows and does.</source>
         <translation>発話</translation>
     </message>
     <message>
+        <source>Split</source>
+        <translation>分割</translation>
+    </message>
+    <message>
         <source>Start here</source>
         <translation>ここから始める</translation>
     </message>
@@ -2319,6 +2368,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Text</source>
         <translation>文字</translation>
+    </message>
+    <message>
+        <source>The graph, and beside it the screen of the selected state</source>
+        <translation>グラフと、その横に選んだ状態の画面</translation>
     </message>
     <message>
         <source>The project goes into another folder as it is here, and you go on there.</source>
