@@ -33,7 +33,7 @@ class ConflictDialog(QDialog):
         super().__init__(parent)
         self.answer: Answer = "cancel"
         self.setWindowTitle(self.tr("{0} is another one on disk").format(found.file))
-        self.resize(760, 420)
+        self.resize(760, 340)
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 16, 16, 16)
         column.setSpacing(12)
@@ -57,7 +57,9 @@ class ConflictDialog(QDialog):
             self._button(buttons, "theirs", self.tr("Take the one on disk"), role.ActionRole)
         self._button(buttons, "mine", self.tr("Keep mine"), role.ActionRole)
         self._button(buttons, "cancel", self.tr("Decide later"), role.RejectRole)
-        next(iter(self.buttons.values())).setDefault(True)
+        first = next(iter(self.buttons.values()))
+        first.setDefault(True)
+        first.setProperty("role", "filled")
         column.addWidget(buttons)
 
     def _words(self, found: Differing) -> str:
@@ -94,14 +96,19 @@ class ConflictDialog(QDialog):
         rows = QListWidget()
         rows.setAccessibleName(title)
         rows.setWordWrap(True)
-        rows.setFrameShape(QFrame.Shape.StyledPanel)
+        rows.setFrameShape(QFrame.Shape.NoFrame)
         rows.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         rows.addItems([said(change.text) for change in changes[:MOST]])
         if len(changes) > MOST:
             rows.addItem(self.tr("and {0} more").format(len(changes) - MOST))
         if not changes:
             rows.addItem(self.tr("Nothing that counts: only where things stand in the file."))
-        column.addWidget(rows, 1)
+        box = QFrame()
+        box.setProperty("role", "box")
+        inner = QVBoxLayout(box)
+        inner.setContentsMargins(4, 4, 4, 4)
+        inner.addWidget(rows)
+        column.addWidget(box, 1)
         sides.addLayout(column, 1)
         return rows
 
