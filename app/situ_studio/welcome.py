@@ -24,6 +24,7 @@ from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio import icons, thumbnail
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
+from situ_studio.language import LANGUAGES
 from situ_studio.layouts import clear
 from situ_studio.status import count
 from situ_studio.tabs import Segments
@@ -144,6 +145,7 @@ class Welcome(QScrollArea):
     example_asked = Signal(str)
     template_asked = Signal(str)
     theme_asked = Signal(str)
+    language_asked = Signal(str)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -164,10 +166,10 @@ class Welcome(QScrollArea):
         outer.addStretch(1)
         self.setWidget(page)
         column = QVBoxLayout(middle)
-        column.setContentsMargins(0, 56, 0, 24)
+        column.setContentsMargins(0, 40, 0, 24)
         column.setSpacing(0)
         column.addLayout(self._head())
-        column.addSpacing(48)
+        column.addSpacing(32)
         body = QHBoxLayout()
         body.setSpacing(32)
         body.addLayout(self._start())
@@ -178,7 +180,15 @@ class Welcome(QScrollArea):
         column.addStretch(1)
         column.addSpacing(24)
         foot = QHBoxLayout()
+        foot.setSpacing(24)
         foot.addStretch(1)
+        self.languages = Segments(
+            theme,
+            tuple((code, "", name) for code, name in LANGUAGES.items()),
+            self.tr("Language"),
+        )
+        self.languages.chosen.connect(self.language_asked)
+        foot.addWidget(self.languages)
         self.themes = Segments(
             theme,
             (

@@ -125,6 +125,7 @@ class MainWindow(Frame):
         welcome.example_asked.connect(self.commands.open_example)
         welcome.template_asked.connect(self.commands.new_project)
         welcome.theme_asked.connect(self.choose_theme)
+        welcome.language_asked.connect(self.commands.choose_language)
 
     # -- the project -----------------------------------------------------------------
 

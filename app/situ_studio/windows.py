@@ -82,6 +82,7 @@ class Windows(QObject):
         link = before.robot.link if before is not None else None
         window = MainWindow(session, self._settings, self._examples, self._theme, opening, link)
         window.windows = self
+        window.welcome.languages.show_choice(self._speaking.code)
         window.closed.connect(self._on_closed)
         self.windows.append(window)
         return window

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontInfo
-from PySide6.QtWidgets import QLabel, QToolButton
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from situ.document import folder
 from situ.document.check import check
@@ -132,3 +133,17 @@ def test_a_recent_project_that_is_gone_is_shown_as_such_and_taken_off_the_list(
 
 def test_the_bundled_typeface_is_used(studio: Start) -> None:
     assert QFontInfo(studio().window.welcome.font()).family() == "Inter"
+
+
+def test_the_foot_of_the_page_changes_the_language(studio: Start) -> None:
+    window = studio().window
+    windows = window.windows
+    for code in ("ja", "en"):
+        languages = window.welcome.languages
+        assert not languages.button(code).isChecked()
+        # The click ends with another window than it began in.
+        QTest.mouseClick(languages.button(code), Qt.MouseButton.LeftButton)
+        while window in windows.windows:
+            QApplication.processEvents()
+        (window,) = windows.windows
+        assert window.welcome.languages.button(code).isChecked()
