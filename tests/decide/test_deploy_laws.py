@@ -101,8 +101,8 @@ def versions(draw: st.DrawFn) -> Project:
     applications = {name: project.applications[f"{name}.rbd.xml"] for name in kept}
     if draw(st.booleans()):
         applications = {name: renumbered(one) for name, one in applications.items()}
-    parts = {}
-    if applications and draw(st.booleans()):
+    parts: dict[str, Application] = {}
+    if draw(st.booleans()) and applications:
         running = draw(st.sampled_from(sorted(applications)))
         applications[running] = running_part(applications[running])
         parts["p.rbd.xml"] = replace(project.applications["b.rbd.xml"], name="p")
