@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from lxml import etree
-from PySide6.QtCore import QAbstractItemModel, QModelIndex, Qt, QTranslator
+from PySide6.QtCore import QAbstractItemModel, QModelIndex, QSettings, Qt, QTranslator
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -162,7 +162,7 @@ PLACES: dict[str, list[tuple[str, ...]]] = {
     "reception": [
         (), ("always",), ("state", "1"), ("state", "7"), ("state", "16"), ("state", "7", "screen"),
         ("state", "7", "event", "2"), ("state", "7", "timeout"), ("state", "7", "action", "1"),
-        ("state", "4", "screen", "component", "0"), ("note", "0"), ("frame", "0"),
+        ("state", "4", "screen", "confirm"), ("note", "0"), ("frame", "0"),
     ],
     "conversation": [
         (), ("situation", "invited"), ("situation", "sound"), ("module", "nod"),
@@ -236,14 +236,17 @@ def test_no_text_is_cut(
     studio: Callable[..., Studio],
     project: Callable[[str], Path],
     qt: QApplication,
+    settings: QSettings,
     name: str,
     code: str,
 ) -> None:
     speaking = qt.findChild(language.Speaking) or language.Speaking(qt)
-    speaking.use(code)
+    # The windows speak what the settings say.
+    settings.setValue("language", code)
     try:
         made = studio(project(name))
         window = made.window
+        assert speaking.code == code
         ours = {said if code == "ja" else text for _, text, said in JAPANESE}
         window.open_file("conversation.spds.xml" if name == "conversation" else "reception.rbd.xml")
         found: set[str] = set()

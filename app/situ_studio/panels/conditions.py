@@ -81,7 +81,7 @@ class TestBox(QFrame):
         label = QLabel(words)
         label.setProperty("role", "label")
         line.addWidget(label)
-        field = Number(unit="s", above=True)
+        field = Number(unit=translated("s"), above=True)
         field.setAccessibleName(words)
         field.setToolTip(tip)
         line.addWidget(field, 1)

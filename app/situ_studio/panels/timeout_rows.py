@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document import rbd
+from situ_studio.language import translated
 from situ_studio.panels.fields import (
     Choice,
     Flag,
@@ -40,7 +41,7 @@ class TimeoutRows(QWidget):
         label.setProperty("role", "label")
         label.setFixedWidth(LABEL)
         grid.addWidget(label, 0, 0)
-        self.seconds = Number(unit="s", above=True)
+        self.seconds = Number(unit=translated("s"), above=True)
         self.seconds.setPlaceholderText(self.tr("none"))
         self.seconds.setAccessibleName(self.tr("Timeout"))
         self.seconds.set_help(self.tr("After so many seconds without an event the state is left."))
