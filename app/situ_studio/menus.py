@@ -134,7 +134,7 @@ class Actions(QObject):
             return self._menus[title]
         head, _, tail = title.rpartition("/")
         parent: QMenuBar | QMenu = self._menu(head, bar) if head else bar
-        if head and not (parent.actions() and parent.actions()[-1].menu()):
+        if head and not (parent.actions() and parent.actions()[-1].menu() is not None):
             parent.addSeparator()
         menu = parent.addMenu(translated(tail) if head else _with_key(tail))
         menu.setToolTipsVisible(True)

@@ -40,7 +40,7 @@ def keep(small: QImage, file: Path) -> None:
     for key in kept.textKeys():
         kept.setText(key, "")
     file.parent.mkdir(parents=True, exist_ok=True)
-    assert kept.save(str(file), "PNG", 0), f"{file} can not be written"
+    assert kept.save(str(file), quality=0), f"{file} can not be written"
 
 
 def _palette(counted: Counter[int]) -> list[int]:
@@ -72,14 +72,18 @@ def differences(ours: QImage, kept: QImage) -> list[QRect]:
 def _apart(ours: QImage, kept: QImage) -> Iterator[QRect]:
     width = ours.width()
     for y in range(ours.height()):
-        ours_row = bytes(ours.constScanLine(y))[: width * 3]
-        kept_row = bytes(kept.constScanLine(y))[: width * 3]
+        ours_row, kept_row = _row(ours, y), _row(kept, y)
         if ours_row == kept_row:
             continue
         for x in range(width):
             pair = zip(ours_row[x * 3 : x * 3 + 3], kept_row[x * 3 : x * 3 + 3], strict=True)
             if max(abs(a - b) for a, b in pair) > TOLERANCE:
                 yield QRect(x * BLOCK, y * BLOCK, BLOCK, BLOCK)
+
+
+def _row(means: QImage, y: int) -> bytes:
+    start = y * means.bytesPerLine()
+    return bytes(means.constBits())[start : start + means.width() * 3]
 
 
 def marked(ours: QImage, apart: list[QRect]) -> QImage:

@@ -96,7 +96,9 @@ class Views:
     def open(self, file: str) -> None:
         self.window.open_file(file)
         self.made.settle()
-        self.window.current_view.call("zoom_to_fit")
+        view = self.window.current_view
+        assert view is not None
+        view.call("zoom_to_fit")
         self.made.settle()
 
     def result(self) -> str:
@@ -128,7 +130,7 @@ FORMS: dict[str, list[tuple[str, ...]]] = {
     "reception": [
         (), ("state", "7"), ("state", "16"), ("always",), ("state", "7", "screen"),
         ("state", "7", "event", "2"), ("state", "7", "timeout"), ("state", "7", "action", "1"),
-        ("state", "4", "screen", "component", "0"), ("note", "0"), ("frame", "0"),
+        ("state", "4", "screen", "confirm"), ("note", "0"), ("frame", "0"),
     ],
     "conversation": [
         (), ("situation", "sound"), ("module", "nod"), ("data", "sound.slap"),
