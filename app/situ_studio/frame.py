@@ -257,9 +257,9 @@ class Frame(QMainWindow):
         self.welcome.themes.show_choice(choice)
         self.set_theme(self._chosen_theme())
 
-    def _on_scheme(self) -> None:
+    def _on_scheme(self, scheme: Qt.ColorScheme) -> None:
         if self.theme_choice == "system":
-            self.set_theme(self._chosen_theme())
+            self.set_theme(DARK if scheme == Qt.ColorScheme.Dark else LIGHT)
 
     def set_theme(self, theme: Theme) -> None:
         """Every widget of the window takes the theme."""

@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QEvent, QSize
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from situ_studio import icons
@@ -58,3 +59,18 @@ def test_on_a_screen_with_another_ratio_icons_are_made_anew(
     QApplication.sendEvent(used.window, QEvent(QEvent.Type.DevicePixelRatioChange))
     sharp = action.icon().pixmap(QSize(18, 18), 1.5)
     assert (sharp.devicePixelRatio(), sharp.size()) == (1.5, QSize(27, 27))
+
+
+def test_the_colours_follow_the_system_while_the_studio_runs(studio: Start) -> None:
+    used = studio(theme="system")
+    # The offscreen platform has no colours of its own: it is told of them as Qt tells it.
+    changed = QGuiApplication.styleHints().colorSchemeChanged
+    seen = []
+    for scheme in (Qt.ColorScheme.Dark, Qt.ColorScheme.Light):
+        changed.emit(scheme)
+        used.settle()
+        seen.append((used.window.theme.name, used.window.palette().window().color().name()))
+    assert seen == [("dark", "#1b1f27"), ("light", "#ffffff")]
+    used.window.choose_theme("light")
+    changed.emit(Qt.ColorScheme.Dark)
+    assert used.window.theme.name == "light"
