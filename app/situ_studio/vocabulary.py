@@ -119,25 +119,28 @@ def _read(application: Application, before: _Read | None) -> _Read:
     if before is not None and before.application is application:
         return before
     parts = [*_parts(application)]
-    if before is not None and len(before.parts) == len(parts):
+    shape = len(parts), application.always is None
+    if before is not None and shape == (len(before.parts), before.application.always is None):
         words, states = list(before.words), before.states
         same = True
+        # ``always`` is no state.
+        first = len(parts) - len(application.states)
         for at in compress(count(), map(is_not, before.parts, parts)):
             words[at] = _words(parts[at])
             same = same and words[at] == before.words[at]
-            same_name = _called(before.parts[at]) == _called(parts[at])
-            states = states if same_name else ()
+            if at >= first and states[at - first] != _called(parts[at]):
+                states = (*states[: at - first], _called(parts[at]), *states[at - first + 1 :])
         every = before.every if same else _union(words)
     else:
         known = dict(zip(map(id, before.parts), before.words, strict=True)) if before else {}
         words = [known.get(id(part)) or _words(part) for part in parts]
-        every, states = _union(words), ()
-    states = states or tuple((s.no, s.name) for s in application.states)
+        every, states = _union(words), tuple(map(_called, application.states))
     return _Read(application, parts, words, every, states)
 
 
 def _called(part: rbd.State | rbd.Always) -> tuple[str, str]:
-    return (part.no, part.name) if isinstance(part, rbd.State) else ("", "")
+    assert isinstance(part, rbd.State)
+    return part.no, part.name
 
 
 def _media(project: Project) -> tuple[str, ...]:

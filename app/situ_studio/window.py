@@ -427,7 +427,8 @@ class MainWindow(Frame):
         self._refresh_tree()
 
     def _on_undone(self, file: str, selected: tuple[Place, ...], looking: Looking | None) -> None:
-        self.open_file(file)
+        if file != self.current_file:
+            self.open_file(file)
         view = self.current_view
         document = self.current_document
         if view is not None and document is not None:

@@ -78,10 +78,12 @@ def move(application: Application, to: Mapping[Place, tuple[float, float]]) -> D
     """Cards put at new places; places that no card has are left out."""
     moved = 0
     states = list(application.states)
-    for index, state in enumerate(states):
-        target = to.get(("state", state.no))
-        if target is not None and state.aside.position != target:
-            states[index] = replace(state, aside=state.aside.at(*target))
+    numbers = {place[1] for place in to if place[0] == "state" and len(place) == 2}
+    for index in [i for i, state in enumerate(states) if state.no in numbers]:
+        state = states[index]
+        at = to["state", state.no]
+        if state.aside.position != at:
+            states[index] = replace(state, aside=state.aside.at(*at))
             moved += 1
     always = application.always
     target = to.get((ALWAYS,))

@@ -8,7 +8,7 @@ gesture left behind. NodeGraphQt's undo is not used.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from itertools import compress
+from itertools import compress, filterfalse
 from operator import is_not
 from typing import Any, TypeVar
 
@@ -291,5 +291,5 @@ def differing(before: Mapping[K, Any], now: Mapping[K, Any]) -> tuple[list[K], l
     """The keys that are gone, and those whose value is not the very object that it was."""
     if list(before) == list(now):
         return [], list(compress(now, map(is_not, before.values(), now.values())))
-    gone = [key for key in before if key not in now]
-    return gone, [key for key, value in now.items() if before.get(key) is not value]
+    gone = [*filterfalse(now.__contains__, before)]
+    return gone, [*compress(now, map(is_not, map(before.get, now), now.values()))]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QEvent, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QRect, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
@@ -24,6 +24,11 @@ from situ_studio.theme import BODY, LABEL, Theme, font
 if TYPE_CHECKING:
     from situ_studio.canvas.style import Look
     from situ_studio.canvas.viewer import Viewer
+
+
+MANY = 500
+"""Cards from which on the overview is painted anew ``SOON`` ms after a change."""
+SOON = 100
 
 
 class ZoomBar(QFrame):
@@ -117,12 +122,26 @@ class MiniMap(QWidget):
         self._canvas = parent
         self.wanted = True
         self._picture: tuple[QPixmap, QRectF] | None = None
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(SOON)
+        self._soon.timeout.connect(self._paint_anew)
         self.setFixedSize(120, 66)
         self.setAccessibleName(tr("Overview"))
         self.hide()
 
     def redraw(self) -> None:
-        """Cards, their colours or what is selected have changed."""
+        """Cards, their colours or what is selected have changed.
+
+        Of very many cards the picture follows a little later: no edit waits for it.
+        """
+        if self._picture is None or len(self._canvas.graph.cards) <= MANY:
+            self._paint_anew()
+        elif not self._soon.isActive():
+            self._soon.start()
+
+    def _paint_anew(self) -> None:
+        self._soon.stop()
         self._picture = None
         self.update()
 
@@ -176,7 +195,7 @@ class MiniMap(QWidget):
         return self._picture
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        self.redraw()
+        self._paint_anew()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         picture, area = self._drawn()

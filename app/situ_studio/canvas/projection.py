@@ -8,7 +8,7 @@ Lengths are scene units (px at 100 %), measures are those of mockups/tokens.md.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import compress
+from itertools import chain, compress
 from operator import is_not
 from typing import Literal, NamedTuple
 
@@ -311,7 +311,7 @@ class Projector:
     ) -> Picture:
         """places: uid to position, for cards whose state has none."""
         values = dict(identified(application))
-        known = frozenset(s.no for s in application.states)
+        known = frozenset([state.no for state in application.states])
         around = (
             application.start_no,
             _chips(application),
@@ -386,12 +386,13 @@ class Projector:
     def _drawn(
         self, values: Mapping[str, object], made: Mapping[str, _Made], stale: Sequence[str]
     ) -> Picture:
-        if list(values) == list(self._values) and all(
-            list(made[uid].links) == list(self._made[uid].links) for uid in stale
-        ):
+        if list(values) == list(self._values):
+            # Links have no order that counts.
             cards, links = dict(self._picture.cards), dict(self._picture.links)
             for uid in stale:
                 cards[uid] = made[uid].card
+                for id in self._made[uid].links.keys() - made[uid].links.keys():
+                    del links[id]
                 links.update(made[uid].links)
             return Picture(cards=cards, links=links, uids=self._picture.uids)
         cards, links, uids = {}, {}, dict[Place, str]()
@@ -457,16 +458,18 @@ def _card(
 
 def identified(application: Application) -> Iterable[tuple[str, State | rbd.Always]]:
     """Every card's uid with its value: ``always`` first, then the states; doubled numbers apart."""
+    first: list[tuple[str, State | rbd.Always]] = []
     if application.always is not None:
-        yield f"{ALWAYS} ", application.always
+        first.append((f"{ALWAYS} ", application.always))
     numbers = [state.no for state in application.states]
     if len(set(numbers)) == len(numbers):
-        yield from zip(numbers, application.states, strict=True)
-        return
+        return chain(first, zip(numbers, application.states, strict=True))
     seen: dict[str, int] = {}
+    apart: list[tuple[str, State]] = []
     for state in application.states:
         count = seen[state.no] = seen.get(state.no, 0) + 1
-        yield (state.no if count == 1 else f"{state.no}  {count}"), state
+        apart.append((state.no if count == 1 else f"{state.no}  {count}", state))
+    return chain(first, apart)
 
 
 def targets(value: State | rbd.Always) -> list[str]:
