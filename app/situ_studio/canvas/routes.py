@@ -236,10 +236,11 @@ class Router:
         way = self._ways.find_within(pipe, 2 * (BURDEN - _upwards(pipe)))
         if way is not None:
             self._put(pipe, way)
-        elif _apart(pipe) > LONG:
+        elif _apart(pipe) > LONG or not self._ways.is_shut(pipe):
             self._fold_for_now(pipe)
         else:
-            self._put(pipe, self._ways.find(pipe))
+            # Cards that touch or overlap, as while one is dragged: as long as it stands there.
+            self._put(pipe, self._ways.straight(pipe))
 
     def _may_fold(self, pipe: Pipe) -> bool:
         return pipe.fold and pipe.id not in self.drawn and pipe.source != pipe.target

@@ -114,7 +114,18 @@ class Ways:
 
     def find(self, pipe: Pipe) -> tuple[Point, ...]:
         """The cheapest way. Always one: straight through only where every other is blocked."""
-        return self.find_within(pipe, FAR) or through(pipe, *_beside(pipe))
+        return self.find_within(pipe, FAR) or self.straight(pipe)
+
+    def straight(self, pipe: Pipe) -> tuple[Point, ...]:
+        """The way that minds no card."""
+        return through(pipe, *_beside(pipe))
+
+    def is_shut(self, pipe: Pipe) -> bool:
+        """Whether a card stands right before its exit or its input."""
+        (x1, y1), (x2, y2) = pipe.start, pipe.end
+        xa, xb = _beside(pipe)
+        clear = self.space.clear_level
+        return not (clear(y1, x1, xa, (pipe.source,)) and clear(y2, xb, x2, (pipe.target,)))
 
     def find_within(self, pipe: Pipe, bound: float) -> tuple[Point, ...] | None:
         """The cheapest way; None where only ways longer than ``bound`` lead round the cards."""

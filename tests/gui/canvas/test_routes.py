@@ -296,6 +296,12 @@ def test_what_no_way_leads_to_is_folded_until_one_does() -> None:
     assert router.routes[moved.id].points
 
 
+def test_what_is_shut_in_by_its_neighbours_is_folded() -> None:
+    boxes = {str(i): card(220.0 * (i % 5), 122 * (i // 5)) for i in range(200)}
+    over = pipe(boxes, "101", "103")
+    assert Router().route(boxes, [over])[over.id].folded
+
+
 def test_very_many_pipes_are_routed_one_between_two_yields() -> None:
     boxes = {str(i): card(230.0 * (i % 20), 52 + 228 * (i // 20)) for i in range(320)}
     pipes = [pipe(boxes, str(i), str(i + 1)) for i in range(319)]
