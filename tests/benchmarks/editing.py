@@ -56,7 +56,7 @@ def _window(size: int, app: Any) -> Iterator[Any]:
         while threading.active_count() > 1:
             app.processEvents()
         # Problems are looked for in another thread, which would count as this one's time.
-        window.session._checker.ask = lambda project: None
+        window.session.checker.ask = lambda project: None
         canvas.set_zoom(1.0)
         app.processEvents()
         yield window
