@@ -61,7 +61,7 @@ class Piping(QObject):
             self._router.route(boxes, pipes)
             self._show(picture.links)
         else:
-            self._routing = self._router.routing(boxes, pipes)
+            self._routing = self._route_all(boxes, pipes)
             self._graph.look.unrouted = True
             self._slices.start()
 
@@ -134,6 +134,12 @@ class Piping(QObject):
         pipes = self._pipes(self._picture.links.values())
         return [*pipes.values(), *self._stubs(self._picture.cards.values()).values()]
 
+    def _route_all(self, boxes: dict[str, Box], pipes: list[Pipe]) -> Iterator[None]:
+        yield from self._router.routing(boxes, pipes)
+        for id in self._picture.links:
+            self._show((id,))
+            yield
+
     def _route_slice(self) -> None:
         deadline = time.perf_counter() + SLICE
         for _ in self._routing:
@@ -141,7 +147,6 @@ class Piping(QObject):
                 return
         self._slices.stop()
         self._graph.look.unrouted = False
-        self._show(self._picture.links)
         self._graph.viewer().viewport().update()
 
     def _boxes(self, cards: Mapping[str, Card]) -> dict[str, Box]:
