@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
 from situ_studio import kinds
-from situ_studio.canvas import accessible, spoken, walk
+from situ_studio.canvas import accessible
+from situ_studio.canvas.choosing import Choosing
 from situ_studio.canvas.filling import Filling
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.nodes import NodeFace, Spot
@@ -31,7 +32,7 @@ READABLE = 0.8
 ZOOMS = (0.1, 0.15, 0.25, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0)
 
 
-class Canvas(QWidget):
+class Canvas(Choosing):
     """A drawing of one document: never changes it, emits ``edited``, shows what it is given.
 
     Selections and problems are places, as ``Problem.place`` has them.
@@ -39,8 +40,6 @@ class Canvas(QWidget):
 
     edited = Signal(object, str)
     """The document after a gesture, and the edit's name."""
-    selection_changed = Signal(tuple)
-    activated = Signal(tuple)
     status = Signal(str)
     zoomed = Signal(float)
     menu_requested = Signal(tuple, QPoint)
@@ -64,9 +63,6 @@ class Canvas(QWidget):
         self.viewer.speaker = self
         self.document: Any = None
         self._problems: tuple[Problem, ...] = ()
-        self._told: tuple[Place, ...] = ()
-        self._row: tuple[str, str] | None = None
-        self._quiet = 0
         self._fitted = self._begins = False
         self._editor: InPlace | NoteEditor | None = None
         self.pointed: QPointF | None = None
@@ -114,13 +110,6 @@ class Canvas(QWidget):
         raise NotImplementedError
 
     def _rename_card(self, uid: str, name: str) -> None:
-        raise NotImplementedError
-
-    def _place(self, uid: str, exit: str | None = None) -> Place:
-        raise NotImplementedError
-
-    def _find(self, place: Place) -> tuple[str | None, str | None]:
-        """The uid and the exit that a place names; None where it names none."""
         raise NotImplementedError
 
     def delete_selection(self) -> None:
@@ -335,116 +324,6 @@ class Canvas(QWidget):
         view = node.view
         return QRectF(view.x(), view.y(), view.width, view.height)
 
-    # -- selection -----------------------------------------------------------------------
-
-    def selected_uids(self) -> list[str]:
-        """Selected cards, in document order."""
-        chosen = {item.uid for item in self.viewer.selected_nodes()}
-        return [u for u in self.graph.cards if u in chosen] if chosen else []
-
-    def selection(self) -> tuple[Place, ...]:
-        """Places of what is selected: cards in document order, then transitions."""
-        uids = self.selected_uids()
-        if self._row is not None and uids == [self._row[0]]:
-            return (self._place(*self._row),)
-        places = [self._place(uid) for uid in uids]
-        pipes = [p.link.id for p in self.viewer.selected_pipes() if p.link is not None]
-        places += [self.link_place(id) for id in sorted(pipes) if id in self.graph.links]
-        return tuple(dict.fromkeys(places))
-
-    def link_place(self, id: tuple[str, ...]) -> Place:
-        return self._place(id[0], id[1])
-
-    def select(self, places: Iterable[Place]) -> None:
-        """Selects these places and nothing else; unknown ones are left out."""
-        self._quiet += 1
-        try:
-            self.viewer.scene().clearSelection()
-            self._set_row(None)
-            for place in places:
-                uid, exit = self._find(place)
-                if uid is None:
-                    continue
-                self.filling.need([uid])
-                pipes = []
-                if exit is not None:
-                    pipes = [
-                        self.graph.pipe(i) for i in self.graph.links if self.link_place(i) == place
-                    ]
-                if pipes and pipes[0] is not None:
-                    for pipe in pipes:
-                        pipe.setSelected(True)
-                else:
-                    self.graph.nodes[uid].view.setSelected(True)
-                    if exit is not None:
-                        self._set_row((uid, exit))
-        finally:
-            self._quiet -= 1
-        self._on_selection()
-
-    def select_all(self) -> None:
-        self.filling.finish()
-        self._quiet += 1
-        try:
-            for node in self.graph.nodes.values():
-                node.view.setSelected(True)
-        finally:
-            self._quiet -= 1
-        self._on_selection()
-
-    def clear_selection(self) -> None:
-        self._set_row(None)
-        self.viewer.scene().clearSelection()
-
-    def _set_row(self, row: tuple[str, str] | None) -> None:
-        if self._row is not None and self._row[0] in self.graph.nodes:
-            view = self.graph.nodes[self._row[0]].view
-            view.row = None
-            view.update()
-        self._row = row
-        if row is not None:
-            view = self.graph.nodes[row[0]].view
-            view.row = row[1]
-            view.update()
-
-    def _on_selection(self) -> None:
-        if self._quiet:
-            return
-        if self._row is not None and self.selected_uids() != [self._row[0]]:
-            self._set_row(None)
-        now = self.selection()
-        if now != self._told:
-            self._told = now
-            self.minimap.redraw()
-            if self.viewer.spoken_as is not None:
-                self.viewer.spoken_as.on_selected()
-            self.selection_changed.emit(now)
-
-    # -- for screen readers ------------------------------------------------------------------
-
-    def heard(self) -> Sequence[str]:
-        """The uids of what is heard of the drawing, in document order."""
-        return list(self.graph.cards)
-
-    def spoken(self, uid: str) -> spoken.Spoken:
-        """What is heard of a card."""
-        return spoken.node(self.graph.cards[uid], self._place(uid))
-
-    def choose(self, place: Place) -> None:
-        """As a click there would: selects it, in view, with the focus; an action in its card."""
-        self.viewer.setFocus()
-        self.select([place])
-        uid, _ = self._find(place)
-        if uid is not None:
-            self.viewer.reveal(self.card_area(uid))
-        if self.selection() != (place,):
-            self.selection_changed.emit((place,))
-
-    def begin(self, place: Place) -> None:
-        """As a double click there would: its form gets the focus."""
-        self.choose(place)
-        self.activated.emit(place)
-
     # -- mouse and keys ---------------------------------------------------------------------
 
     def _on_clicked(self, item: Any, spot: QPointF) -> None:
@@ -542,40 +421,6 @@ class Canvas(QWidget):
 
     def nudge(self, across: int, down: int) -> None:
         """Moves the selected cards by keys; not every canvas has cards that move."""
-
-    def step(self, across: int, down: int) -> None:
-        """Selects the card next to the selected one in that direction."""
-        uids = self.selected_uids()
-        if not uids:
-            self._go(next(iter(self.graph.cards), None))
-            return
-        spots = {u: self.walked_to(u).toTuple() for u in self.graph.cards}
-        self._go(walk.beside(spots, uids[-1], across, down))
-
-    def walked_to(self, uid: str) -> QPointF:
-        """The spot that stands for a card when arrows lead from one to the next."""
-        return self.card_area(uid).center()
-
-    def step_in_order(self, by: int) -> None:
-        """Selects the next card in document order."""
-        uids = self.selected_uids()
-        self._go(walk.onwards(list(self.graph.cards), uids[-1] if uids else None, by))
-
-    def step_to_letter(self, letter: str) -> bool:
-        """Selects the next card whose name or number begins so."""
-        uids = self.selected_uids()
-        names = {u: (c.name, c.no) for u, c in self.graph.cards.items()}
-        found = walk.beginning(names, uids[-1] if uids else None, letter)
-        self._go(found)
-        return found is not None
-
-    def _go(self, uid: str | None) -> None:
-        if uid is None:
-            return
-        self.select([self._place(uid)])
-        if not self.graph.nodes[uid].view.isSelected():
-            self.graph.nodes[uid].view.setSelected(True)
-        self.viewer.reveal(self.card_area(uid))
 
     # -- names --------------------------------------------------------------------------------
 
