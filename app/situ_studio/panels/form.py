@@ -181,18 +181,20 @@ class Form(QWidget):
             return holder
         grid = QGridLayout()
         grid.setContentsMargins(MARGIN, 0, MARGIN, 4)
-        grid.setSpacing(8)
+        grid.setHorizontalSpacing(4)
+        grid.setVerticalSpacing(8)
         for index, field in enumerate(section.fields):
-            cell = QHBoxLayout()
-            cell.setSpacing(4)
+            row, at = index // 2, index % 2 * 2
             label = QLabel(translated(field.label))
             label.setProperty("role", "label")
-            label.setFixedWidth(14)
-            cell.addWidget(label)
+            label.setMinimumWidth(14)
+            # The second one stands a little away from the first one's field.
+            label.setContentsMargins(4 if at else 0, 0, 0, 0)
             widget = self._widget(field)
-            cell.addWidget(widget, 1)
             self._fields.append((field, widget, holder))
-            grid.addLayout(cell, index // 2, index % 2)
+            grid.addWidget(label, row, at)
+            grid.addWidget(widget, row, at + 1)
+            grid.setColumnStretch(at + 1, 1)
         column.addLayout(grid)
         return holder
 
