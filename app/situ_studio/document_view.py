@@ -16,7 +16,7 @@ from situ_studio.panels.twin import Twin
 from situ_studio.theme import Theme
 
 
-def make_canvas(document: Document, theme: Theme, parent: QWidget) -> Any:
+def make_canvas(document: Document, theme: Theme, parent: QWidget | None) -> Any:
     """The canvas for a document; None where its kind has none."""
     # NodeGraphQt takes a third of a second to import: only when a graph is shown.
     if isinstance(document, Application):

@@ -19,9 +19,11 @@ import situ
 from situ.document import folder
 from situ.errors import SituError, UsageError
 from situ.resources import examples, resource
+from situ_studio import picture
 from situ_studio.language import LANGUAGES, Speaking
 from situ_studio.log_file import LogFile, on_qt_message, usual_folder
 from situ_studio.panels.project_tree import stem
+from situ_studio.session import Session
 from situ_studio.theme import load_fonts
 from situ_studio.unexpected import Hooks, Interrupts, Unexpected
 from situ_studio.welcome import Example
@@ -115,6 +117,8 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("project", nargs="?", metavar="PROJECT")
     made.add_argument("--new", action="store_true")
     made.add_argument("--screenshot", metavar="OUT.png")
+    made.add_argument("--picture", metavar="OUT.svg|pdf|png")
+    made.add_argument("--document", metavar="NAME")
     made.add_argument("--size", type=_size, metavar="WxH")
     made.add_argument("--view", metavar="NAME")
     made.add_argument("--connect", metavar="ENDPOINT")
@@ -163,8 +167,10 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def run(options: argparse.Namespace) -> int:
     """Opens the window and runs Qt's loop, or takes the screenshot."""
-    choose_platform(options.screenshot is not None)
+    choose_platform(options.screenshot is not None or options.picture is not None)
     qt = application()
+    if options.picture is not None:
+        return draw_picture(options.project, options.picture, options.document)
     if options.screenshot is not None:
         with tempfile.TemporaryDirectory() as fresh:
             # A picture shows the window as it is at the first start, and leaves no trace.
@@ -232,6 +238,35 @@ def _window(options: argparse.Namespace, windows: Windows) -> MainWindow:
             window.deleteLater()
             raise
     return window
+
+
+def draw_picture(project: str | None, out: str, name: str | None) -> int:
+    """Writes a document's graph as ``out``: the one of that file stem, else the first that has one.
+
+    Raises UsageError, with one line, where there is none or it can not be written.
+    """
+    if project is None:
+        raise UsageError("--picture needs a PROJECT")
+    picture.format_of(out)
+    session = Session()
+    session.open(project)
+    # Only read, not watched and not checked.
+    session.deleteLater()
+    drawn = {
+        stem(file): document
+        for file in session.files
+        if (document := session.document(file)) is not None and picture.has_picture(document)
+    }
+    name = name if name is not None else next(iter(drawn), "")
+    if name not in drawn:
+        known = ", ".join(drawn) or "none"
+        raise UsageError(f"no graph {name!r}; there are: {known}")
+    paper = picture.paper(drawn[name])
+    try:
+        picture.write(paper, out, name)
+    finally:
+        paper.close()
+    return 0
 
 
 def show_view(window: MainWindow, name: str) -> None:

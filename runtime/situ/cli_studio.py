@@ -33,6 +33,12 @@ def add(commands: Any) -> None:
         "--screenshot", metavar="OUT.png", help="draw the window into a picture and end"
     )
     studio.add_argument(
+        "--picture", metavar="OUT.svg|pdf|png", help="write a graph as a picture and end"
+    )
+    studio.add_argument(
+        "--document", metavar="NAME", help="with --picture: which one; the first unless given"
+    )
+    studio.add_argument(
         "--size", type=_size, metavar="WxH", help="the window's size in pixels, as 1440x900"
     )
     studio.add_argument(
@@ -58,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Becomes the editor; returns only where it cannot be started."""
     if arguments.project is not None and not Path(arguments.project).exists():
         raise UsageError(f"{arguments.project}: no such file or folder")
-    needs_editor(window=arguments.screenshot is None)
+    needs_editor(window=arguments.screenshot is None and arguments.picture is None)
     sys.stdout.flush()
     os.execv(sys.executable, command(arguments))
 
@@ -70,7 +76,18 @@ def command(arguments: argparse.Namespace) -> list[str]:
         line.append(arguments.project)
     if arguments.new:
         line.append("--new")
-    for name in ("screenshot", "size", "view", "connect", "at", "theme", "language", "log-level"):
+    for name in (
+        "screenshot",
+        "picture",
+        "document",
+        "size",
+        "view",
+        "connect",
+        "at",
+        "theme",
+        "language",
+        "log-level",
+    ):
         value = getattr(arguments, name.replace("-", "_"), None)
         if value is not None:
             line += [f"--{name}", value]

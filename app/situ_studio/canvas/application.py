@@ -16,8 +16,8 @@ from situ_studio import places
 from situ_studio.canvas import gestures, layout, spoken
 from situ_studio.canvas.arranging import Arranging
 from situ_studio.canvas.arranging_bar import ArrangingBar
-from situ_studio.canvas.cards import CardItem
 from situ_studio.canvas.between import Between
+from situ_studio.canvas.cards import CardItem
 from situ_studio.canvas.commands import CommandedCanvas
 from situ_studio.canvas.figure_items import FrameItem, NoteItem
 from situ_studio.canvas.figures import Figure
@@ -88,6 +88,10 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self._picture = self._projector.picture(self.document, self._problems, self._laid)
         beside = self._figuring.show(self.document)
         self._show({**self._picture.cards, **beside}, self._picture.links)
+
+    def arrange_like(self, other: ApplicationCanvas) -> None:
+        self._laid = dict(other._laid)
+        self._piping.draw_like(other._piping)
 
     def _lay_out_new(self) -> None:
         values = dict(identified(self.document))

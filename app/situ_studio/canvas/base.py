@@ -316,6 +316,13 @@ class Canvas(Choosing):
                 area = area.united(pipe.boundingRect())
         return area
 
+    def cards_at(self, places: Iterable[Place]) -> set[str]:
+        """The uids of the cards that these places are or lie on."""
+        return {uid for uid, _ in map(self._find, places) if uid is not None}
+
+    def arrange_like(self, other: Any) -> None:
+        """Shows what has no place in the file where ``other``, of the same kind, shows it."""
+
     def card_area(self, uid: str) -> QRectF:
         node = self.graph.nodes.get(uid)
         if node is None:

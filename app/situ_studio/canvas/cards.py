@@ -321,12 +321,7 @@ class CardItem(NodeFace):
         if active or card.kind in ("start", "part", "always", "end"):
             if card.kind in ("always", "end") and not active:
                 soft = "state_soft"
-            header = QPainterPath()
-            header.addRoundedRect(QRectF(0, 0, card.width, HEADER + RADIUS), RADIUS, RADIUS)
-            painter.save()
-            painter.setClipRect(QRectF(0, 0, card.width, HEADER), Qt.ClipOperation.IntersectClip)
-            painter.fillPath(header, look[soft])
-            painter.restore()
+            painter.fillPath(_header(card.width), look[soft])
         painter.setPen(QPen(look["line"], 1))
         painter.drawLine(QPointF(1, HEADER), QPointF(card.width - 1, HEADER))
         painter.setPen(QPen(self._border(look), 2.5 if active else 2 if selected else 1))
@@ -481,7 +476,8 @@ class CardItem(NodeFace):
 
     def _paint_new(self, painter: QPainter, look: Look) -> None:
         """The exit of the next new event, where somebody could want it."""
-        if not (self.isSelected() or self.isUnderMouse()) or look.live is not None:
+        wanted = self.isSelected() or (self.isUnderMouse() and not look.on_paper)
+        if not wanted or look.live is not None:
             return
         x, y = self.face.port(NEW)
         hovered = self.hovered == NEW
@@ -533,3 +529,15 @@ class CardItem(NodeFace):
             if abs(spot.y() - y) < PITCH / 2 and spot.x() > PICTURE.right() + 2:
                 return f"exit {leaving.id}"
         return "picture" if PICTURE.contains(spot) else "body"
+
+
+def _header(width: float) -> QPainterPath:
+    """A card's coloured header; not by a clip, which SVG pictures do not get."""
+    path = QPainterPath(QPointF(0, HEADER))
+    path.lineTo(0, RADIUS)
+    path.arcTo(QRectF(0, 0, 2 * RADIUS, 2 * RADIUS), 180, -90)
+    path.lineTo(width - RADIUS, 0)
+    path.arcTo(QRectF(width - 2 * RADIUS, 0, 2 * RADIUS, 2 * RADIUS), 90, -90)
+    path.lineTo(width, HEADER)
+    path.closeSubpath()
+    return path

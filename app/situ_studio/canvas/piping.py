@@ -126,6 +126,10 @@ class Piping(QObject):
         """Whether ``draw`` has drawn it."""
         return id in self._router.drawn
 
+    def draw_like(self, other: Piping) -> None:
+        """Draws the pipes that ``other`` was told to draw."""
+        self._router.drawn = set(other._router.drawn)
+
     def is_routing(self) -> bool:
         """Whether routes are still being looked for."""
         return self._slices.isActive() or self.is_changing()

@@ -111,12 +111,7 @@ class ScriptItem(NodeFace):
         painter.drawRoundedRect(area.translated(0, 1.5), RADIUS, RADIUS)
         painter.setBrush(look["card"])
         painter.drawRoundedRect(area, RADIUS, RADIUS)
-        strip = QPainterPath()
-        strip.addRoundedRect(QRectF(0, 0, STRIP + RADIUS, node.height), RADIUS, RADIUS)
-        painter.save()
-        painter.setClipRect(QRectF(0, 0, STRIP, node.height), Qt.ClipOperation.IntersectClip)
-        painter.fillPath(strip, look["live_soft" if lit else f"{node.kind}_soft"])
-        painter.restore()
+        painter.fillPath(_strip(node.height), look["live_soft" if lit else f"{node.kind}_soft"])
         color = (
             look["live"] if lit else look["accent"] if self.isSelected() else look["card_border"]
         )
@@ -157,7 +152,7 @@ class ScriptItem(NodeFace):
         if node.mark:
             x = node.width - (46 if node.number else 24)
             look.icon(painter, node.mark, x, 8, 16, look[node.mark])
-        if node.outputs and (self.isSelected() or self.isUnderMouse()):
+        if node.outputs and (self.isSelected() or (self.isUnderMouse() and not look.on_paper)):
             x, y = node.port(OUT)
             hovered = self.hovered == OUT
             painter.setPen(QPen(look["accent"], 1.5))
@@ -179,3 +174,15 @@ def said(value: Any) -> str:
         case dict():
             return ", ".join(f"{k} {said(v)}" for k, v in value.items())
     return str(value)
+
+
+def _strip(height: float) -> QPainterPath:
+    """The strip at a node's left edge; not by a clip, which SVG pictures do not get."""
+    path = QPainterPath(QPointF(STRIP, 0))
+    path.lineTo(RADIUS, 0)
+    path.arcTo(QRectF(0, 0, 2 * RADIUS, 2 * RADIUS), 90, 90)
+    path.lineTo(0, height - RADIUS)
+    path.arcTo(QRectF(0, height - 2 * RADIUS, 2 * RADIUS, 2 * RADIUS), 180, 90)
+    path.lineTo(STRIP, height)
+    path.closeSubpath()
+    return path

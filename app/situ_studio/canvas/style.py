@@ -115,6 +115,8 @@ class Look:
         self.pictures = Pictures()
         # Routes are still being looked for: straight lines until then.
         self.unrouted = False
+        # Printed or written to a file, where nothing may be made of px.
+        self.on_paper = False
         self.live: LiveView | LiveScript | None = None
         self.theme = theme
         self.colors: dict[str, QColor] = {}
@@ -151,7 +153,7 @@ class Look:
         to_screen = painter.deviceTransform()
         zoom = to_screen.m11()
         pixels = max(1, round(size * zoom))
-        if pixels > 128:
+        if pixels > 128 or self.on_paper:
             icons.paint(painter, name, QRectF(x, y, size, size), color)
             return
         at_x, at_y = zoom * x + to_screen.dx(), zoom * y + to_screen.dy()
