@@ -14,7 +14,7 @@ from tests.benchmarks.drawing import qt
 from tests.benchmarks.harness import CPU, Bench, Goal, Row, Sample, each, library
 
 SIZES = (100, 5_000)
-EDITS = ("move", "connect", "rename", "undo")
+EDITS = ("move", "connect", "rename", "undo", "drag")
 LAYOUTS = (300, 1_000)
 FRAME = 16.0
 
@@ -87,7 +87,12 @@ def _works(window: Any) -> dict[str, Callable[[int], None]]:
     def undo(turn: int) -> None:
         (window.session.redo if window.session.redo_text else window.session.undo)()
 
-    return {"move": move, "connect": connect, "rename": rename, "undo": undo}
+    def drag(turn: int) -> None:
+        """One step of a mouse that drags a card: nothing of it is in the document yet."""
+        canvas.graph.nodes["7"].view.setPos(240.0 + turn % 2 * 8, 480.0)
+        canvas._follow_cards()
+
+    return {"move": move, "connect": connect, "rename": rename, "undo": undo, "drag": drag}
 
 
 def _edit(window: Any, work: Callable[[int], None], app: Any) -> Sample:
