@@ -5,32 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document import rbd
 from situ_studio import places, words
 from situ_studio.edit import Place
 from situ_studio.layouts import clear
-from situ_studio.panels.preview import ScreenPreview
+from situ_studio.screens.sheet import Sheet
 from situ_studio.theme import Theme
-
-
-class Sheet(ScreenPreview):
-    """The screen; a click tells what of it was clicked: the uppermost component, or None."""
-
-    touched = Signal(object)
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if not self.rect().contains(event.position().toPoint()):
-            return
-        across = event.position().x() / self.width() * 100
-        down = event.position().y() / self.height() * 100
-        hit = None
-        for one in self.components:
-            if one.x <= across <= one.x + one.width and one.y <= down <= one.y + one.height:
-                hit = one.id
-        self.touched.emit(hit)
 
 
 class ScreenBeside(QScrollArea):
@@ -40,7 +22,11 @@ class ScreenBeside(QScrollArea):
     """
 
     selected = Signal(tuple)
-    """The place of what was clicked on the screen."""
+    """The places of what was clicked on the screen."""
+    edited = Signal(object, str)
+    """Another application, and the name of the step."""
+    opened = Signal(tuple)
+    """The place of the component that is to be filled in."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -63,7 +49,9 @@ class ScreenBeside(QScrollArea):
         self.title.setProperty("role", "section")
         column.addWidget(self.title)
         self.sheet = Sheet(theme)
-        self.sheet.touched.connect(self._on_touched)
+        self.sheet.chosen.connect(self._on_chosen)
+        self.sheet.edited.connect(self._on_edited)
+        self.sheet.opened.connect(lambda id: self.opened.emit((*self._place, "screen", id)))
         column.addWidget(self.sheet)
         self._speech = QVBoxLayout()
         self._speech.setSpacing(4)
@@ -96,6 +84,8 @@ class ScreenBeside(QScrollArea):
                 break
         else:
             self._place = ()
+        within = (*self._place, "screen")
+        self.sheet.select(tuple(p[-1] for p in selected if p[:-1] == within))
         self._show()
 
     @property
@@ -134,11 +124,11 @@ class ScreenBeside(QScrollArea):
             said.setWordWrap(True)
             self._speech.addWidget(said)
 
-    def _on_touched(self, hit: str | None) -> None:
-        part = self._part()
-        if part is None:
-            return
-        if part.screen is not None and any(c.id == hit for c in part.screen.components):
-            self.selected.emit((*self._place, "screen", hit))
-        else:
-            self.selected.emit(self._place)
+    def _on_chosen(self, ids: tuple[str, ...]) -> None:
+        places_ = tuple((*self._place, "screen", id) for id in ids)
+        self.selected.emit(places_ or (self._place,))
+
+    def _on_edited(self, screen: rbd.Screen, text: str) -> None:
+        if self._application is not None:
+            after = places.change(self._application, self._place, screen=screen)
+            self.edited.emit(after, text)

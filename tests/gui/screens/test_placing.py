@@ -1,0 +1,106 @@
+"""Where components lie: the laws of moving, resizing and aligning."""
+
+from __future__ import annotations
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from situ.document import rbd
+from situ_studio.screens import placing
+from situ_studio.screens.placing import Box
+
+WAYS = st.floats(-150, 150)
+BOXES = st.builds(
+    lambda x, y, width, height: placing.inside(Box(x, y, width, height)),
+    st.floats(0, 100),
+    st.floats(0, 100),
+    st.floats(2, 100),
+    st.floats(2, 100),
+)
+EDGES = ("left", "center", "right", "top", "middle", "bottom", "across", "down")
+STEPS = st.lists(
+    st.one_of(
+        st.tuples(st.just("move"), WAYS, WAYS),
+        st.tuples(st.sampled_from(placing.HANDLES), WAYS, WAYS),
+        st.tuples(st.sampled_from(EDGES), st.just(0.0), st.just(0.0)),
+    ),
+    max_size=8,
+)
+
+
+def on_screen(box: Box) -> bool:
+    return box.x >= 0 and box.y >= 0 and box.right <= 100.0001 and box.bottom <= 100.0001
+
+
+@given(st.lists(BOXES, min_size=1, max_size=5), STEPS)
+@settings(max_examples=80, deadline=None)
+def test_whatever_is_done_components_stay_on_the_screen(
+    boxes: list[Box], steps: list[tuple[str, float, float]]
+) -> None:
+    now = {f"c{i}": box for i, box in enumerate(boxes)}
+    for what, dx, dy in steps:
+        if what == "move":
+            now = placing.moved(now, dx, dy)
+        elif what in EDGES:
+            now = placing.aligned(now, what)
+        else:
+            now = {id: placing.resized(box, what, dx, dy) for id, box in now.items()}
+        assert all(on_screen(box) and box.width > 0 and box.height > 0 for box in now.values())
+
+
+@given(st.lists(BOXES, min_size=2, max_size=5), WAYS, WAYS)
+@settings(max_examples=60, deadline=None)
+def test_what_is_moved_together_keeps_its_distances(boxes: list[Box], dx: float, dy: float) -> None:
+    before = {f"c{i}": box for i, box in enumerate(boxes)}
+    after = placing.moved(before, dx, dy)
+    shifts = {(after[id].x - before[id].x, after[id].y - before[id].y) for id in before}
+    assert max(x for x, _ in shifts) - min(x for x, _ in shifts) <= 0.0101
+    assert max(y for _, y in shifts) - min(y for _, y in shifts) <= 0.0101
+
+
+@given(BOXES, st.sampled_from(placing.HANDLES), WAYS, WAYS)
+@settings(max_examples=60, deadline=None)
+def test_a_handle_leaves_the_opposite_edges_where_they_are(
+    box: Box, handle: str, dx: float, dy: float
+) -> None:
+    after = placing.resized(box, handle, dx, dy)
+    if "w" not in handle:
+        assert abs(after.x - box.x) < 0.011
+    else:
+        assert abs(after.right - box.right) < 0.011
+    if "n" not in handle:
+        assert abs(after.y - box.y) < 0.011
+    else:
+        assert abs(after.bottom - box.bottom) < 0.011
+
+
+def test_an_edge_near_another_is_put_there_and_told_as_a_guide() -> None:
+    box, other = Box(10, 10, 20, 10), Box(42.5, 60, 20, 10)
+    snap = placing.snapped(box, [other], 32.0, 5.0)
+    assert box.x + snap.dx == 42.5
+    assert 42.5 in snap.upright
+
+
+def test_far_from_every_guide_it_goes_to_the_grid() -> None:
+    snap = placing.snapped(Box(10.3, 10, 20, 10), [], 6.0, 0.0)
+    assert (10.3 + snap.dx) == 16.0
+    assert snap.upright == ()
+
+
+def test_a_single_one_is_aligned_with_the_screen_several_among_themselves() -> None:
+    one, two = Box(10, 10, 20, 10), Box(60, 40, 30, 20)
+    assert placing.aligned({"a": one}, "center")["a"].x == 40
+    made = placing.aligned({"a": one, "b": two}, "right")
+    assert made["a"].right == made["b"].right == 90
+
+
+def test_three_are_spread_with_the_same_gap() -> None:
+    boxes = {"a": Box(0, 0, 10, 5), "b": Box(15, 0, 10, 5), "c": Box(70, 0, 10, 5)}
+    made = placing.aligned(boxes, "across")
+    assert made["b"].x == 35
+
+
+def test_a_screen_on_which_nothing_moves_is_the_very_same() -> None:
+    screen = rbd.Screen(components=(rbd.Text(id="a", x=1, y=2, width=30, height=4, text="Hello"),))
+    assert placing.placed(screen, {"a": Box(1, 2, 30, 4)}) is screen
+    assert placing.placed(screen, {"a": Box(5, 2, 30, 4)}).components[0].x == 5

@@ -1,0 +1,149 @@
+"""The screen beside the graph is changed with mouse and keys."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtTest import QTest
+
+from situ.document.codec import write
+
+LEFT = Qt.MouseButton.LeftButton
+NONE = Qt.KeyboardModifier.NoModifier
+ALT = Qt.KeyboardModifier.AltModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+FILE = "reception.rbd.xml"
+
+Start = Callable[..., Any]
+Copy = Callable[[str], Path]
+
+
+class Table:
+    """The sheet of state 11 and what stands on it."""
+
+    def __init__(self, used: Any) -> None:
+        self.used = used
+        used.click(used.window.tabs.views.button("split"))
+        used.select("state", "11")
+        self.sheet = used.window.beside.sheet
+
+    @property
+    def document(self) -> Any:
+        return self.used.session.document(FILE)
+
+    @property
+    def components(self) -> Any:
+        return self.document.state("11").screen.components
+
+    def component(self, id: str) -> Any:
+        return next(c for c in self.components if c.id == id)
+
+    def middle(self, id: str) -> QPoint:
+        c = self.component(id)
+        return self.at(c.x + c.width / 2, c.y + c.height / 2)
+
+    def at(self, x: float, y: float) -> QPoint:
+        return QPoint(round(self.sheet.width() * x / 100), round(self.sheet.height() * y / 100))
+
+    def drag(self, start: QPoint, by: QPoint, held: Qt.KeyboardModifier = NONE) -> None:
+        """Presses, moves in three steps and lets go."""
+        QTest.mousePress(self.sheet, LEFT, held, start)
+        for part in (1, 2, 3):
+            self.sheet_move(start + by * part / 3, held)
+        QTest.mouseRelease(self.sheet, LEFT, held, start + by)
+        self.used.settle()
+
+    def sheet_move(self, at: QPoint, held: Qt.KeyboardModifier) -> None:
+        # QTest.mouseMove holds neither a button nor a key.
+        where = QPointF(at)
+        event = QMouseEvent(
+            QEvent.Type.MouseMove, where, self.sheet.mapToGlobal(where), LEFT, LEFT, held
+        )
+        QCoreApplication.sendEvent(self.sheet, event)
+
+
+@pytest.fixture
+def table(studio: Start, project: Copy) -> Table:
+    return Table(studio(project("reception")))
+
+
+def test_a_component_goes_where_it_is_dragged_as_one_step_and_undo_gives_the_bytes_back(
+    table: Table,
+) -> None:
+    one = table.components[-1]
+    bytes_before = write(table.document)
+    table.drag(table.middle(one.id), table.at(-7, -12), ALT)
+    moved = table.component(one.id)
+    assert abs(moved.x - (one.x - 7)) < 0.5
+    assert abs(moved.y - (one.y - 12)) < 0.5
+    assert (moved.width, moved.height) == (one.width, one.height)
+    assert table.used.window.inspector.place == ("state", "11", "screen", one.id)
+    assert table.used.session.undo_text == f"Move {one.id}"
+    table.used.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert write(table.document) == bytes_before
+
+
+def test_a_press_without_a_way_changes_nothing(table: Table) -> None:
+    before = table.document
+    table.used.click(table.sheet, table.middle(table.components[-1].id))
+    assert table.document is before
+
+
+def test_what_is_dragged_beyond_the_edge_stays_on_the_screen(table: Table) -> None:
+    one = table.components[-1]
+    table.drag(table.middle(one.id), table.at(300, 300), ALT)
+    moved = table.component(one.id)
+    assert moved.x + moved.width == pytest.approx(100)
+    assert moved.y + moved.height == pytest.approx(100)
+
+
+def test_a_handle_makes_it_larger(table: Table) -> None:
+    one = table.components[-1]
+    table.used.click(table.sheet, table.middle(one.id))
+    table.drag(table.sheet.handle_at("nw").toPoint(), table.at(-5, -5), ALT)
+    grown = table.component(one.id)
+    assert grown.width > one.width + 3
+    assert grown.height > one.height + 3
+    assert grown.x + grown.width == pytest.approx(one.x + one.width, abs=0.02)
+    assert table.used.session.undo_text == f"Resize {one.id}"
+
+
+def test_arrows_move_by_one_percent_and_by_ten_with_shift(table: Table) -> None:
+    one = table.components[-1]
+    table.used.click(table.sheet, table.middle(one.id))
+    table.used.key(Qt.Key.Key_Up)
+    assert table.component(one.id).y == pytest.approx(one.y - 1)
+    table.used.key(Qt.Key.Key_Up, SHIFT)
+    assert table.component(one.id).y == pytest.approx(one.y - 11)
+
+
+def test_delete_takes_the_component_away_and_leaves_its_state(table: Table) -> None:
+    one = table.components[-1]
+    count = len(table.components)
+    table.used.click(table.sheet, table.middle(one.id))
+    table.used.key(Qt.Key.Key_Delete)
+    assert len(table.components) == count - 1
+    assert all(c.id != one.id for c in table.components)
+
+
+def test_shift_adds_to_the_selection_and_they_move_together(table: Table) -> None:
+    first, second = table.components[-2:]
+    table.used.click(table.sheet, table.middle(first.id))
+    QTest.mouseClick(table.sheet, LEFT, SHIFT, table.middle(second.id))
+    table.used.settle()
+    table.used.key(Qt.Key.Key_Up)
+    assert table.component(first.id).y == pytest.approx(first.y - 1)
+    assert table.component(second.id).y == pytest.approx(second.y - 1)
+
+
+def test_enter_goes_to_the_form_of_the_component(table: Table) -> None:
+    one = table.components[-1]
+    table.used.click(table.sheet, table.middle(one.id))
+    table.used.key(Qt.Key.Key_Return)
+    focus = table.used.window.focusWidget()
+    assert table.used.window.inspector.isAncestorOf(focus)
