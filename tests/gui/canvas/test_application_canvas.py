@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QEventLoop, QMimeData, QPoint, QPointF, Qt
 from PySide6.QtGui import (
     QDragEnterEvent,
     QDragMoveEvent,
@@ -516,6 +516,22 @@ def test_the_overview_follows_what_moves_and_what_is_selected_and_a_press_goes_t
     assert canvas.viewer.seen().left() < before.left()
     assert changed()
     assert not changed()
+
+
+def test_the_overview_of_very_many_cards_follows_a_little_later(
+    made: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    canvas, hand = made.canvas, made.hand
+    canvas.resize(620, 580)
+    QApplication.processEvents()
+    canvas.viewer.look_at(QPointF(460, 250))
+    overview = canvas.minimap
+    monkeypatch.setattr("situ_studio.canvas.overlay.MANY", 1)
+    before = overview._drawn()[0].toImage()
+    hand.click(hand.header("2"))
+    assert overview._drawn()[0].toImage() == before
+    while overview._drawn()[0].toImage() == before:
+        QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
 
 
 # -- folded pipes -----------------------------------------------------------------------------
