@@ -107,6 +107,7 @@ class MainWindow(Frame):
         self.beside.selected.connect(self.select_all)
         self.beside.edited.connect(self.commit)
         self.beside.opened.connect(self.fill_in)
+        self.beside.refused.connect(self.say)
         self.palette_.kind_asked.connect(self.commands.insert)
         self.inspector.edited.connect(self._on_form)
         self.inspector.place_asked.connect(self.select)

@@ -8,9 +8,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document import rbd
-from situ_studio import places, words
+from situ_studio import kinds, places, words
 from situ_studio.edit import Place
+from situ_studio.insert import NotHere, insert
 from situ_studio.layouts import clear
+from situ_studio.screens import placing
 from situ_studio.screens.sheet import Sheet
 from situ_studio.theme import Theme
 
@@ -25,6 +27,8 @@ class ScreenBeside(QScrollArea):
     """The places of what was clicked on the screen."""
     edited = Signal(object, str)
     """Another application, and the name of the step."""
+    refused = Signal(str)
+    """What was asked for can not be done: why, in one line."""
     opened = Signal(tuple)
     """The place of the component that is to be filled in."""
 
@@ -51,6 +55,7 @@ class ScreenBeside(QScrollArea):
         self.sheet = Sheet(theme)
         self.sheet.chosen.connect(self._on_chosen)
         self.sheet.edited.connect(self._on_edited)
+        self.sheet.dropped.connect(self._on_dropped)
         self.sheet.opened.connect(lambda id: self.opened.emit((*self._place, "screen", id)))
         column.addWidget(self.sheet)
         self._speech = QVBoxLayout()
@@ -132,3 +137,17 @@ class ScreenBeside(QScrollArea):
         if self._application is not None:
             after = places.change(self._application, self._place, screen=screen)
             self.edited.emit(after, text)
+
+    def _on_dropped(self, name: str, x: float, y: float) -> None:
+        if self._application is None:
+            return
+        try:
+            after, place, text = insert(self._application, kinds.kind(name), self._place)
+        except NotHere as refused:
+            self.refused.emit(str(refused))
+            return
+        box = placing.box_of(places.get(after, place))
+        box = box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2))
+        after = places.change(after, place, **placing.inside(box)._asdict())
+        self.edited.emit(after, text)
+        self.selected.emit((place,))

@@ -6,10 +6,20 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import (
+    QDragEnterEvent,
+    QDragMoveEvent,
+    QDropEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QWidget
 
 from situ.document import rbd
+from situ_studio.kinds import COMPONENTS, MIME
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens import placing
 from situ_studio.screens.placing import Box
@@ -56,6 +66,8 @@ class Sheet(ScreenPreview):
     """The ids of the components that a person selected; () is the screen itself."""
     edited = Signal(object, str)
     """Another screen, and the name of the step."""
+    dropped = Signal(str, float, float)
+    """A kind of component was dropped: its name, and where its middle shall be."""
     opened = Signal(str)
     """A double click or Enter: the component is to be filled in."""
 
@@ -67,6 +79,7 @@ class Sheet(ScreenPreview):
         self._guides = placing.Snap(0, 0)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
+        self.setAcceptDrops(True)
         self.setCursor(Qt.CursorShape.ArrowCursor)
 
     def select(self, ids: tuple[str, ...]) -> None:
@@ -186,6 +199,21 @@ class Sheet(ScreenPreview):
         if (id := self._under(event.position())) is not None:
             self.opened.emit(id)
 
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        event.setAccepted(_component_in(event) != "")
+
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
+        event.setAccepted(_component_in(event) != "")
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        name, at = _component_in(event), event.position()
+        if name:
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
+            self.setFocus()
+            across, down = at.x() / self.width() * 100, at.y() / self.height() * 100
+            self.dropped.emit(name, across, down)
+
     # -- keys ----------------------------------------------------------------------------
 
     def event(self, event: QEvent) -> bool:
@@ -253,3 +281,9 @@ class Sheet(ScreenPreview):
                 grip.moveCenter(self.handle_at(name))
                 painter.drawRoundedRect(grip, 1.5, 1.5)
         painter.end()
+
+
+def _component_in(event: QDropEvent) -> str:
+    """The kind of component that is dragged; "" for anything else."""
+    name = bytes(event.mimeData().data(MIME).data()).decode()
+    return name if any(kind.name == name for kind in COMPONENTS) else ""

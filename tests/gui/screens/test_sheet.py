@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QCoreApplication, QEvent, QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QMouseEvent
 from PySide6.QtTest import QTest
 
 from situ.document.codec import write
+from situ_studio.kinds import MIME
 
 LEFT = Qt.MouseButton.LeftButton
 NONE = Qt.KeyboardModifier.NoModifier
@@ -57,6 +58,18 @@ class Table:
             self.sheet_move(start + by * part / 3, held)
         QTest.mouseRelease(self.sheet, LEFT, held, start + by)
         self.used.settle()
+
+    def drop(self, kind: str, at: QPoint) -> bool:
+        """Drags a kind from the palette there; whether the sheet took it."""
+        data = QMimeData()
+        data.setData(MIME, kind.encode())
+        copy = Qt.DropAction.CopyAction
+        enter = QDragEnterEvent(at, copy, data, LEFT, NONE)
+        QCoreApplication.sendEvent(self.sheet, enter)
+        if enter.isAccepted():
+            QCoreApplication.sendEvent(self.sheet, QDropEvent(QPointF(at), copy, data, LEFT, NONE))
+        self.used.settle()
+        return enter.isAccepted()
 
     def sheet_move(self, at: QPoint, held: Qt.KeyboardModifier) -> None:
         # QTest.mouseMove holds neither a button nor a key.
@@ -147,3 +160,22 @@ def test_enter_goes_to_the_form_of_the_component(table: Table) -> None:
     table.used.key(Qt.Key.Key_Return)
     focus = table.used.window.focusWidget()
     assert table.used.window.inspector.isAncestorOf(focus)
+
+
+def test_a_component_from_the_palette_lies_where_it_was_dropped_and_is_selected(
+    table: Table,
+) -> None:
+    count = len(table.components)
+    assert table.drop("image", table.at(50, 50))
+    assert len(table.components) == count + 1
+    made = table.components[-1]
+    assert made.element == "image"
+    assert abs(made.x + made.width / 2 - 50) <= 1
+    assert abs(made.y + made.height / 2 - 50) <= 1
+    assert table.used.window.inspector.place == ("state", "11", "screen", made.id)
+
+
+def test_what_is_no_component_is_not_taken(table: Table) -> None:
+    before = table.document
+    assert not table.drop("speech", table.at(50, 50))
+    assert table.document is before
