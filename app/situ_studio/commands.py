@@ -64,6 +64,13 @@ class Commands(FileCommands):
     def can_paste(self) -> bool:
         return self.is_application()
 
+    def can_align(self) -> bool:
+        return self._window.beside.selected_count > 0 or self.has_two_cards()
+
+    def can_space(self) -> bool:
+        count = self._window.beside.selected_count
+        return count > 2 or (count == 0 and self.has_three_cards())
+
     def can_auto_layout(self) -> bool:
         return self._can("auto_layout", selected=False)
 
@@ -180,11 +187,13 @@ class Commands(FileCommands):
         if focus is None or not self._window.inspector.isAncestorOf(focus):
             self.on_view(method)
 
-    def on_view_with(self, call: tuple[str, str]) -> None:
-        """A method of the present view, with its argument."""
+    def align(self, edge: str) -> None:
+        """Of the components selected on the screen, where there are some, else of the cards."""
         view = self._window.current_view
-        if view is not None:
-            view.call(*call)
+        if self._window.beside.selected_count:
+            self._window.beside.align(edge)
+        elif view is not None:
+            view.call("align", edge)
 
     def rename_everywhere(self) -> None:
         self._window.finding.rename_everywhere()

@@ -94,6 +94,15 @@ class ScreenBeside(QScrollArea):
         self._show()
 
     @property
+    def selected_count(self) -> int:
+        """How many components are selected on the screen, while it is shown."""
+        return len(self.sheet.selected) if not self.isHidden() else 0
+
+    def align(self, edge: str) -> None:
+        """edge: as ``placing.aligned`` has it; a single component is aligned with the screen."""
+        self.sheet.align(edge)
+
+    @property
     def texts(self) -> list[str]:
         """What is said there, a line a speech."""
         part = self._part()

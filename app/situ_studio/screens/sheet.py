@@ -87,6 +87,17 @@ class Sheet(ScreenPreview):
         self._chosen = ids
         self.update()
 
+    @property
+    def selected(self) -> tuple[str, ...]:
+        """The ids of the selected components that are there."""
+        return tuple(self._selected())
+
+    def align(self, edge: str) -> None:
+        """Places what is selected, as ``placing.aligned`` says."""
+        if self._screen is not None:
+            after = placing.placed(self._screen, placing.aligned(self._selected(), edge))
+            self._tell(after, self.tr("Align {0}"))
+
     # -- measures ------------------------------------------------------------------------
 
     def _own(self) -> dict[str, Box]:

@@ -179,3 +179,16 @@ def test_what_is_no_component_is_not_taken(table: Table) -> None:
     before = table.document
     assert not table.drop("speech", table.at(50, 50))
     assert table.document is before
+
+
+def test_align_in_the_menu_is_of_the_components_while_some_are_selected(table: Table) -> None:
+    first, second = table.components[-2:]
+    table.used.click(table.sheet, table.middle(first.id))
+    QTest.mouseClick(table.sheet, LEFT, SHIFT, table.middle(second.id))
+    table.used.settle()
+    table.used.key(Qt.Key.Key_Up)
+    table.used.window.actions_.refresh()
+    actions = table.used.window.actions_.actions
+    assert not actions["distribute.across"].isEnabled()
+    actions["align.left"].trigger()
+    assert table.component(first.id).x == table.component(second.id).x == min(first.x, second.x)
