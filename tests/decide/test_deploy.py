@@ -345,3 +345,13 @@ def test_the_former_version_is_returned_to_from_a_snapshot() -> None:
     run.at(2, inputs.Raise("go"))
     assert run.versions() == [(1, 1), (2, 0)]
     assert run.robot.project == project_of(CALM)
+
+
+def test_what_begins_at_the_moment_at_which_a_version_may_take_over_is_waited_for() -> None:
+    says = state("1", events=event("go", "2"), actions=HELLO) + state("2", actions=HELLO)
+    run = Run(texts(says)).deploy(1, texts(says + state("3")))
+    # Nobody let the version take over between these two.
+    run._step(inputs.Finish("speech"), 2 * SECOND)
+    run._step(inputs.Raise("go"), 2 * SECOND)
+    assert run.at(2).versions() == []
+    assert run.at(3, inputs.Finish("speech")).versions() == [(3, 1)]

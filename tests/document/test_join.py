@@ -132,3 +132,54 @@ def test_two_new_situations_at_one_place_collide_for_nobody_said_which_goes_firs
     found = joined(mine, theirs, SCRIPT)
     assert found is not None
     assert found.index('"y"') < found.index('"one"') < found.index('"x"')
+
+
+SPOKEN = """<application name="a">
+  <state no="1" name="one" xmlns:ed="urn:situ:editor" ed:x="10" ed:y="10" ed:accept="dead-end">
+    <backgroundactions><speech>Hello</speech><speech>Bye</speech></backgroundactions>
+  </state>
+  <state no="2"/>
+  <state no="3"/>
+</application>"""
+ONE, TWO, THREE = '<state no="1"', '<state no="2"/>', '<state no="3"/>'
+
+
+def test_members_without_names_are_joined_one_by_one_where_there_are_as_many() -> None:
+    found = joined(("Hello", "Hi"), ("Bye", "See you"), SPOKEN)
+    assert found is not None
+    assert "Hi" in found
+    assert "See you" in found
+
+
+def test_members_without_names_collide_where_one_has_more_of_them() -> None:
+    more = ("<speech>Bye</speech>", "<speech>Bye</speech><speech>Bye</speech>")
+    assert joined(("Hello", "Hi"), more, SPOKEN) is None
+
+
+def test_what_one_took_off_a_card_is_gone_though_the_other_moved_it() -> None:
+    found = joined(('ed:x="10"', 'ed:x="90"'), (' ed:accept="dead-end"', ""), SPOKEN)
+    assert found is not None
+    assert 'ed:x="90"' in found
+    assert "ed:accept" not in found
+
+
+def test_what_both_took_away_is_gone() -> None:
+    found = joined((TWO, ""), (TWO + "\n  " + THREE, ""), SPOKEN)
+    assert found is not None
+    assert TWO not in found
+    assert THREE not in found
+
+
+def test_one_puts_them_in_another_order_and_the_other_adds() -> None:
+    turned = (TWO + "\n  " + THREE, THREE + TWO)
+    added = (THREE, THREE + '<state no="4"/>')
+    for mine, theirs in ((turned, added), (added, turned)):
+        found = joined(mine, theirs, SPOKEN)
+        assert found is not None
+        assert found.index('no="3"') < found.index('no="4"') < found.index('no="2"')
+
+
+def test_two_other_orders_collide() -> None:
+    text = SPOKEN.replace(THREE, THREE + '<state no="4"/>')
+    mine = (TWO + "\n  " + THREE, THREE + TWO)
+    assert joined(mine, (THREE + '<state no="4"/>', '<state no="4"/>' + THREE), text) is None
