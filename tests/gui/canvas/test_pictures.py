@@ -137,7 +137,7 @@ def test_a_canvas_looks_the_same_from_its_pictures(
     same()
     assert one.canvas.look.pictures.bytes > 0
     before = looks(one.canvas)
-    for change in (
+    changes: tuple[Callable[[Any], object], ...] = (
         lambda c: c.select([("state", "1")]),
         lambda c: c.select([("state", "2", "event", "0")]),
         lambda c: c.graph.nodes["1"].view.hover("0"),
@@ -147,7 +147,8 @@ def test_a_canvas_looks_the_same_from_its_pictures(
         lambda c: c.show_document(
             replace(c.document, states=(replace(c.document.states[0], name="other"),))
         ),
-    ):
+    )
+    for change in changes:
         change(one.canvas)
         change(other.canvas)
         same()
