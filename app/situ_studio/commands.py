@@ -176,16 +176,30 @@ class Commands(FileCommands):
             )
 
     def delete(self) -> None:
-        self._unless_in_form("delete_selection")
+        """Components of a screen alone where they are what is selected, not their state."""
+        view, document = self._window.current_view, self._window.current_document
+        chosen = view.selected if view is not None else ()
+        if document is None or not chosen or any(p[-2:-1] != ("screen",) for p in chosen):
+            self._unless_in_form("delete_selection")
+        elif not self._in_form():
+            for place in chosen:
+                document = places.put(document, place, None)
+            self._window.commit(
+                document, self.tr("Delete {0}").format(", ".join(p[-1] for p in chosen))
+            )
+            self._window.select(chosen[0][:-2])
 
     def rename(self) -> None:
         self.on_view("rename")
 
     def _unless_in_form(self, method: str) -> None:
         """What takes a thing away is not meant by somebody who is in its form."""
-        focus = QApplication.focusWidget()
-        if focus is None or not self._window.inspector.isAncestorOf(focus):
+        if not self._in_form():
             self.on_view(method)
+
+    def _in_form(self) -> bool:
+        focus = QApplication.focusWidget()
+        return focus is not None and self._window.inspector.isAncestorOf(focus)
 
     def align(self, edge: str) -> None:
         """Of the components selected on the screen, where there are some, else of the cards."""

@@ -192,3 +192,12 @@ def test_align_in_the_menu_is_of_the_components_while_some_are_selected(table: T
     assert not actions["distribute.across"].isEnabled()
     actions["align.left"].trigger()
     assert table.component(first.id).x == table.component(second.id).x == min(first.x, second.x)
+
+
+def test_delete_in_the_menu_takes_the_component_away_not_its_state(table: Table) -> None:
+    one, states = table.components[-1], len(table.document.states)
+    table.used.select("state", "11", "screen", one.id)
+    table.used.window.show_mode("graph")
+    table.used.window.actions_.actions["delete"].trigger()
+    assert len(table.document.states) == states
+    assert all(c.id != one.id for c in table.components)
