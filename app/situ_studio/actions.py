@@ -330,6 +330,15 @@ COMMANDS: tuple[Command, ...] = (
         when="has_document",
     ),
     _c(
+        "preferences",
+        "Preferences…",
+        "show_preferences",
+        shortcut="Ctrl+,",
+        menu="Edit",
+        rule=True,
+        tip="Language, colours, and the keys of the commands.",
+    ),
+    _c(
         "view.graph",
         "Graph",
         "show_view",

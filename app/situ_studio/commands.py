@@ -18,6 +18,7 @@ from situ_studio.lacking import lacking
 from situ_studio.menus import told
 from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
+from situ_studio.preferences import Preferences
 from situ_studio.shortcuts import Shortcuts
 
 
@@ -347,7 +348,12 @@ class Commands(FileCommands):
         self._window.context_menus.open_at_selection()
 
     def show_shortcuts(self) -> None:
-        Shortcuts(self._window).show()
+        Shortcuts(self._window.keys.every(), self._window).show()
+
+    def show_preferences(self) -> None:
+        windows = self._window.windows
+        if windows is not None:
+            Preferences(windows, self._window).show()
 
     # -- robot -------------------------------------------------------------------------
 

@@ -26,6 +26,7 @@ from situ_studio.docking import FOLDED, Docking
 from situ_studio.document_tabs import DocumentTabs
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
+from situ_studio.keys import Keys
 from situ_studio.menus import Actions
 from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.fields import Choice, Flag
@@ -89,6 +90,8 @@ class Frame(QMainWindow):
     def add_commands(self, actions: Actions) -> None:
         """Menus and toolbar, from the table of commands."""
         self.actions_ = actions
+        self.keys = Keys(self.settings)
+        actions.set_keys(self.keys.every())
         actions.fill_menus(self.menuBar())
         self._fill_panels_menu()
         self._build_toolbar()
@@ -208,13 +211,23 @@ class Frame(QMainWindow):
         line = QHBoxLayout(self.search)
         line.setContentsMargins(0, 0, 7, 0)
         line.addStretch(1)
-        keys = QLabel("Ctrl K")
-        keys.setProperty("role", "kbd")
-        keys.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        line.addWidget(keys, 0, Qt.AlignmentFlag.AlignVCenter)
+        self.search_keys = QLabel()
+        self.search_keys.setProperty("role", "kbd")
+        self.search_keys.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        line.addWidget(self.search_keys, 0, Qt.AlignmentFlag.AlignVCenter)
+        self._tell_search_keys()
         bar.addWidget(self.search)
         bar.addWidget(_spring())
         self.actions_.fill_toolbar(bar, "right")
+
+    def settle_keys(self) -> None:
+        """The commands have the keys that the settings say now."""
+        self.actions_.set_keys(self.keys.every())
+        self._tell_search_keys()
+
+    def _tell_search_keys(self) -> None:
+        key = self.actions_.actions["find"].shortcut().toString()
+        self.search_keys.setText(key.replace("+", " "))
 
     # -- the focus ----------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
 from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt
@@ -46,9 +46,6 @@ class Actions(QObject):
     def _action(self, command: Command, parent: QWidget) -> QAction:
         action = QAction(translated(command.text), parent)
         action.setObjectName(command.id)
-        if command.shortcut:
-            keys = [k for k in (command.shortcut, command.also) if k]
-            action.setShortcuts([QKeySequence(k) for k in keys])
         if command.tip:
             action.setToolTip(translated(command.tip))
         handler: Callable[..., Any] = getattr(self._handlers, command.handler)
@@ -62,6 +59,11 @@ class Actions(QObject):
             group.addAction(action)
         parent.addAction(action)
         return action
+
+    def set_keys(self, keys: Mapping[str, list[QKeySequence]]) -> None:
+        """Gives every command its keys. keys: by the commands' ids."""
+        for id, action in self.actions.items():
+            action.setShortcuts(keys[id])
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme

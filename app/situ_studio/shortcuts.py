@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QLineEdit, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
 from situ_studio.actions import COMMANDS
+from situ_studio.keys import headed, written
 from situ_studio.menus import told, translated
 from situ_studio.theme import font
 
@@ -25,31 +26,41 @@ CANVAS: tuple[tuple[str, str], ...] = (
 """What a canvas does with keys by itself (``canvas.base``), with what a person reads."""
 
 
-def rows() -> Iterator[tuple[str, str, str]]:
+def rows(keys_of: Mapping[str, list[QKeySequence]]) -> Iterator[tuple[str, str, str]]:
     """Heading, keys and words of every key, in the table's order."""
     for command in COMMANDS:
-        if command.shortcut:
-            keys = ", ".join(
-                QKeySequence(k).toString(QKeySequence.SequenceFormat.NativeText)
-                for k in (command.shortcut, command.also)
-                if k
-            )
-            head, _, _ = command.menu.partition("/")
-            yield translated(head), keys, told(command)
+        if keys_of[command.id]:
+            yield headed(command), written(keys_of[command.id]), told(command)
     for keys, text in CANVAS:
         canvas = QCoreApplication.translate("actions", "On the canvas")
         yield canvas, translated(keys), translated(text)
 
 
 class Shortcuts(QDialog):
-    """Every key under its menu's name, typed to filter. Esc closes it."""
+    """Every key under its menu's name, typed to filter. Esc closes it.
 
-    def __init__(self, parent: QWidget) -> None:
+    keys: of the commands, by their ids.
+    """
+
+    def __init__(self, keys: Mapping[str, list[QKeySequence]], parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("Keyboard shortcuts"))
         self.resize(560, 640)
         column = QVBoxLayout(self)
+        self.list = KeyList()
+        column.addWidget(self.list)
+        for head, shown, text in rows(keys):
+            self.list.add(head, text, shown)
+
+
+class KeyList(QWidget):
+    """Rows of words and keys under headings, and a field that filters them."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
         self.field = QLineEdit()
         self.field.setPlaceholderText(self.tr("Type what you want to do"))
         self.field.setAccessibleName(self.tr("What to look for"))
@@ -62,13 +73,15 @@ class Shortcuts(QDialog):
         self.tree.setColumnWidth(0, 360)
         self.tree.setRootIsDecorated(False)
         column.addWidget(self.tree)
-        heads: dict[str, QTreeWidgetItem] = {}
-        for head, keys, text in rows():
-            if head not in heads:
-                heads[head] = QTreeWidgetItem(self.tree, [head])
-                heads[head].setFont(0, font(13, 600))
-            QTreeWidgetItem(heads[head], [text, keys])
-        self.tree.expandAll()
+        self._heads: dict[str, QTreeWidgetItem] = {}
+
+    def add(self, head: str, text: str, keys: str) -> QTreeWidgetItem:
+        """A row at the end of its heading."""
+        if head not in self._heads:
+            self._heads[head] = QTreeWidgetItem(self.tree, [head])
+            self._heads[head].setFont(0, font(13, 600))
+            self._heads[head].setExpanded(True)
+        return QTreeWidgetItem(self._heads[head], [text, keys])
 
     def _filter(self, query: str) -> None:
         wanted = query.casefold().split()

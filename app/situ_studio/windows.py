@@ -202,6 +202,11 @@ class Windows(QObject):
         """A window with the welcome page, beside the others."""
         self._show(self.open_window())
 
+    def settle_keys(self) -> None:
+        """Every window's commands have the keys that the settings say now."""
+        for window in self.windows:
+            window.settle_keys()
+
     def choose_language(self, choice: str) -> None:
         """Speaks another language: every window is made anew, and shows what it showed."""
         self.language = choice

@@ -84,8 +84,8 @@ def test_the_list_of_shortcuts_has_every_key_and_is_filtered(studio: Start) -> N
     (shown,) = used.window.findChildren(Shortcuts)
     assert shown.isVisible()
     rows = {}
-    for at in range(shown.tree.topLevelItemCount()):
-        head = shown.tree.topLevelItem(at)
+    for at in range(shown.list.tree.topLevelItemCount()):
+        head = shown.list.tree.topLevelItem(at)
         for row in range(head.childCount()):
             rows[head.child(row).text(0)] = head.child(row)
     for one in COMMANDS:
@@ -93,7 +93,7 @@ def test_the_list_of_shortcuts_has_every_key_and_is_filtered(studio: Start) -> N
             assert QKeySequence(one.shortcut).toString(
                 QKeySequence.SequenceFormat.NativeText
             ) in rows[told(one)].text(1)
-    QTest.keyClicks(shown.field, "rename everywhere")
+    QTest.keyClicks(shown.list.field, "rename everywhere")
     assert [t for t, r in rows.items() if not r.isHidden()] == ["Rename everywhere"]
     shown.close()
     used.settle()
