@@ -144,6 +144,13 @@ def test_delete_takes_the_component_away_and_leaves_its_state(table: Table) -> N
     assert all(c.id != one.id for c in table.components)
 
 
+def test_cut_with_a_component_selected_leaves_its_state(table: Table) -> None:
+    states = len(table.used.window.current_document.states)
+    table.used.click(table.sheet, table.middle(table.components[-1].id))
+    table.used.key(Qt.Key.Key_X, Qt.KeyboardModifier.ControlModifier)
+    assert len(table.used.window.current_document.states) == states
+
+
 def test_shift_adds_to_the_selection_and_they_move_together(table: Table) -> None:
     first, second = table.components[-2:]
     table.used.click(table.sheet, table.middle(first.id))
