@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 import situ
 from situ.document.rbd import Application
 from situ.document.words import listed
-from situ_studio import kinds, places
+from situ_studio import kinds, places, recent
 from situ_studio.actions import command
 from situ_studio.file_commands import FileCommands
 from situ_studio.find import Find, places_of
@@ -19,6 +19,7 @@ from situ_studio.menus import told
 from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
 from situ_studio.preferences import Preferences
+from situ_studio.reasons import reasons
 from situ_studio.shortcuts import Shortcuts
 
 
@@ -60,7 +61,8 @@ class Commands(FileCommands):
         return self._window.finding.can_rename()
 
     def can_copy(self) -> bool:
-        return self.has_selection() and self.is_application()
+        """States, notes and frames; not for a component, whose state would be taken instead."""
+        return self.has_selection() and self.is_application() and not self._are_components()
 
     def can_paste(self) -> bool:
         return self.is_application()
@@ -180,7 +182,7 @@ class Commands(FileCommands):
         """Components of a screen alone where they are what is selected, not their state."""
         view, document = self._window.current_view, self._window.current_document
         chosen = view.selected if view is not None else ()
-        if document is None or not chosen or any(p[-2:-1] != ("screen",) for p in chosen):
+        if document is None or not self._are_components():
             self._unless_in_form("delete_selection")
         elif not self._in_form():
             for place in chosen:
@@ -189,6 +191,12 @@ class Commands(FileCommands):
                 document, self.tr("Delete {0}").format(", ".join(p[-1] for p in chosen))
             )
             self._window.select(chosen[0][:-2])
+
+    def _are_components(self) -> bool:
+        """Whether what is selected are components of a screen."""
+        view = self._window.current_view
+        chosen = view.selected if view is not None else ()
+        return bool(chosen) and all(p[-2:-1] == ("screen",) for p in chosen)
 
     def rename(self) -> None:
         self.on_view("rename")
@@ -292,20 +300,26 @@ class Commands(FileCommands):
 
     def find(self) -> None:
         """Opens the field that finds anything, with everything in it."""
-        self._window.finder.open(self.everything())
+        self._window.finder.open(self.everything(), recent.commands(self._window.settings))
 
     def everything(self) -> list[Find]:
-        """Commands that can be done now, then everything in the project that has a name."""
+        """Commands, with why where one can not be done now, then all of the project's names."""
         window = self._window
         window.actions_.refresh()
-        found = []
+        found, why = [], reasons()
         for id, action in window.actions_.actions.items():
-            if action.isEnabled() and action.isVisible() and id != "find":
-                one = command(id)
-                # What undo and redo would do stands in their actions only.
-                text = told(one) if "/" in one.menu else action.text().rstrip("…")
+            if not action.isVisible() or id == "find":
+                continue
+            one = command(id)
+            # What undo and redo would do stands in their actions only.
+            text = told(one) if "/" in one.menu else action.text().rstrip("…")
+            if action.isEnabled():
                 keys = action.shortcut().toString()
-                found.append(Find(text, one.icon, "text2", keys, action.trigger, one.menu))
+                found.append(Find(text, one.icon, "text2", keys, action.trigger, one.menu, id))
+            else:
+                said = why[one.when]
+                say = partial(window.say, f"{text}: {said}")
+                found.append(Find(text, one.icon, "text2", said, say, one.menu, id, said))
         project = self._session.project
         for file in self._session.files if project is not None else ():
             document = self._session.document(file)

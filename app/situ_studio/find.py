@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 from msgspec import Struct
 from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, Signal
@@ -28,10 +28,15 @@ from situ_studio.theme import Theme, font
 FOUND = int(Qt.ItemDataRole.UserRole) + 1
 MOST = 50
 WIDTH = 560
+APART = 20
 
 
 class Find(Struct, frozen=True):
-    """Something that can be found: a command to run, or a place to go to."""
+    """Something that can be found: a command to run, or a place to go to.
+
+    command: its id. why: the command can not be done now; it is pale, at the end, and ``run``
+    says why.
+    """
 
     text: str
     icon: str
@@ -39,6 +44,30 @@ class Find(Struct, frozen=True):
     detail: str
     run: Callable[[], object]
     search: str = ""
+    command: str = ""
+    why: str = ""
+
+
+def letters(query: str, text: str) -> int | None:
+    """How well a text has a query's letters in their order; None where it has not.
+
+    2 where each follows the one before or begins a word (``zi``, ``zoin``: Zoom in), else
+    the more the further they lie apart, from ``APART``.
+    """
+    wanted = "".join(query.lower().split())
+    text = text.lower()
+    begins = [i for i, c in enumerate(text) if c.isalnum() and not (i and text[i - 1].isalnum())]
+    reached: set[int] = {i for i in begins if text[i] == wanted[:1]}
+    for letter in wanted[1:]:
+        first = min(reached, default=len(text))
+        next_to = {i + 1 for i in reached if text[i + 1 : i + 2] == letter}
+        reached = next_to | {i for i in begins if i > first and text[i] == letter}
+    if reached:
+        return 2
+    at = start = text.find(wanted[:1])
+    for letter in wanted[1:]:
+        at = text.find(letter, at + 1) if at >= 0 else -1
+    return None if at < 0 else APART + at - start + 1 - len(wanted)
 
 
 def score(query: str, text: str) -> int | None:
@@ -109,7 +138,8 @@ class _Delegate(QStyledItemDelegate):
             painter.drawRoundedRect(rect.adjusted(4, 0, -4, 0), 6, 6)
         box = QRectF(rect.x() + 14, rect.center().y() - 8, 16, 16)
         if found.icon:
-            icons.paint(painter, found.icon, box, self.theme.color(found.token))
+            token = "text3" if found.why else found.token
+            icons.paint(painter, found.icon, box, self.theme.color(token))
         middle = int(Qt.AlignmentFlag.AlignVCenter)
         painter.setFont(font(12))
         detail = painter.fontMetrics().elidedText(
@@ -121,7 +151,7 @@ class _Delegate(QStyledItemDelegate):
             QRectF(rect.right() - width - 16, rect.y(), width + 2, rect.height()), middle, detail
         )
         painter.setFont(font(13))
-        painter.setPen(self.theme.color("text"))
+        painter.setPen(self.theme.color("text3" if found.why else "text"))
         room = rect.right() - width - 28 - box.right() - 10
         text = painter.fontMetrics().elidedText(found.text, Qt.TextElideMode.ElideRight, int(room))
         painter.drawText(QRectF(box.right() + 10, rect.y(), room, rect.height()), middle, text)
@@ -139,6 +169,7 @@ class FindAnything(QFrame):
         self.setAccessibleName(self.tr("Find anything, run a command"))
         self._window = parent
         self._every: list[Find] = []
+        self._used: Sequence[str] = ()
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 8, 8, 8)
         column.setSpacing(8)
@@ -168,9 +199,13 @@ class FindAnything(QFrame):
     def set_theme(self, theme: Theme) -> None:
         self._delegate.theme = theme
 
-    def open(self, every: list[Find]) -> None:
-        """Shows itself with everything that can be found."""
+    def open(self, every: list[Find], used: Sequence[str] = ()) -> None:
+        """Shows itself with everything that can be found.
+
+        used: ids of the commands that were used lately, the last one first.
+        """
         self._every = every
+        self._used = used
         width = min(WIDTH, self._window.width() - 32)
         self.setGeometry((self._window.width() - width) // 2, 64, width, 400)
         self.field.clear()
@@ -182,17 +217,27 @@ class FindAnything(QFrame):
     def _filter(self, query: str) -> None:
         scored = []
         for position, one in enumerate(self._every):
-            found = score(query, one.text)
-            if found is None and one.search:
+            every = [score(query, one.text)]
+            if query.strip():
+                every.append(letters(query, one.text))
+            if one.search:
                 beside = score(query, f"{one.text} {one.search}")
-                found = beside + 10 if beside is not None else None
-            if found is not None:
-                scored.append((found, position, one))
+                every.append(beside + 10 if beside is not None else None)
+            fits = [found for found in every if found is not None]
+            if fits:
+                scored.append((min(fits), position, one))
+        # Letters that lie apart are meant only where nothing fits better.
+        if any(s[0] < APART for s in scored):
+            scored = [s for s in scored if s[0] < APART]
         self._model.clear()
         if query:
-            # Of what fits equally well the shorter one is meant, and commands stand first.
-            scored.sort(key=lambda s: (s[0], len(s[2].text), s[1]))
-        for _, _, one in scored[:MOST]:
+            # Of what fits equally well what was used lately is meant, then the shorter one, and
+            # commands stand first.
+            scored.sort(key=lambda s: (s[0], self._lately(s[2]), len(s[2].text), s[1]))
+        else:
+            scored.sort(key=lambda s: (self._lately(s[2]), s[1]))
+        can = [s for s in scored if not s[2].why][:MOST]
+        for _, _, one in can + [s for s in scored if s[2].why]:
             item = QStandardItem(one.text)
             item.setData(one, FOUND)
             item.setAccessibleText(f"{one.text} {one.detail}".strip())
@@ -201,6 +246,11 @@ class FindAnything(QFrame):
         self.nothing.setVisible(self._model.rowCount() == 0)
         if self._model.rowCount():
             self.list.setCurrentIndex(self._model.index(0, 0))
+
+    def _lately(self, one: Find) -> int:
+        """0 for the command that was used last; places and others stand behind all of those."""
+        used = self._used
+        return used.index(one.command) if one.command in used else len(used)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.FocusOut and self.isVisible():

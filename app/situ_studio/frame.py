@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, Qt
@@ -20,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio import tab_order
+from situ_studio import recent, tab_order
 from situ_studio.breadcrumbs import Breadcrumbs
 from situ_studio.docking import FOLDED, Docking
 from situ_studio.document_tabs import DocumentTabs
@@ -92,6 +93,7 @@ class Frame(QMainWindow):
         self.actions_ = actions
         self.keys = Keys(self.settings)
         actions.set_keys(self.keys.every())
+        actions.used.connect(partial(recent.used, self.settings))
         actions.fill_menus(self.menuBar())
         self._fill_panels_menu()
         self._build_toolbar()

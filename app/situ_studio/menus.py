@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
-from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt
+from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
@@ -32,6 +32,9 @@ class Actions(QObject):
     handlers: has every method that the table names.
     """
 
+    used = Signal(str)
+    """The id of a command that was done, by whatever way."""
+
     def __init__(self, handlers: object, theme: Theme, parent: QWidget) -> None:
         super().__init__(parent)
         self._handlers = handlers
@@ -57,6 +60,7 @@ class Actions(QObject):
             action.setCheckable(True)
             group = self._groups.setdefault(command.choice, QActionGroup(self))
             group.addAction(action)
+        action.triggered.connect(lambda _=False: self.used.emit(command.id))
         parent.addAction(action)
         return action
 

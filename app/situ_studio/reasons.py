@@ -1,0 +1,54 @@
+"""Why a command can not be done now, by its ``when``: what there must be first."""
+
+from __future__ import annotations
+
+from situ_studio.language import tr
+
+
+def reasons() -> dict[str, str]:
+    """A short line for every ``when`` of ``actions.COMMANDS``, in the user's language."""
+    application = tr("only in an application")
+    graph = tr("only in the graph")
+    card = tr("select a state first")
+    cards = tr("select two states first")
+    exit = tr("select a transition first")
+    either = tr("select a state or transition first")
+    selection = tr("select something first")
+    inside = tr("select a state that runs a part first")
+    return {
+        "can_align": cards,
+        "can_auto_layout": graph,
+        "can_copy": card,
+        "can_enter_part": inside,
+        "can_find_usages": selection,
+        "can_insert_action": card,
+        "can_insert_application": application,
+        "can_insert_drawing": graph,
+        "can_insert_modules": tr("only in the list of modules"),
+        "can_insert_screen": card,
+        "can_insert_script": tr("only in a script"),
+        "can_leave_part": tr("you are in no part"),
+        "can_make_part": card,
+        "can_paste": application,
+        "can_redo": tr("nothing was undone"),
+        "can_rename_everywhere": tr("select an event, tag or module first"),
+        "can_reopen_tab": tr("no tab was closed"),
+        "can_space": tr("select three states first"),
+        "can_step_exit": either,
+        "can_undo": tr("nothing was changed"),
+        "has_card_or_exit": either,
+        "has_cards": card,
+        "has_document": tr("open a document first"),
+        "has_drawn_exit": exit,
+        "has_exit": exit,
+        "has_found": tr("find something first"),
+        "has_graph": tr("this has no graph"),
+        "has_one_state": card,
+        "has_problems": tr("there is no problem"),
+        "has_project": tr("open a project first"),
+        "has_selection": selection,
+        "has_two_cards": cards,
+        "is_application": application,
+        "on_application": tr("only in the graph of an application"),
+        "on_graph": graph,
+    }
