@@ -379,6 +379,118 @@
         <source>State {0} goes in between here. Alt: it is only moved.</source>
         <translation>状態 {0} をここに挟みます。Alt：移動だけします。</translation>
     </message>
+    <message>
+        <source>{0} is the key of “{1}”: give that another one first.</source>
+        <translation>{0} は「{1}」のキーです。先にそちらを別のキーにしてください。</translation>
+    </message>
+    <message>
+        <source>No key was pressed.</source>
+        <translation>キーが押されていません。</translation>
+    </message>
+    <message>
+        <source>{0} alone writes or moves: press it together with Ctrl or Alt.</source>
+        <translation>{0} だけでは文字の入力や移動になります。Ctrl か Alt と一緒に押してください。</translation>
+    </message>
+    <message>
+        <source>{0} opens a menu: press another key.</source>
+        <translation>{0} はメニューを開くキーです。別のキーを押してください。</translation>
+    </message>
+    <message>
+        <source>{0} moves the selected cards: press another key.</source>
+        <translation>{0} は選んだカードを動かすキーです。別のキーを押してください。</translation>
+    </message>
+    <message>
+        <source>row {0}, column {1}</source>
+        <translation>{0} 行 {1} 列</translation>
+    </message>
+    <message>
+        <source>only in an application</source>
+        <translation>アプリケーションでだけ使えます</translation>
+    </message>
+    <message>
+        <source>only in the graph</source>
+        <translation>グラフでだけ使えます</translation>
+    </message>
+    <message>
+        <source>select a state first</source>
+        <translation>先に状態を選んでください</translation>
+    </message>
+    <message>
+        <source>select two states first</source>
+        <translation>先に状態を二つ選んでください</translation>
+    </message>
+    <message>
+        <source>select a transition first</source>
+        <translation>先に遷移を選んでください</translation>
+    </message>
+    <message>
+        <source>select a state or transition first</source>
+        <translation>先に状態か遷移を選んでください</translation>
+    </message>
+    <message>
+        <source>select something first</source>
+        <translation>先に何か選んでください</translation>
+    </message>
+    <message>
+        <source>select a state that runs a part first</source>
+        <translation>先に部品を動かす状態を選んでください</translation>
+    </message>
+    <message>
+        <source>only in the list of modules</source>
+        <translation>モジュールの一覧でだけ使えます</translation>
+    </message>
+    <message>
+        <source>only in a script</source>
+        <translation>スクリプトでだけ使えます</translation>
+    </message>
+    <message>
+        <source>you are in no part</source>
+        <translation>部品の中にいません</translation>
+    </message>
+    <message>
+        <source>nothing was undone</source>
+        <translation>元に戻したものがありません</translation>
+    </message>
+    <message>
+        <source>select an event, tag or module first</source>
+        <translation>先にイベント、タグ、モジュールのどれかを選んでください</translation>
+    </message>
+    <message>
+        <source>no tab was closed</source>
+        <translation>閉じたタブがありません</translation>
+    </message>
+    <message>
+        <source>select three states first</source>
+        <translation>先に状態を三つ選んでください</translation>
+    </message>
+    <message>
+        <source>nothing was changed</source>
+        <translation>変更がありません</translation>
+    </message>
+    <message>
+        <source>open a document first</source>
+        <translation>先に文書を開いてください</translation>
+    </message>
+    <message>
+        <source>find something first</source>
+        <translation>先に何か検索してください</translation>
+    </message>
+    <message>
+        <source>this has no graph</source>
+        <translation>これにはグラフがありません</translation>
+    </message>
+    <message>
+        <source>there is no problem</source>
+        <translation>問題がありません</translation>
+    </message>
+    <message>
+        <source>open a project first</source>
+        <translation>先にプロジェクトを開いてください</translation>
+    </message>
+    <message>
+        <source>only in the graph of an application</source>
+        <translation>アプリケーションのグラフでだけ使えます</translation>
+    </message>
 </context>
 <context>
     <name>AddTest</name>
@@ -458,6 +570,10 @@
     <message>
         <source>Pasted. This project does not have {0}: copy the files too.</source>
         <translation>貼り付けました。このプロジェクトに {0} がないので、ファイルもコピーしてください。</translation>
+    </message>
+    <message>
+        <source>Delete {0}</source>
+        <translation>{0} を削除</translation>
     </message>
     <message>
         <source>Situ Studio {0}
@@ -594,6 +710,10 @@ Draw what a robot says, shows and does.</source>
         <translation>キャンセル</translation>
     </message>
     <message>
+        <source>Export picture</source>
+        <translation>画像の書き出し</translation>
+    </message>
+    <message>
         <source>{0} is open in this window.</source>
         <translation>このウィンドウでは {0} を開いています。</translation>
     </message>
@@ -706,6 +826,64 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Close the others</source>
         <translation>ほかを閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Everything</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>The selection</source>
+        <translation>選択範囲</translation>
+    </message>
+    <message>
+        <source>What is seen</source>
+        <translation>見えている範囲</translation>
+    </message>
+    <message>
+        <source>Export {0}</source>
+        <translation>{0} を書き出す</translation>
+    </message>
+    <message>
+        <source>Of the drawing</source>
+        <translation>図の範囲</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>{0} × {1} px</source>
+        <translation>{0} × {1} px</translation>
+    </message>
+    <message>
+        <source>{0} × {1} px: too large</source>
+        <translation>{0} × {1} px：大きすぎます</translation>
+    </message>
+</context>
+<context>
+    <name>ExportingSide</name>
+    <message>
+        <source>{0} is written.</source>
+        <translation>{0} を書き出しました。</translation>
+    </message>
+    <message>
+        <source>{0} — {1}</source>
+        <translation>{0} — {1}</translation>
+    </message>
+    <message>
+        <source>The drawing is too large to be put on paper in the window: use situ studio PROJECT --picture OUT</source>
+        <translation>図が大きすぎて、ウィンドウからは紙に出せません。situ studio PROJECT --picture OUT を使ってください</translation>
     </message>
 </context>
 <context>
@@ -964,6 +1142,25 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>KeyList</name>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>やりたいことを入力</translation>
+    </message>
+    <message>
+        <source>What to look for</source>
+        <translation>探すもの</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>操作</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>This project is open in another Situ Studio too. What is saved there is told here before anything is overwritten.</source>
@@ -1124,6 +1321,65 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0} has errors: it can be read, not changed.</source>
         <translation>{0} には誤りがあります。見ることはできますが、変更はできません。</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Preferences</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>システムに合わせる</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>ダーク</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>配色</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>Press the new key</source>
+        <translation>新しいキーを押してください</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>初期値に戻す</translation>
+    </message>
+    <message>
+        <source>The command has its usual key again.</source>
+        <translation>コマンドのキーを初期値に戻しました。</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>すべて初期値に戻す</translation>
+    </message>
+    <message>
+        <source>Every command has its usual key again.</source>
+        <translation>すべてのキーを初期値に戻しました。</translation>
+    </message>
+    <message>
+        <source>Click into the field and press the new key.</source>
+        <translation>欄をクリックして新しいキーを押してください。</translation>
+    </message>
+    <message>
+        <source>Choose a command to give it another key.</source>
+        <translation>キーを変えるコマンドを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -1351,8 +1607,12 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>Sheet</name>
     <message>
+        <source>Align {0}</source>
+        <translation>{0} を揃える</translation>
+    </message>
+    <message>
         <source>Resize {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の大きさを変更</translation>
     </message>
     <message>
         <source>Move {0}</source>
@@ -1368,22 +1628,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Keyboard shortcuts</source>
         <translation>キーボードショートカット</translation>
-    </message>
-    <message>
-        <source>Type what you want to do</source>
-        <translation>やりたいことを入力</translation>
-    </message>
-    <message>
-        <source>What to look for</source>
-        <translation>探すもの</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>キー</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>操作</translation>
     </message>
 </context>
 <context>
@@ -2065,6 +2309,10 @@ Draw what a robot says, shows and does.</source>
         <translation>すべて</translation>
     </message>
     <message>
+        <source>Export picture…</source>
+        <translation>画像を書き出す…</translation>
+    </message>
+    <message>
         <source>Filter the outline</source>
         <translation>アウトラインを絞り込む</translation>
     </message>
@@ -2135,6 +2383,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Language</source>
         <translation>言語</translation>
+    </message>
+    <message>
+        <source>Language, colours, and the keys of the commands.</source>
+        <translation>言語、配色、コマンドのキー。</translation>
     </message>
     <message>
         <source>Launch</source>
@@ -2261,6 +2513,14 @@ Draw what a robot says, shows and does.</source>
         <translation>メディアフォルダーの音を鳴らします。</translation>
     </message>
     <message>
+        <source>Preferences…</source>
+        <translation>設定…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>印刷…</translation>
+    </message>
+    <message>
         <source>Problem before</source>
         <translation>前の問題</translation>
     </message>
@@ -2383,6 +2643,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Text</source>
         <translation>文字</translation>
+    </message>
+    <message>
+        <source>The drawing, or a part of it, as SVG, PDF or PNG.</source>
+        <translation>図の全体または一部を SVG、PDF、PNG にします。</translation>
     </message>
     <message>
         <source>The graph, and beside it the screen of the selected state</source>
