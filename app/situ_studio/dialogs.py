@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Literal
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QRectF
+from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -16,9 +18,10 @@ from PySide6.QtWidgets import (
     QPushButton,
 )
 
-from situ_studio import conflict, icons
+from situ_studio import conflict, icons, picture
 from situ_studio.details import Details
 from situ_studio.differing import Differing
+from situ_studio.export_dialog import Export, ExportDialog, What
 
 if TYPE_CHECKING:
     from situ_studio.frame import Frame
@@ -101,6 +104,38 @@ class Dialogs(QObject):
         try:
             dialog.exec()
             return dialog.answer
+        finally:
+            dialog.deleteLater()
+
+    def picture_file(self, usual: str) -> str | None:
+        """The file of a picture, its ending the one of its format; None: nothing was chosen."""
+        dialog = QFileDialog(self._window, self.tr("Export picture"))
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        filters = {f"{kind.upper()} (*.{kind})": kind for kind in picture.FORMATS}
+        dialog.setNameFilters(list(filters))
+        dialog.setDefaultSuffix(picture.FORMATS[0])
+        dialog.filterSelected.connect(lambda chosen: dialog.setDefaultSuffix(filters[chosen]))
+        dialog.selectFile(usual)
+        try:
+            return dialog.selectedFiles()[0] if dialog.exec() else None
+        finally:
+            dialog.deleteLater()
+
+    def export(self, name: str, areas: Mapping[What, QRectF]) -> Export | None:
+        """What of a drawing goes into the file of that name; None: it shall not be written."""
+        dialog = ExportDialog(name, areas, self._window)
+        make_room(dialog)
+        try:
+            return dialog.chosen if dialog.exec() else None
+        finally:
+            dialog.deleteLater()
+
+    def preview(self, printer: QPrinter, paint: Callable[[QPrinter], object]) -> None:
+        """Shows what ``paint`` puts on the pages; a person prints them from there, or does not."""
+        dialog = QPrintPreviewDialog(printer, self._window)
+        dialog.paintRequested.connect(paint)
+        try:
+            dialog.exec()
         finally:
             dialog.deleteLater()
 

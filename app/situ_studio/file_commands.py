@@ -132,6 +132,15 @@ class FileCommands(StateCommands):
         )
         return parent is not None and self._try(lambda: self._session.save_copy(Path(parent)))
 
+    def export_picture(self) -> None:
+        """Writes the drawing, as it is here, into a file that the person names."""
+        self._window.finish_fields()
+        self._try(self._window.exporting.export)
+
+    def print_drawing(self) -> None:
+        self._window.finish_fields()
+        self._try(self._window.exporting.print_)
+
     def close_tab(self) -> None:
         self._window.close_tab()
 

@@ -22,6 +22,7 @@ from situ_studio.dialogs import Dialogs
 from situ_studio.disk import DiskSide
 from situ_studio.document_view import DocumentView
 from situ_studio.edit import Document, Place
+from situ_studio.exporting import ExportingSide
 from situ_studio.frame import Frame
 from situ_studio.live.link import RobotLink
 from situ_studio.looking import FindingSide
@@ -82,6 +83,7 @@ class MainWindow(Frame):
         CheckWork(session.checker, self.status.work)
         self.parts = PartsSide(self)
         self.finding = FindingSide(self)
+        self.exporting = ExportingSide(self)
         self.context_menus = ContextMenus(self)
         self.add_commands(Actions(self.commands, self.theme, self))
         self.search.clicked.connect(self.commands.find)

@@ -22,11 +22,13 @@ from PySide6.QtCore import (
     SignalInstance,
     qInstallMessageHandler,
 )
+from PySide6.QtPrintSupport import QPrinter
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QWidget
 
 from situ.resources import example
 from situ_studio import main
+from situ_studio.export_dialog import Export
 from situ_studio.window import MainWindow
 
 PATIENCE = 5000
@@ -106,6 +108,21 @@ class Answers:
     def conflict(self, found: Any) -> Any:
         self.conflicts.append(found)
         return self._take("conflict")
+
+    def picture_file(self, usual: str) -> Any:
+        return self._take("picture_file")
+
+    def export(self, name: str, areas: Any) -> Any:
+        """What was put in: what of the drawing, and the scale."""
+        what, scale = self._take("export")
+        assert what in areas, f"{what!r} is not offered, but {list(areas)}"
+        return Export(what, scale)
+
+    def preview(self, printer: QPrinter, paint: Any) -> None:
+        """The person prints into the PDF that was put in."""
+        printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
+        printer.setOutputFileName(str(self._take("preview")))
+        paint(printer)
 
     def where(self, name: str) -> Any:
         return self._take("where")

@@ -30,7 +30,7 @@ ROOT = {
     "stroke-linejoin": "round",
 }
 TO_COME = {
-    *("book", "export", "print"),
+    "book",
     *("bookmark", "breakpoint", "deploy", "pause", "record", "step", "why"),
     *("eye", "landscape", "lock", "portrait"),
 }

@@ -45,13 +45,24 @@ class Paper:
         self._whole = only is None
         if only is not None:
             self._leave(only)
-        self.area: QRectF = self._extent().adjusted(-MARGIN, -MARGIN, MARGIN, MARGIN)
+        area = QRectF(canvas.extent()) if only is None else self._area_of(self._left(only))
+        self.area: QRectF = area.adjusted(-MARGIN, -MARGIN, MARGIN, MARGIN)
         """What of the scene there is to paint, in px at 100 %."""
+
+    def area_of(self, places: Iterable[Place]) -> QRectF:
+        """What ``area`` would be with only these places; empty where none is on the drawing."""
+        left = self._left(places)
+        if not left:
+            return QRectF()
+        return self._area_of(left).adjusted(-MARGIN, -MARGIN, MARGIN, MARGIN)
+
+    def _left(self, places: Iterable[Place]) -> set[str]:
+        return {uid for uid in self._canvas.cards_at(places) if uid in self._canvas.graph.nodes}
 
     def _leave(self, places: Iterable[Place]) -> None:
         """Takes away all but the cards at these places, and what leads from one to another."""
         graph = self._canvas.graph
-        left = self._canvas.cards_at(places)
+        left = self._left(places)
         for uid, node in graph.nodes.items():
             node.view.setVisible(uid in left)
         for id, link in graph.links.items():
@@ -59,16 +70,15 @@ class Paper:
             if pipe is not None:
                 pipe.setVisible(link.source in left and link.target in left)
 
-    def _extent(self) -> QRectF:
-        if self._whole:
-            return QRectF(self._canvas.extent())
+    def _area_of(self, left: set[str]) -> QRectF:
+        """What these cards take, with the pipes from one to another."""
+        graph = self._canvas.graph
         area = QRectF()
-        for node in self._canvas.graph.nodes.values():
-            if node.view.isVisible():
-                area = area.united(node.view.sceneBoundingRect())
-        for id in self._canvas.graph.links:
-            pipe = self._canvas.graph.pipe(id)
-            if pipe is not None and pipe.isVisible():
+        for uid in left:
+            area = area.united(graph.nodes[uid].view.sceneBoundingRect())
+        for id, link in graph.links.items():
+            pipe = graph.pipe(id)
+            if pipe is not None and link.source in left and link.target in left:
                 area = area.united(pipe.boundingRect())
         return area
 

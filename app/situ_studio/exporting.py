@@ -1,0 +1,133 @@
+"""A window's drawing outside of it: as a picture in a file, and on paper."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QRectF, Qt
+from PySide6.QtPrintSupport import QPrinter
+from PySide6.QtWidgets import QApplication
+
+from situ.document.rbd import Application
+from situ.document.spds import Spds
+from situ.errors import UsageError
+from situ_studio import picture, printing
+from situ_studio.export_dialog import What
+from situ_studio.panels.project_tree import stem
+
+if TYPE_CHECKING:
+    from situ_studio.canvas.paper import Paper
+    from situ_studio.window import MainWindow
+
+MOST_CARDS = 1000
+"""Of a drawing that is put on paper while the window waits."""
+
+
+class ExportingSide(QObject):
+    """Exports and prints the document that the window shows.
+
+    now: gives the date that is printed.
+    """
+
+    def __init__(self, window: MainWindow, now: Callable[[], datetime] = datetime.now) -> None:
+        super().__init__(window)
+        self._window = window
+        self._now = now
+        self._folder: Path | None = None
+
+    def export(self) -> None:
+        """Asks for a file and what shall be in it, and writes it. UsageError where it can not."""
+        window, file = self._window, self._window.current_file
+        if file is None:
+            return
+        home = self._folder or window.session.root.parent
+        name = window.dialogs.picture_file(str(home / f"{stem(file)}.svg"))
+        if name is None:
+            return
+        picture.format_of(name)
+        with self._drawn() as whole:
+            areas = self._areas(whole)
+            chosen = window.dialogs.export(Path(name).name, areas)
+            if chosen is None:
+                return
+            if chosen.what == "selection":
+                with self._drawn(selected=True) as drawn:
+                    self._write(drawn, name, drawn.area, chosen.scale)
+            else:
+                self._write(whole, name, areas[chosen.what], chosen.scale)
+        self._folder = Path(name).parent
+        window.say(self.tr("{0} is written.").format(name))
+
+    def print_(self) -> None:
+        """Shows the drawing as it comes on paper, to be printed from there."""
+        file, project = self._window.current_file, self._window.session.project
+        if file is None or project is None:
+            return
+        title = self.tr("{0} — {1}").format(stem(file), project.name)
+        with self._drawn() as drawn:
+            printer = QPrinter(QPrinter.PrinterMode.HighResolution)
+            printer.setDocName(stem(file))
+            printing.lay(printer, drawn.area)
+            at = self._now()
+            self._window.dialogs.preview(
+                printer, lambda onto: printing.print_paper(onto, drawn, title, at)
+            )
+
+    @contextmanager
+    def _drawn(self, selected: bool = False) -> Iterator[Paper]:
+        """The current document on paper, or what is selected of it."""
+        view, document = self._window.current_view, self._window.current_document
+        assert view is not None
+        assert document is not None
+        if _cards(document) > MOST_CARDS:
+            raise UsageError(
+                self.tr(
+                    "The drawing is too large to be put on paper in the window: "
+                    "use situ studio PROJECT --picture OUT"
+                )
+            )
+        with _waiting():
+            only = view.selected if selected else None
+            drawn = picture.paper(document, view.canvas, only)
+        try:
+            yield drawn
+        finally:
+            drawn.close()
+
+    def _areas(self, whole: Paper) -> dict[What, QRectF]:
+        """What of the drawing can be exported, and where in the scene that is."""
+        view = self._window.current_view
+        assert view is not None
+        areas: dict[What, QRectF] = {"whole": whole.area}
+        chosen = whole.area_of(view.selected)
+        if not chosen.isEmpty():
+            areas["selection"] = chosen
+        seen = view.canvas.viewer.seen() if view.mode == "graph" else QRectF()
+        if not (seen & whole.area).isEmpty():
+            areas["seen"] = seen & whole.area
+        return areas
+
+    def _write(self, drawn: Paper, name: str, part: QRectF, scale: float) -> None:
+        with _waiting():
+            picture.write(drawn, name, Path(name).stem, part, scale)
+
+
+def _cards(document: object) -> int:
+    """How many cards the graph of a document has, nearly."""
+    if isinstance(document, Application):
+        return len(document.states)
+    return len(document.situations) if isinstance(document, Spds) else 0
+
+
+@contextmanager
+def _waiting() -> Iterator[None]:
+    """The pointer says that the window is at work."""
+    QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
+    try:
+        yield
+    finally:
+        QApplication.restoreOverrideCursor()

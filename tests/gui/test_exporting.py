@@ -1,0 +1,244 @@
+"""What a window exports and prints: the drawing or a part of it, and pages that fit together."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QEvent, QRectF, QSizeF, Qt, QTimer
+from PySide6.QtGui import QImage, QPageLayout
+from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog, QPrintPreviewWidget
+from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from situ.document import folder
+from situ.resources import example
+from situ_studio import exporting, picture, printing
+from situ_studio.dialogs import Dialogs
+from situ_studio.export_dialog import ExportDialog
+
+Start = Callable[..., Any]
+Copy = Callable[[str], Path]
+CONTROL = Qt.KeyboardModifier.ControlModifier
+AREAS = {"whole": QRectF(0, 0, 400, 300), "seen": QRectF(0, 0, 100, 50)}
+
+
+def export(used: Any, out: Path, what: str, scale: float = 1.0) -> None:
+    """As somebody who finds the command by its name."""
+    used.answers.put("picture_file", str(out))
+    used.answers.put("export", (what, scale))
+    used.key(Qt.Key.Key_K, CONTROL)
+    used.type("Export picture")
+    used.key(Qt.Key.Key_Return)
+
+
+def test_the_whole_drawing_goes_into_the_file_in_the_format_of_its_name(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    used = studio(project("reception"))
+    for ending in picture.FORMATS:
+        export(used, tmp_path / f"a.{ending}", "whole")
+    assert used.answers.told == []
+    svg = QSvgRenderer(str(tmp_path / "a.svg"))
+    assert svg.isValid()
+    apart = QImage(str(tmp_path / "a.png")).size() - svg.viewBox().size()
+    assert max(abs(apart.width()), abs(apart.height())) <= 1
+    assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
+    assert "a.png is written" in used.window.status.said.text()
+
+
+def test_the_selection_or_what_is_seen_is_exported_alone(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    used = studio(project("reception"))
+    used.window.select_all((("state", "2"), ("state", "3")))
+    used.window.current_view.canvas.set_zoom(2.0)
+    used.settle()
+    sizes = {}
+    for what in ("whole", "selection", "seen"):
+        export(used, tmp_path / f"{what}.png", what)
+        sizes[what] = QImage(str(tmp_path / f"{what}.png")).size()
+    assert used.answers.told == []
+    for what in ("selection", "seen"):
+        assert sizes[what].width() * sizes[what].height() * 2 < (
+            sizes["whole"].width() * sizes["whole"].height()
+        )
+    assert sizes["selection"] != sizes["seen"]
+
+
+def test_a_picture_is_of_the_size_asked_for(studio: Start, project: Copy, tmp_path: Path) -> None:
+    used = studio(project("reception"))
+    for scale in (1.0, 2.0):
+        export(used, tmp_path / f"{scale}.png", "whole", scale)
+    one, two = (QImage(str(tmp_path / f"{s}.png")) for s in (1.0, 2.0))
+    assert abs(two.width() - 2 * one.width()) <= 1
+
+
+def test_from_the_outline_the_drawing_is_exported_too(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    used = studio(project("reception"))
+    used.window.show_mode("outline")
+    export(used, tmp_path / "a.svg", "whole")
+    assert QSvgRenderer(str(tmp_path / "a.svg")).isValid()
+
+
+def test_what_can_not_be_written_is_told_in_one_line(
+    studio: Start, project: Copy, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used = studio(project("reception"))
+    export(used, tmp_path / "none" / "a.png", "whole")
+    export(used, tmp_path / "a.gif", "whole")
+    monkeypatch.setattr(exporting, "MOST_CARDS", 3)
+    export(used, tmp_path / "a.png", "whole")
+    told = ("can not be written", ".svg, .pdf or .png", "--picture")
+    assert len(used.answers.told) == len(told)
+    for text, said in zip(told, used.answers.told, strict=True):
+        assert text in said
+        assert "\n" not in said
+    assert list(tmp_path.glob("a.*")) == []
+
+
+def test_a_document_without_a_graph_is_neither_exported_nor_printed(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("conversation"))
+    actions = used.window.actions_.actions
+    assert actions["export"].isEnabled()
+    used.window.open_file(used.session.project.modules_file)
+    used.settle()
+    assert not actions["export"].isEnabled()
+    assert not actions["print"].isEnabled()
+
+
+def test_the_question_says_how_large_a_png_becomes_and_refuses_too_large_ones(
+    studio: Start,
+) -> None:
+    used = studio()
+    dialog = ExportDialog("a.png", AREAS, used.window)  # type: ignore[arg-type]
+    dialog.show()
+    dialog.activateWindow()
+    QApplication.processEvents()
+    assert dialog.size_.text() == "800 × 600 px"
+    QTest.keyClick(dialog.what, Qt.Key.Key_Down)
+    for _ in range(4):
+        QTest.keyClick(dialog.scale, Qt.Key.Key_Up)
+    assert dialog.size_.text() == "300 × 150 px"
+    QTest.mouseClick(dialog.export, Qt.MouseButton.LeftButton)
+    assert dialog.result() == ExportDialog.DialogCode.Accepted
+    assert (dialog.chosen.what, dialog.chosen.scale) == ("seen", 3.0)
+    dialog.deleteLater()
+    large = ExportDialog("a.png", {"whole": QRectF(0, 0, 30000, 30000)}, used.window)
+    assert not large.export.isEnabled()
+    assert "too large" in large.size_.text()
+    large.deleteLater()
+    lines = ExportDialog("a.svg", AREAS, used.window)  # type: ignore[arg-type]
+    assert not lines.isAncestorOf(lines.scale)
+    lines.deleteLater()
+
+
+# -- on paper --------------------------------------------------------------------------------
+
+
+def pages_of(pdf: Path) -> int:
+    return pdf.read_bytes().count(b"/Type /Page\n")
+
+
+def test_ctrl_p_prints_the_drawing_in_lines(studio: Start, project: Copy, tmp_path: Path) -> None:
+    used, out = studio(project("reception")), tmp_path / "paper.pdf"
+    used.answers.put("preview", out)
+    used.key(Qt.Key.Key_P, CONTROL)
+    found = out.read_bytes()
+    assert pages_of(out) >= 1
+    assert b"Inter-Medium" in found
+    assert b"/Subtype /Image" not in found
+    assert used.answers.told == []
+
+
+@given(
+    st.floats(-5000, 5000),
+    st.floats(50, 20000),
+    st.floats(50, 20000),
+    st.floats(300, 2000),
+    st.floats(300, 2000),
+    st.floats(0, 100),
+)
+def test_pages_cover_a_drawing_and_share_a_strip(
+    at: float, wide: float, high: float, width: float, height: float, overlap: float
+) -> None:
+    area, page = QRectF(at, -at, wide, high), QSizeF(width, height)
+    rows = printing.parts(area, page, overlap)
+    whole = QRectF(rows[0][0].topLeft(), rows[-1][-1].bottomRight())
+    assert whole.adjusted(-0.01, -0.01, 0.01, 0.01).contains(area)
+    assert {p.size().width() for row in rows for p in row} == {width}
+    for row in rows:
+        for one, next_ in itertools.pairwise(row):
+            assert one.right() - next_.left() == pytest.approx(overlap, abs=0.01)
+    for upper, lower in itertools.pairwise(rows):
+        assert upper[0].bottom() - lower[0].top() == pytest.approx(overlap, abs=0.01)
+    # None too many: with one less it would not fit.
+    for count, length, room in ((len(rows[0]), wide, width), (len(rows), high, height)):
+        assert count == 1 or (count - 1) * (room - overlap) + overlap < length + 0.01
+
+
+def test_a_drawing_is_on_one_page_where_it_stays_legible() -> None:
+    page = QSizeF(700, 1000)
+    assert printing.scale_for(QRectF(0, 0, 300, 300), page) == 1.0
+    assert printing.scale_for(QRectF(0, 0, 1000, 300), page) == pytest.approx(0.7)
+    assert printing.scale_for(QRectF(0, 0, 9000, 300), page) == printing.SMALLEST
+
+
+def test_pages_are_wide_for_a_wide_drawing_and_each_has_its_foot(
+    qt: QApplication, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project, _ = folder.load(example("reception"))
+    assert project is not None
+    drawn = picture.paper(next(iter(project.applications.values())))
+    feet: list[tuple[str, str, str]] = []
+    paint_foot = printing._paint_foot
+
+    def watched(painter: Any, foot: QRectF, title: str, where: str, date: str) -> None:
+        feet.append((title, where, date))
+        paint_foot(painter, foot, title, where, date)
+
+    monkeypatch.setattr(printing, "_paint_foot", watched)
+    printer, out = QPrinter(QPrinter.PrinterMode.HighResolution), tmp_path / "a.pdf"
+    printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
+    printer.setOutputFileName(str(out))
+    printing.lay(printer, QRectF(0, 0, 200, 100))
+    assert printer.pageLayout().orientation() == QPageLayout.Orientation.Landscape
+    printing.lay(printer, QRectF(0, 0, 100, 200))
+    assert printer.pageLayout().orientation() == QPageLayout.Orientation.Portrait
+    drawn.area = drawn.area.adjusted(0, 0, 2000, 0)
+    count = printing.print_paper(printer, drawn, "the title", datetime(2026, 3, 4))
+    assert count == pages_of(out) == len(feet) > 1
+    assert feet[0][:2] == ("the title", "row 1, column 1")
+    assert len({where for _, where, _ in feet}) == count
+    assert all("4" in date for _, _, date in feet)
+    drawn.close()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_the_preview_shows_what_will_be_printed(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.window.dialogs = Dialogs(used.window)
+    seen: list[int] = []
+
+    def look() -> None:
+        dialog = QApplication.activeModalWidget()
+        assert isinstance(dialog, QPrintPreviewDialog)
+        (shown,) = dialog.findChildren(QPrintPreviewWidget)
+        seen.append(shown.pageCount())
+        dialog.reject()
+
+    QTimer.singleShot(0, look)
+    used.key(Qt.Key.Key_P, CONTROL)
+    assert len(seen) == 1
+    assert seen[0] >= 1
