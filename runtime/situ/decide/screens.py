@@ -31,16 +31,18 @@ _MORE: dict[str, tuple[str, ...]] = {
 
 
 class ComponentProgram:
-    """One component; ``names`` are those whose change may change what it shows."""
+    """One component; ``names`` are those whose change may change what it shows, ``fixed`` what no
+    value changes.
+    """
 
     def __init__(self, source: Component) -> None:
         self.source = source
-        self._fixed: Shown = {"type": source.element}
+        self.fixed: Shown = {"type": source.element}
         for field in (*_PLAIN, *_MORE.get(source.element, ())):
             value = getattr(source, field)
             if value is not None:
                 whole = isinstance(value, float) and value.is_integer()
-                self._fixed[field] = int(value) if whole else value
+                self.fixed[field] = int(value) if whole else value
         texts = {
             Text: "text", Button: "text", Image: "src", Movie: "src", List: "label"
         }  # fmt: skip
@@ -59,7 +61,7 @@ class ComponentProgram:
         appended to ``missing`` as sentences, where a list is given.
         """
         source, look = self.source, board.look
-        shown = dict(self._fixed)
+        shown = dict(self.fixed)
         if isinstance(source, Input):
             shown["value"] = look(source.tag)
             return shown

@@ -1,0 +1,66 @@
+"""What is on a screen as the robot's page gets it: components with their texts filled in."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from situ.decide.board import Board
+from situ.decide.screens import ComponentProgram, Shown
+from situ.decide.values import template
+from situ.document import rbd
+
+Values = Mapping[str, Any]
+"""Tag to value, as they may stand on the robot's blackboard."""
+
+
+class Content(NamedTuple):
+    """All that is on a screen, back to front, as the trace and the page have it.
+
+    A list's ``items`` is None where it is not known what it shows.
+    """
+
+    components: tuple[Shown, ...]
+    background: str | None = None
+
+
+def content(
+    screen: rbd.Screen, above: tuple[rbd.Component, ...] = (), values: Values | None = None
+) -> Content:
+    """What a screen shows with these values; without them, texts as they are written.
+
+    above: the components that Always adds.
+    """
+    components = (*screen.components, *above)
+    if values is None:
+        return Content(tuple(_written(one) for one in components), screen.background)
+    board = Board()
+    for tag, value in values.items():
+        board.write(tag, value, "", 0, None)
+    shown = tuple(_program(one).show(board, _as_written, None) for one in components)
+    background = screen.background
+    return Content(shown, template(background).text(board.look) if background else background)
+
+
+def _written(component: rbd.Component) -> Shown:
+    shown = dict(_program(component).fixed)
+    match component:
+        case rbd.Text(text=text) | rbd.Button(text=text):
+            shown["text"] = text.strip()
+        case rbd.Image(src=src) | rbd.Movie(src=src):
+            shown["src"] = src
+        case rbd.List():
+            shown["items"] = None
+        case _:
+            shown["value"] = None
+    return shown
+
+
+@lru_cache(maxsize=2048)
+def _program(component: rbd.Component) -> ComponentProgram:
+    return ComponentProgram(component)
+
+
+def _as_written(text: str, missing: list[str] | None) -> str:
+    return text
