@@ -146,7 +146,7 @@ class Priorities:
         Gives resource to the seq of its ``authority`` event.
         """
         before = self.state.holders
-        after = self._grants(before, priorities)
+        after = granted(self.state.requests, before, priorities)
         changed: dict[str, int] = {}
         if after == before:
             return changed
@@ -163,24 +163,6 @@ class Priorities:
                     self._drop(old, resource, seq, remap=False)
             self._map(resource, seq)
         return changed
-
-    def _grants(self, before: Mapping[str, str], priorities: Mapping[str, int]) -> dict[str, str]:
-        asking = []
-        for module, request in self.state.requests.items():
-            priority = priorities.get(module)
-            if priority is not None:
-                has = any(before.get(r) == module for r in (*request.resources, *request.optional))
-                asking.append((-priority, not has, request.order, module, request))
-        asking.sort(key=lambda one: one[:3])
-        after: dict[str, str] = {}
-        for _, _, _, module, request in asking:
-            if any(r in after for r in request.resources):
-                continue
-            for resource in request.resources:
-                after[resource] = module
-            for resource in request.optional:
-                after.setdefault(resource, module)
-        return after
 
     # -- commands and mapping ------------------------------------------------
 
@@ -253,3 +235,27 @@ class Priorities:
             standing.cause = seq
         self._write(f"robot/{resource}", value, holder or RUNTIME, seq)
         self._step.effects.append(Map(resource, holder, value, actions))
+
+
+def granted(
+    requests: Mapping[str, Request], before: Mapping[str, str], priorities: Mapping[str, int]
+) -> dict[str, str]:
+    """Resource to the module that holds it: from the highest priority down, all of a request's
+    resources or none; at equal priorities who held (``before``) any of them, then who asked first.
+    """
+    asking = []
+    for module, request in requests.items():
+        priority = priorities.get(module)
+        if priority is not None:
+            has = any(before.get(r) == module for r in (*request.resources, *request.optional))
+            asking.append((-priority, not has, request.order, module, request))
+    asking.sort(key=lambda one: one[:3])
+    after: dict[str, str] = {}
+    for _, _, _, module, request in asking:
+        if any(r in after for r in request.resources):
+            continue
+        for resource in request.resources:
+            after[resource] = module
+        for resource in request.optional:
+            after.setdefault(resource, module)
+    return after

@@ -12,7 +12,7 @@ for the same resource: who comes first then depends on who held or asked first.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Set
 
 from situ.document.analysis_search import Search
 from situ.document.analysis_ways import Ways
@@ -262,9 +262,10 @@ def _ties(
     current: list[Situation],
     askers: dict[str, Asker],
 ) -> None:
+    resources = {name: asker.resources for name, asker in askers.items()}
     known: dict[str, set[tuple[str, str]]] = {}
     for situation in script.situations:
-        known[situation.name] = set(_tied(script.priorities(situation), askers))
+        known[situation.name] = set(tied(script.priorities(situation), resources))
     names = {situation.name for situation in current}
     for situation in current:
         found = known[situation.name]
@@ -283,16 +284,19 @@ def _ties(
             search.warn(file, "tie", message, aside, place)
 
 
-def _tied(priorities: dict[str, int], askers: dict[str, Asker]) -> Iterator[tuple[str, str]]:
+def tied(
+    priorities: Mapping[str, int], resources: Mapping[str, Set[str]]
+) -> Iterator[tuple[str, str]]:
+    """Pairs of modules of equal priority that can ask for the same resource."""
     by_priority: dict[int, list[str]] = {}
     for module, priority in priorities.items():
-        if module in askers:
+        if module in resources:
             by_priority.setdefault(priority, []).append(module)
     for several in by_priority.values():
         several.sort()
         for at, one in enumerate(several):
             for other in several[at + 1 :]:
-                if askers[one].resources & askers[other].resources:
+                if resources[one] & resources[other]:
                     yield one, other
 
 
