@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import logging
-import threading
+import pickle
+import sys
+from collections.abc import Iterator, Sequence
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
 from situ.document.check import check
-from situ.document.problem import Problem
 from situ.document.project import Project
+from situ_studio.sending import Frames, Sending
 from situ_studio.working import Work, WorkStrip
 
 _log = logging.getLogger("situ.studio")
 
-LARGE = 200
-"""States and situations above which a check leaves the GUI's thread."""
+LARGE = 60
+"""States and situations above which a check leaves the window's process: about 8 ms of work."""
+
+COMMAND = (sys.executable, "-m", "situ_studio.check_process")
 
 
 def size(project: Project) -> int:
@@ -28,8 +32,9 @@ def size(project: Project) -> int:
 class Checker(QObject):
     """Checks what it was asked for last, one check at a time.
 
-    ``found`` tells the project and its problems: before ``ask`` returns for a small project,
-    later, from the loop, for a large one. What was asked for in between is dropped.
+    ``found`` tells the project and its problems: before ``ask`` returns for a small project, later,
+    from the loop, for a large one, which another process checks: Python's lock would give a thread
+    beside the window half of its time. What was asked for in between is dropped.
     """
 
     found = Signal(object, list)
@@ -37,58 +42,100 @@ class Checker(QObject):
     """A check goes on beside the window."""
     ended = Signal()
     """None does any more."""
-    _done = Signal(object, list)
 
-    def __init__(self, parent: QObject | None = None, large: int = LARGE) -> None:
+    def __init__(
+        self,
+        parent: QObject | None = None,
+        large: int = LARGE,
+        command: Sequence[str] = COMMAND,
+    ) -> None:
         super().__init__(parent)
         self._large = large
+        self._command = tuple(command)
         self._wanted: Project | None = None
-        self._running = False
-        self._done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
+        self._number = 0
+        self._sending = Sending()
+        self._frames: Iterator[bytes] = iter(())
+        self._came = Frames()
+        # Not children: a process that is destroyed while it runs would end on its own time.
+        self._processes: list[QProcess] = []
+        processes = self._processes
+        self.destroyed.connect(lambda: _end(*processes))
+        self._turn = QTimer(self)
+        self._turn.setInterval(0)
+        self._turn.timeout.connect(self._send)
 
     def ask(self, project: Project) -> None:
         """Has ``project`` checked."""
         if size(project) <= self._large:
-            self._wanted = None
+            self.cancel()
             self.found.emit(project, check(project))
             return
-        self._wanted = project
-        if not self._running:
+        waiting, self._wanted = self._wanted is not None, project
+        self._number += 1
+        if not self._processes:
             self._start()
+        self._frames = self._sending.pack(project, self._number)
+        self._turn.start()
+        if not waiting:
+            self.began.emit()
 
     def cancel(self) -> None:
-        """Nobody is told of the check that goes on; it ends by itself."""
+        """Nobody is told of the check that goes on."""
+        if self._wanted is not None:
+            self._give_up()
+
+    def _give_up(self) -> None:
         self._wanted = None
+        self._turn.stop()
+        self.ended.emit()
 
     def _start(self) -> None:
-        self._running = True
-        self.began.emit()
-        # Documents are values: what another thread reads does not change under it.
-        threading.Thread(target=self._work, args=(self._wanted,), daemon=True).start()
+        self._sending, self._came = Sending(), Frames()
+        process = QProcess()
+        self._processes.append(process)
+        process.readyReadStandardOutput.connect(self._read)
+        process.readyReadStandardError.connect(self._log_error)
+        process.finished.connect(self._on_gone)
+        process.errorOccurred.connect(self._on_error)
+        process.start(self._command[0], self._command[1:])
 
-    def _work(self, project: Project) -> None:
-        problems: list[Problem] = []
-        try:
-            problems = check(project)
-        except Exception:
-            # A defect of one check must not end this thread unheard: ``_running`` would stay
-            # true, and no further check would ever begin.
-            _log.exception("a check failed")
-        # The window may have been closed meanwhile: then there is nobody to tell.
-        try:
-            self._done.emit(project, problems)
-        except RuntimeError:
-            return
+    def _send(self) -> None:
+        """One frame; the window has its turn before the next."""
+        message = next(self._frames, None)
+        if message is None or not self._processes:
+            self._turn.stop()
+        else:
+            self._processes[0].write(message)
 
-    def _on_done(self, project: Project, problems: list[Problem]) -> None:
-        self._running = False
-        if self._wanted is project:
-            self._wanted = None
-            self.found.emit(project, problems)
-        elif self._wanted is not None:
-            self._start()
-            return
-        self.ended.emit()
+    def _read(self) -> None:
+        for message in self._came.take(bytes(self._processes[0].readAllStandardOutput().data())):
+            number, problems = pickle.loads(message)
+            project = self._wanted
+            if number == self._number and project is not None:
+                self._give_up()
+                self.found.emit(project, problems)
+
+    def _log_error(self) -> None:
+        said = bytes(self._processes[0].readAllStandardError().data())
+        _log.error("a check failed: %s", said.decode(errors="replace").strip())
+
+    def _on_error(self, error: QProcess.ProcessError) -> None:
+        if error == QProcess.ProcessError.FailedToStart:
+            self._on_gone()
+
+    def _on_gone(self) -> None:
+        """The process has ended though nobody asked it to; the next question starts another."""
+        _log.error("the process that looks for problems has ended: problems stay as they were")
+        process = self._processes.pop()
+        process.deleteLater()
+        self.cancel()
+
+
+def _end(*processes: QProcess) -> None:
+    for process in processes:
+        process.kill()
+        process.waitForFinished(1000)
 
 
 class CheckWork(QObject):

@@ -9,7 +9,16 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
-from tests.benchmarks import deciding, documents_read, drawing, editing, live, messages, window
+from tests.benchmarks import (
+    deciding,
+    documents_read,
+    drawing,
+    editing,
+    live,
+    messages,
+    problems,
+    window,
+)
 from tests.benchmarks.harness import ROUNDS, Bench, Missing, Result, measure, table
 
 BENCHES: tuple[Bench, ...] = (
@@ -17,6 +26,7 @@ BENCHES: tuple[Bench, ...] = (
     *deciding.BENCHES,
     *drawing.BENCHES,
     *editing.BENCHES,
+    *problems.BENCHES,
     *window.BENCHES,
     *messages.BENCHES,
     *live.BENCHES,
@@ -40,6 +50,7 @@ FIGURES = (
     "open",
     "edit",
     "layout",
+    "problems",
     "start",
     *UNBUILT,
 )
