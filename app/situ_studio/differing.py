@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from msgspec import Struct
 
+from situ.document import beside
+from situ.document.beside import Toml
+from situ.document.catalogue import Catalogue
 from situ.document.change import Change
 from situ.document.diff import compare
-from situ_studio.edit import Document
+from situ.document.project import Project
+from situ_studio.edit import Written
 
 
 class Differing(Struct, frozen=True):
@@ -14,14 +18,15 @@ class Differing(Struct, frozen=True):
 
     base: what both began with; None where that was given up. theirs: what lies on disk; None
     where it is gone, or has errors: unread says the first. both: the changes of both, where they
-    do not collide.
+    do not collide. project: as it is here.
     """
 
     file: str
-    mine: Document
-    base: Document | None
-    theirs: Document | None
-    both: Document | None = None
+    mine: Written
+    base: Written | None
+    theirs: Written | None
+    project: Project
+    both: Written | None = None
     gone: bool = False
     unread: str = ""
 
@@ -29,11 +34,18 @@ class Differing(Struct, frozen=True):
     def my_changes(self) -> list[Change]:
         """What was changed here; against what lies on disk where the beginning was given up."""
         before = self.base if self.base is not None else self.theirs
-        return compare(before, self.mine, self.file) if before is not None else []
+        return self._compared(before, self.mine) if before is not None else []
 
     @property
     def their_changes(self) -> list[Change]:
         """What the other program changed; nothing where the beginning was given up."""
         if self.base is None or self.theirs is None:
             return []
-        return compare(self.base, self.theirs, self.file)
+        return self._compared(self.base, self.theirs)
+
+    def _compared(self, before: Written, after: Written) -> list[Change]:
+        if isinstance(before, Toml | Catalogue) or isinstance(after, Toml | Catalogue):
+            if isinstance(before, Toml | Catalogue) and isinstance(after, Toml | Catalogue):
+                return beside.compare(self.project, self.file, before, after)
+            return []
+        return compare(before, after, self.file)

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 from msgspec import Struct
 
+from situ.document import beside, codec
+from situ.document.beside import Beside, Toml
+from situ.document.catalogue import Catalogue
 from situ.document.modules import Modules
+from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 
 Document = Application | Spds | Modules
-"""Any value that is one file of a project."""
+"""Any value that is one file of a project and is drawn."""
+
+Written = Document | Beside
+"""Any value that is one file of a project: what it consists of, and its texts, too."""
 
 Place = tuple[str, ...]
 """What a selection or a problem points at, from the outside in, as ``Problem.place``:
@@ -24,6 +31,16 @@ class Edit(Struct, frozen=True):
     """
 
     file: str
-    before: Document | None
-    after: Document | None
+    before: Written | None
+    after: Written | None
     text: str
+
+
+def read(data: bytes, file: str) -> tuple[Written | None, list[Problem]]:
+    """The value of a file of a project by its path; None where there is none, and what is wrong."""
+    return codec.read(data, file) if file.endswith(".xml") else beside.read(data, file)
+
+
+def write(value: Written) -> bytes:
+    """The bytes of a value's file."""
+    return beside.write(value) if isinstance(value, Toml | Catalogue) else codec.write(value)

@@ -43,13 +43,14 @@ class FolderWatch(QObject):
         self.root = root
         self._files = list(files)
         self._beside = {file: self._digest(file) for file in beside}
-        self._seen = {file: self._digest(file) for file in self._files}
+        self._seen = {file: self._digest(file) for file in self._files} | self._beside
         self.watch()
 
     def attend(self, files: Iterable[str], beside: Iterable[str]) -> None:
         """The project consists of these now; what was seen of a document before is still known."""
         self._files = list(files)
         self._beside = {file: self._digest(file) for file in beside}
+        self._seen = self._beside | self._seen
         self.watch()
 
     def move(self, root: Path) -> None:
@@ -71,7 +72,9 @@ class FolderWatch(QObject):
     def see(self, file: str) -> None:
         """What the file holds now is known here."""
         self._seen[file] = self._digest(file)
-        if file not in self._files:
+        if file in self._beside:
+            self._beside[file] = self._seen[file]
+        elif file not in self._files:
             self._files.append(file)
             self.watch()
 

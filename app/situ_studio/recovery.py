@@ -14,11 +14,13 @@ from pathlib import Path
 import msgspec
 from PySide6.QtCore import QLockFile, QObject, QTimer
 
-from situ.document import codec, folder
+from situ.document import folder
+from situ.document.catalogue import Catalogue
 from situ.document.rbd import Application
 from situ.errors import SituError
+from situ_studio import edit
 from situ_studio.claim import key, lock
-from situ_studio.edit import Document
+from situ_studio.edit import Written
 from situ_studio.panels.notice import Notice
 from situ_studio.session import Session
 
@@ -54,7 +56,7 @@ class Recovery(QObject):
         self._session, self._home, self._notice, self._now = session, home, notice, now
         self._file: Path | None = None
         self._lock: QLockFile | None = None
-        self._kept: dict[str, Document] = {}
+        self._kept: dict[str, Written] = {}
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.setInterval(SOON)
@@ -67,7 +69,7 @@ class Recovery(QObject):
     def keep(self) -> None:
         """Keeps what is not saved now; forgets what was kept where all is saved."""
         self._soon.stop()
-        dirty = {f: self._session.document(f) for f in self._session.dirty}
+        dirty = {f: self._session.value(f) for f in self._session.dirty}
         wanted = {
             file: document
             for file, document in dirty.items()
@@ -79,7 +81,7 @@ class Recovery(QObject):
         if wanted == self._kept and all(wanted[f] is self._kept[f] for f in wanted):
             return
         root = str(self._session.root.resolve())
-        files = {file: codec.write(document).decode() for file, document in wanted.items()}
+        files = {file: edit.write(document).decode() for file, document in wanted.items()}
         try:
             if self._file is None:
                 self._home.mkdir(parents=True, exist_ok=True)
@@ -145,10 +147,10 @@ class Recovery(QObject):
     def _restore(self, file: Path, kept: Kept) -> None:
         """As one step a document, that can be undone."""
         for name, text in kept.files.items():
-            document, _ = codec.read(text.encode(), name)
-            now = self._session.document(name)
+            document, _ = edit.read(text.encode(), name)
+            now = self._session.value(name)
             # A part that was made, and not saved, is known to no file of the project yet.
-            new = now is None and isinstance(document, Application)
+            new = now is None and isinstance(document, Application | Catalogue)
             if document is not None and (new or type(document) is type(now)):
                 self._session.commit(name, document, self.tr("Bring back unsaved changes"))
         # Only once they are kept anew.

@@ -7,7 +7,7 @@ or saved (architecture, idea 1).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from datetime import datetime
 from pathlib import Path
@@ -16,9 +16,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from situ.document import codec, folder
+from situ.document import beside, folder
+from situ.document.beside import Beside, Toml
+from situ.document.catalogue import Catalogue
 from situ.document.check import check, merge
-from situ.document.join import join
+from situ.document.join import join, join_texts
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.rbd import Application
@@ -27,7 +29,7 @@ from situ.errors import UsageError
 from situ_studio import projects
 from situ_studio.checking import Checker
 from situ_studio.differing import Differing
-from situ_studio.edit import Document, Edit, Place
+from situ_studio.edit import Document, Edit, Place, Written, read, write
 from situ_studio.folder_watch import FolderWatch
 
 Selection = tuple[Place, ...]
@@ -58,7 +60,7 @@ class Session(QObject):
     opened = Signal()
     """Another project is open."""
     changed = Signal(str)
-    """The document of that file is another value now."""
+    """The document of that file, or what stands in a file beside them, is another value now."""
     listed = Signal()
     """The project has a file more, or one less."""
     selected = Signal(str, tuple, object)
@@ -84,9 +86,10 @@ class Session(QObject):
         self._by_file: dict[str, list[Problem]] = {}
         # By what problems call a file: the path as the user gave it.
         self._called: dict[str, str | None] = {}
-        self._incomplete: dict[str, Document] = {}
-        self._read: dict[str, Document] = {}
-        self._saved: dict[str, Document] = {}
+        self._incomplete: dict[str, Written] = {}
+        self._beside: dict[str, Beside] = {}
+        self._read: dict[str, Written] = {}
+        self._saved: dict[str, Written] = {}
         self._texts: dict[str, bytes] = {}
         self._steps: list[Step] = []
         self._at = 0
@@ -143,6 +146,13 @@ class Session(QObject):
             return project.spds
         return project.modules if file == project.modules_file else None
 
+    def value(self, file: str) -> Written | None:
+        """As ``document``, of the files beside the documents too: what the project consists of,
+        its texts; None for one that is not there, or can not be read.
+        """
+        document = self.document(file)
+        return document if document is not None else self._beside.get(file)
+
     def open(self, path: str | Path) -> None:
         """Opens a project in place of the one that was open; nothing is saved.
 
@@ -167,7 +177,9 @@ class Session(QObject):
             for file, document in self._read.items()
             if any(p.severity == "error" and self.file_of(p) == file for p in problems)
         }
-        self.disk.begin(Path(project.root), self.files, _beside(project))
+        self.disk.begin(Path(project.root), self.files, beside.files(project))
+        self._beside = {}
+        self._read_beside()
         self._keep_texts()
         self._keep_problems(problems)
         self._check()
@@ -179,6 +191,8 @@ class Session(QObject):
 
         Such a document can not be changed: saving it would lose that for good.
         """
+        if beside.is_beside(file):
+            return file not in self._beside and not self.disk.is_missing(file)
         document = self._incomplete.get(file)
         return document is not None and document is self.document(file)
 
@@ -187,7 +201,7 @@ class Session(QObject):
     def commit(
         self,
         file: str,
-        after: Document,
+        after: Written,
         text: str,
         selected: Selection = (),
         looking: Looking | None = None,
@@ -202,7 +216,7 @@ class Session(QObject):
 
     def commit_all(
         self,
-        changed: Mapping[str, Document],
+        changed: Mapping[str, Written],
         text: str,
         selected: Selection = (),
         looking: Looking | None = None,
@@ -210,8 +224,8 @@ class Session(QObject):
         """Changes several documents as one named step, as ``commit`` does one.
 
         changed: the file in which it was done stands first; an application in a file that the
-        project does not have becomes a new part of it. None is changed, and the answer is False,
-        where one of them is incomplete.
+        project does not have becomes a new part of it, texts in one that is not there are begun.
+        None is changed, and the answer is False, where one of them is incomplete.
         """
         if any(self.is_incomplete(file) for file in changed):
             return False
@@ -219,12 +233,12 @@ class Session(QObject):
 
     def _commit(
         self,
-        changed: Mapping[str, Document],
+        changed: Mapping[str, Written],
         text: str,
         selected: Selection = (),
         looking: Looking | None = None,
     ) -> bool:
-        every = ((file, self.document(file), after) for file, after in changed.items())
+        every = ((file, self.value(file), after) for file, after in changed.items())
         edits = tuple(
             Edit(f, before, after, text) for f, before, after in every if after is not before
         )
@@ -273,7 +287,8 @@ class Session(QObject):
     @property
     def dirty(self) -> list[str]:
         """The files whose document is not what was last read or saved."""
-        return [f for f in self.files if self.document(f) is not self._saved.get(f)]
+        every = (*self.files, *self._beside)
+        return [f for f in every if self.value(f) is not self._saved.get(f)]
 
     # -- saving ------------------------------------------------------------------
 
@@ -298,7 +313,9 @@ class Session(QObject):
                     raise UsageError(
                         f"{file} is not saved: it has errors, and what they name would be lost"
                     )
-                folder.write(self.root / file, codec.write(document))
+                if beside.language_of(file) is not None:
+                    (self.root / file).parent.mkdir(exist_ok=True)
+                folder.write(self.root / file, write(document))
                 self._saved[file] = document
                 self.disk.see(file)
             self._saved_at = self._now()
@@ -310,20 +327,20 @@ class Session(QObject):
         """What was changed here and what by another program since both were the same."""
         mine, base = self._value(file), self._saved.get(file)
         if self.disk.is_missing(file):
-            return Differing(file, mine, base, None, gone=True)
+            return Differing(file, mine, base, None, self._open_project(), gone=True)
         try:
             theirs = self._on_disk(file)
         except UsageError as error:
-            return Differing(file, mine, base, None, unread=str(error))
-        both = join(base, mine, theirs) if base is not None else None
+            return Differing(file, mine, base, None, self._open_project(), unread=str(error))
+        both = _joined(base, mine, theirs)
         if both is not None and self._breaks(file, both, (mine, theirs)):
             both = None
-        return Differing(file, mine, base, theirs, both)
+        return Differing(file, mine, base, theirs, self._open_project(), both)
 
-    def _breaks(self, file: str, both: Document, sources: tuple[Document, ...]) -> bool:
+    def _breaks(self, file: str, both: Written, sources: tuple[Written, ...]) -> bool:
         """Whether the project has errors with ``both`` that it has with none of the others."""
 
-        def errors(document: Document) -> set[tuple[str, str]]:
+        def errors(document: Written) -> set[tuple[str, str]]:
             found = check(self._with(file, document))
             return {(p.code, p.message) for p in found if p.severity == "error"}
 
@@ -347,14 +364,14 @@ class Session(QObject):
             raise UsageError(found.unread or f"{file}: both changed the same thing")
         self._take(file, found.theirs, found.both, self.tr("Join {0} with disk").format(file))
 
-    def _take(self, file: str, theirs: Document, document: Document, text: str) -> None:
+    def _take(self, file: str, theirs: Written, document: Written, text: str) -> None:
         self.disk.see(file)
         self._saved[file] = theirs
         self._commit({file: document}, text)
         self.stack_changed.emit()
 
-    def _on_disk(self, file: str) -> Document:
-        document, problems = codec.read(self.disk.read(file), file)
+    def _on_disk(self, file: str) -> Written:
+        document, problems = read(self.disk.read(file), file)
         errors = [p for p in problems if p.severity == "error"]
         if errors:
             raise UsageError(str(errors[0]))
@@ -370,11 +387,15 @@ class Session(QObject):
         self.stack_changed.emit()
 
     def read_settings(self) -> None:
-        """Reads anew what the project consists of; its documents stay as they are here.
+        """Reads anew what the project consists of; its documents stay as they are here, and what
+        was changed here beside them.
 
         A file that came is read; one that is named no more goes, unless it is not saved yet.
         Where that can not be read, everything stays as it is.
         """
+        for file in self.dirty:
+            if file in self._beside and self.disk.is_other(file):
+                self.changed_on_disk.emit(file)
         before = self._open_project()
         try:
             project, problems = folder.load(before.root)
@@ -385,7 +406,7 @@ class Session(QObject):
         mine = {file: self._value(file) for file in self.files}
         dirty = self.dirty
         self._project = project
-        kept = [file for file in dirty if file not in self.files]
+        kept = [file for file in dirty if file not in (*self.files, *self._beside)]
         other = [f for f in self.files if f in mine and type(mine[f]) is not type(self.document(f))]
         if kept or other:
             # Somebody works on what would go.
@@ -402,16 +423,49 @@ class Session(QObject):
         self._forget_steps(gone)
         self._saved = {f: d for f, d in self._saved.items() if f not in gone}
         self._called = {}
-        self.disk.attend(self.files, _beside(project))
+        self._read_beside(kept=dirty)
         self._keep_texts()
         self._check_soon.start()
         self.listed.emit()
         self.stack_changed.emit()
 
+    def _read_beside(self, kept: Sequence[str] = ()) -> None:
+        """Takes the files beside the documents as they lie there, but for those to be kept."""
+        stay = {file: self._beside[file] for file in kept if file in self._beside}
+        if stay:
+            # First of all for its languages, whose texts are read here too.
+            self._project = beside.settled(self._open_project(), stay)
+        self.disk.attend(self.files, beside.files(self._open_project()))
+        for file in beside.files(self._open_project()):
+            if file not in stay:
+                self._take_beside(file)
+        if stay:
+            self._project = beside.settled(self._open_project(), self._beside)
+
+    def _take_beside(self, file: str) -> None:
+        """Takes one of them as it lies there; a step more, where steps lead to what it was."""
+        found = None
+        if not self.disk.is_missing(file):
+            found, _ = beside.read(self.disk.read(file), file)
+        self.disk.see(file)
+        before = self._beside.get(file)
+        if found is None:
+            self._beside.pop(file, None)
+            self._forget_steps({file})
+            return
+        if found == before:
+            found = before
+        elif any(one.file == file for step in self._steps for one in step.edits):
+            text = self.tr("Take {0} from disk").format(file)
+            del self._steps[self._at :]
+            self._steps.append(Step((Edit(file, before, found, text),)))
+            self._at += 1
+        self._beside[file] = self._saved[file] = self._read[file] = found
+
     def _keep_texts(self) -> None:
         """What stands beside the documents is known here, whatever becomes of the folder."""
         self._texts = {}
-        for file in _beside(self._open_project()):
+        for file in beside.files(self._open_project()):
             if not self.disk.is_missing(file):
                 self._texts[file] = self.disk.read(file)
 
@@ -430,15 +484,15 @@ class Session(QObject):
         for file in self.files:
             if self.is_incomplete(file):
                 raise UsageError(f"{file} has errors: mend them first, or they would be lost")
-        documents = {file: self._value(file) for file in self.files}
+        documents = {file: self._value(file) for file in (*self.files, *self._beside)}
         target = projects.copy_project(self._open_project(), self._texts, parent)
         for file, document in documents.items():
             (target / file).parent.mkdir(parents=True, exist_ok=True)
-            folder.write(target / file, codec.write(document))
+            folder.write(target / file, write(document))
         first = "" if self._open_project().toml is not None else self.files[0]
         self.move(target / first)
         self._saved.update(documents)
-        self.disk.begin(target, self.files, _beside(self._open_project()))
+        self.disk.begin(target, self.files, beside.files(self._open_project()))
         self._saved_at = self._now()
         self.stack_changed.emit()
 
@@ -474,6 +528,9 @@ class Session(QObject):
         if project is not self._project:
             return
         unread = [p for p in self._read_problems if not self._edited_since(p)]
+        for file, value in self._beside.items():
+            if value is not self._read.get(file):
+                unread += beside.problems(project, file, value)
         self._keep_problems(merge(unread, found))
         self.problems_changed.emit()
 
@@ -486,11 +543,16 @@ class Session(QObject):
                 self._by_file.setdefault(file, []).append(problem)
 
     def file_of(self, problem: Problem) -> str | None:
-        """The document that a problem is about; None for one about the project itself."""
+        """The document that a problem is about, or the file beside them; None: another one."""
         if problem.file not in self._called:
             root = self.root
             self._called[problem.file] = next(
-                (f for f in self.files if problem.file == f or Path(problem.file) == root / f), None
+                (
+                    f
+                    for f in (*self.files, *self._beside)
+                    if problem.file == f or Path(problem.file) == root / f
+                ),
+                None,
             )
         return self._called[problem.file]
 
@@ -503,22 +565,24 @@ class Session(QObject):
     def _edited_since(self, problem: Problem) -> bool:
         """Whether a problem of reading is about a document that is not as it was read."""
         file = self.file_of(problem)
-        return file is not None and self.document(file) is not self._read.get(file)
+        return file is not None and self.value(file) is not self._read.get(file)
 
     def _open_project(self) -> Project:
         if self._project is None:
             raise UsageError("no project is open")
         return self._project
 
-    def _value(self, file: str) -> Document:
-        document = self.document(file)
+    def _value(self, file: str) -> Written:
+        document = self.value(file)
         if document is None:
             raise UsageError(f"{file} is no document of this project")
         return document
 
-    def _with(self, file: str, document: Document) -> Project:
+    def _with(self, file: str, document: Written) -> Project:
         """The project with another document in a file that it has."""
         project = self._open_project()
+        if isinstance(document, Toml | Catalogue):
+            return beside.settled(project, {**self._beside, file: document})
         if isinstance(document, Application):
             kind = "parts" if file in project.parts else "applications"
             return replace(project, **{kind: {**getattr(project, kind), file: document}})
@@ -526,7 +590,10 @@ class Session(QObject):
             return replace(project, spds=document)
         return replace(project, modules=document)
 
-    def _exchange(self, file: str, document: Document | None) -> None:
+    def _exchange(self, file: str, document: Written | None) -> None:
+        if beside.is_beside(file):
+            self._exchange_beside(file, document)
+            return
         project = self._open_project()
         listed = self.document(file) is not None
         if document is None:
@@ -545,8 +612,36 @@ class Session(QObject):
         self.changed.emit(file)
         self.stack_changed.emit()
 
+    def _exchange_beside(self, file: str, value: Written | None) -> None:
+        before = self._open_project()
+        if isinstance(value, Toml | Catalogue):
+            self._beside[file] = value
+        elif self.disk.is_missing(file):
+            del self._beside[file]
+        else:
+            # It was saved before it was taken back.
+            self._beside[file] = Catalogue()
+        self._project = project = beside.settled(before, self._beside)
+        if project.languages != before.languages:
+            # A language that came may have had texts here before.
+            self.disk.attend(self.files, beside.files(project))
+            for other in beside.files(project):
+                if other not in self._beside and other not in beside.files(before):
+                    self._take_beside(other)
+            self._project = beside.settled(project, self._beside)
+        self._check_soon.start()
+        if [*project.applications] != [*before.applications] or project.name != before.name:
+            self.listed.emit()
+        self.changed.emit(file)
+        self.stack_changed.emit()
 
-def _beside(project: Project) -> list[str]:
-    """The files that say what a project consists of, beside its documents."""
-    texts = [f"{folder.TEXTS_FOLDER}/{language}.po" for language in project.languages]
-    return [folder.PROJECT_FILE, folder.LOCAL_FILE, *texts] if project.toml is not None else []
+
+def _joined(base: Written | None, mine: Written, theirs: Written) -> Written | None:
+    """What both made of one file; None where they collide, or nothing is known of the beginning."""
+    if isinstance(base, Catalogue) and isinstance(mine, Catalogue):
+        return join_texts(base, mine, theirs) if isinstance(theirs, Catalogue) else None
+    if base is None or isinstance(base, Toml | Catalogue):
+        return None
+    if isinstance(mine, Toml | Catalogue) or isinstance(theirs, Toml | Catalogue):
+        return None
+    return join(base, mine, theirs)

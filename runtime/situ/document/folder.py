@@ -106,6 +106,25 @@ def called(root: str, file: str) -> str:
     return os.path.join(root, file) if root != "." else file
 
 
+def settings(root: str, toml: ProjectFile, local: ProjectFile | None) -> dict[str, Any]:
+    """The fields of a project in ``root`` that its settings alone say; ``local`` laid over them."""
+    return {
+        "name": toml.get("project", "name") or Path(root).resolve().name,
+        "languages": tuple(toml.get("project", "languages") or ()),
+        "endpoint": _first(local, toml, "robot", "endpoint", "tcp://127.0.0.1:5570"),
+        "adapter": _first(local, toml, "robot", "adapter", "sim"),
+        "tags": _merged(local, toml, "tags"),
+        "durable": tuple(toml.get("durable", "tags") or ()),
+        "places": {
+            place: (float(x), float(y), float(heading))
+            for place, (x, y, heading) in _merged(local, toml, "places").items()
+        },
+        "mqtt": (local and local.mqtt()) or toml.mqtt(),
+        "private": tuple(toml.get("privacy", "private") or ()),
+        "settings": toml.settings(),
+    }
+
+
 def write(path: str | Path, data: bytes) -> None:
     """Puts ``data`` into a file: the old content or the new one whole, whatever happens.
 
@@ -250,7 +269,6 @@ class _Loading:
         modules_file = toml.get("project", "modules")
         project = Project(
             root=str(self.root),
-            name=toml.get("project", "name") or self.root.resolve().name,
             toml=PROJECT_FILE,
             applications=applications,
             spds_file=spds_file,
@@ -259,18 +277,7 @@ class _Loading:
             modules=self.document(toml, "modules", modules_file),
             media=self.inner_folder(toml, "media"),
             scenarios=self.inner_folder(toml, "scenarios"),
-            languages=tuple(toml.get("project", "languages") or ()),
-            endpoint=_first(local, toml, "robot", "endpoint", "tcp://127.0.0.1:5570"),
-            adapter=_first(local, toml, "robot", "adapter", "sim"),
-            tags=_merged(local, toml, "tags"),
-            durable=tuple(toml.get("durable", "tags") or ()),
-            places={
-                place: (float(x), float(y), float(heading))
-                for place, (x, y, heading) in _merged(local, toml, "places").items()
-            },
-            mqtt=(local and local.mqtt()) or toml.mqtt(),
-            private=tuple(toml.get("privacy", "private") or ()),
-            settings=toml.settings(),
+            **settings(str(self.root), toml, local),
         )
         project = replace(project, texts=self.texts(toml, project.languages))
         project = self.with_parts(project)

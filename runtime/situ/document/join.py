@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from situ.document import codec
 from situ.document.aside import EDITOR, Aside
+from situ.document.catalogue import Catalogue
 from situ.document.codec import Document
 from situ.document.diff_words import ORDER_COUNTS
 
@@ -22,6 +23,7 @@ _KEYS = {
     "observe": "tag",
     "modules": "name",
     "params": "name",
+    "translations": "text",
 }
 """By what the members of a list are the same ones, where it is theirs alone."""
 _SPOTS = {f"{{{EDITOR}}}x", f"{{{EDITOR}}}y"}
@@ -41,6 +43,14 @@ def join(base: Document, mine: Document, theirs: Document) -> Document | None:
         return None
     read, problems = codec.read(codec.write(found), "")
     return None if any(p.severity == "error" for p in problems) else read
+
+
+def join_texts(base: Catalogue, mine: Catalogue, theirs: Catalogue) -> Catalogue | None:
+    """As ``join``, of two people's translations into one language."""
+    try:
+        return cast(Catalogue, _joined(base, mine, theirs, ""))
+    except _Collision:
+        return None
 
 
 class _Collision(Exception):

@@ -1,0 +1,159 @@
+"""``texts/LANG.po`` and ``situ.toml`` as values that are changed entry by entry."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+from situ.document import beside, catalogue, folder, texts
+from situ.document.beside import Toml
+from situ.document.catalogue import Catalogue, Translation
+from situ.document.join import join_texts
+from situ.resources import example, examples
+
+_WORDS = st.text(st.characters(codec="utf-8", exclude_categories=("Cs", "Cc")), min_size=1)
+_TOKENS = st.text("abc-", min_size=1, max_size=5).map(lambda word: f"f{word}")
+
+
+@st.composite
+def _translations(draw: st.DrawFn) -> Translation:
+    said = draw(st.just("") | _WORDS)
+    return Translation(
+        text=draw(_WORDS),
+        said=said,
+        flags=tuple(draw(st.lists(_TOKENS, max_size=2, unique=True))),
+        obsolete=(obsolete := draw(st.booleans())),
+        # What is obsolete has no text that stands there now.
+        was=None if obsolete else draw(st.none() | _WORDS),
+        context=draw(st.none() | _WORDS),
+    )
+
+
+@settings(max_examples=60)
+@given(st.lists(_translations(), max_size=4, unique_by=lambda one: (one.text, one.context)))
+def test_what_is_written_is_read_again(found: list[Translation]) -> None:
+    # A file has what is obsolete at its end.
+    ordered = sorted(found, key=lambda one: one.obsolete)
+    value = replace(catalogue.empty("p", "ja"), translations=tuple(ordered))
+    assert catalogue.read(catalogue.write(value), "ja.po") == (value, [])
+
+
+@pytest.mark.parametrize("name", examples())
+def test_the_texts_of_the_examples_are_written_as_they_are_read(name: str) -> None:
+    for file in example(name).glob("texts/*.po"):
+        value, _ = catalogue.read(file.read_bytes(), file.name)
+        assert value is not None
+        assert catalogue.write(value) == file.read_bytes()
+        assert value.used == texts.read(file.read_bytes(), file.name)[0]
+
+
+def test_nothing_of_a_file_of_other_programs_is_lost() -> None:
+    data = (
+        '# Made by hand\n#\nmsgid ""\nmsgstr ""\n"X-Team: us\\n"\n"Language: ja\\n"\n\n'
+        "#  from the ward\n#. state 1: speech\n#: a.rbd.xml b.rbd.xml\n#, fuzzy, c-format\n"
+        '#| msgid "Hullo"\nmsgctxt "greeting"\nmsgid "Hello"\nmsgstr "やあ"\n\n'
+        'msgid "one"\nmsgid_plural "many"\nmsgstr[0] "一"\nmsgstr[1] "多"\n\n'
+        '#~ msgid "Gone"\n#~ msgstr "消"\n'
+    ).encode()
+    value, problems = catalogue.read(data, "ja.po")
+    assert problems == []
+    assert value is not None
+    assert catalogue.write(value) == data
+
+
+def test_a_file_that_is_none_is_told_with_its_line() -> None:
+    value, problems = catalogue.read(b'msgid "a"\nmsgst "b"\n', "ja.po")
+    assert value is None
+    assert [(p.code, p.line) for p in problems] == [("malformed-po", 2)]
+
+
+def test_a_translation_that_leaves_out_a_reference_lacks_it() -> None:
+    assert catalogue.lacks("Hello {user.name}, {n} left", "{n} のこり") == ("user.name",)
+    assert catalogue.lacks("Hello {user.name}", "") == ()
+    assert catalogue.lacks("{{name}} is plain", "x") == ()
+
+
+def _of(*entries: Translation) -> Catalogue:
+    return Catalogue(translations=entries)
+
+
+def test_what_a_person_translates_is_sure() -> None:
+    entry = Translation("a", "x", flags=("fuzzy", "c-format"), was="b", obsolete=True)
+    assert catalogue.translated(entry, "y") == Translation("a", "y", flags=("c-format",))
+
+
+def test_a_new_entry_stands_behind_the_text_before_it() -> None:
+    value = _of(Translation("a"), Translation("c"))
+    found = catalogue.with_entry(value, Translation("b", "x"), after="a")
+    assert [one.text for one in found.translations] == ["a", "b", "c"]
+    again = catalogue.with_entry(found, Translation("b", "y"), after="c")
+    assert [(one.text, one.said) for one in again.translations][1] == ("b", "y")
+
+
+def test_a_reworded_text_keeps_its_translation_unsure() -> None:
+    found = catalogue.reworded(_of(Translation("Helo", "やあ")), "Helo", "Hello", stays=False)
+    (entry,) = found.translations
+    assert (entry.text, entry.said, entry.was, entry.is_used) == ("Hello", "やあ", "Helo", False)
+    back = catalogue.reworded(found, "Hello", "Helo", stays=False)
+    assert back == _of(Translation("Helo", "やあ"))
+
+
+def test_a_text_that_stays_elsewhere_keeps_its_own_entry() -> None:
+    before = _of(Translation("Yes", "はい"), Translation("No", "いいえ"))
+    found = catalogue.reworded(before, "Yes", "Yes!", stays=True)
+    assert [(e.text, e.is_used) for e in found.translations] == [
+        ("Yes", True),
+        ("Yes!", False),
+        ("No", True),
+    ]
+
+
+def test_a_text_that_is_translated_already_takes_that() -> None:
+    before = _of(Translation("Yes", "はい"), Translation("Sure", "ええ", obsolete=True))
+    found = catalogue.reworded(before, "Yes", "Sure", stays=False)
+    assert found.used == {"Sure": "ええ"}
+    # What was translated once is kept for another time.
+    assert [e.text for e in found.translations if e.obsolete] == ["Yes"]
+
+
+def test_two_people_who_translate_different_texts_are_joined() -> None:
+    base = _of(Translation("a", "x"), Translation("b", "y"))
+    mine = _of(Translation("a", "X"), Translation("b", "y"))
+    theirs = _of(Translation("a", "x"), Translation("b", "Y"), Translation("c", "z"))
+    both = join_texts(base, mine, theirs)
+    assert both is not None
+    assert both.used == {"a": "X", "b": "Y", "c": "z"}
+    assert join_texts(base, mine, _of(Translation("a", "o"), Translation("b", "y"))) is None
+
+
+def test_a_project_is_what_its_files_say_it_is(tmp_path: Path) -> None:
+    root = example("reception")
+    project, _ = folder.load(root)
+    assert project is not None
+    values = {}
+    for file in beside.files(project):
+        if (root / file).exists():
+            value, problems = beside.read((root / file).read_bytes(), file)
+            assert value is not None
+            assert problems == []
+            assert beside.write(value) == (root / file).read_bytes()
+            values[file] = value
+    assert beside.settled(project, values) == project
+
+
+def test_a_robots_own_file_lies_over_the_projects() -> None:
+    project, _ = folder.load_texts({"situ.toml": ""}, "ward")
+    assert project is not None
+    values: dict[str, beside.Beside] = {
+        "situ.toml": Toml('[project]\nname = "p"\nmedia = "../away"\n[tags]\na = 1\nb = 2\n'),
+        "robot.local.toml": Toml("[tags]\nb = 3\n"),
+    }
+    found = beside.settled(project, values)
+    assert (found.name, found.tags, found.media) == ("p", {"a": 1, "b": 3}, None)
+    local = values["robot.local.toml"]
+    (change,) = beside.compare(project, "robot.local.toml", local, Toml("[tags]\nb = 4\n"))
+    assert change.text == "tag at the start b 3 → 4"
