@@ -36,6 +36,7 @@ from PySide6.QtWidgets import (
 from situ.document.rbd import AGAIN, BACK
 from situ_studio import icons
 from situ_studio.language import translated
+from situ_studio.panels.tag_completion import TagCompletion
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -45,6 +46,8 @@ class Line(QLineEdit):
 
     committed = Signal(object)
     refused = Signal(str)
+
+    _tags: TagCompletion | None = None
 
     def __init__(self, parent: QWidget | None = None, unit: str = "") -> None:
         super().__init__(parent)
@@ -88,6 +91,12 @@ class Line(QLineEdit):
         if self._words.stringList() != list(words):
             self._words.setStringList(list(words))
 
+    def complete_tags(self, tags: tuple[str, ...]) -> None:
+        """Offers these where somebody types ``{``."""
+        if self._tags is None:
+            self._tags = TagCompletion(self)
+        self._tags.offer(tags)
+
     def refuse(self, why: str) -> None:
         """Marks the field and says why; empty: no longer."""
         self.setProperty("role", "refused" if why else "")
@@ -117,6 +126,8 @@ class Line(QLineEdit):
         self.committed.emit(value)
 
     def event(self, event: QEvent) -> bool:
+        if self._tags is not None and self._tags.takes(event):
+            return True
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             keys = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
             # Once the text is an edit, undo means that edit and no longer single letters.
@@ -197,6 +208,8 @@ class Paragraph(QPlainTextEdit):
 
     committed = Signal(object)
 
+    _tags: TagCompletion | None = None
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown = ""
@@ -211,6 +224,12 @@ class Paragraph(QPlainTextEdit):
         if self.toPlainText() != self._shown:
             self.setPlainText(self._shown)
 
+    def complete_tags(self, tags: tuple[str, ...]) -> None:
+        """Offers these where somebody types ``{``."""
+        if self._tags is None:
+            self._tags = TagCompletion(self)
+        self._tags.offer(tags)
+
     def on_size_changed(self) -> None:
         lines = min(8, max(2, int(self.document().size().height())))
         self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + 16)
@@ -220,6 +239,11 @@ class Paragraph(QPlainTextEdit):
         if text != self._shown:
             self._shown = text
             self.committed.emit(text)
+
+    def event(self, event: QEvent) -> bool:
+        if self._tags is not None and self._tags.takes(event):
+            return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
@@ -412,6 +436,9 @@ def offer(
             widget.offer(((None, empty), *((s, s) for s in vocabulary.situations)))
         else:
             widget.offer(tuple((m, m) for m in vocabulary.modules))
+    elif isinstance(widget, Paragraph) or editor == "text":
+        assert isinstance(widget, Line | Paragraph)
+        widget.complete_tags(vocabulary.tags)
     elif isinstance(widget, Line):
         words = {
             "event": vocabulary.events,

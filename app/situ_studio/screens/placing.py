@@ -15,9 +15,6 @@ from situ.document import rbd
 
 LEAST = 2.0
 """A component is resized no smaller than this, either way."""
-GRID = 1.0
-NEAR = 1.0
-"""An edge or a middle nearer than this to another's is put there."""
 HANDLES = ("nw", "n", "ne", "e", "se", "s", "sw", "w")
 
 
@@ -36,17 +33,6 @@ class Box(NamedTuple):
     @property
     def bottom(self) -> float:
         return self.y + self.height
-
-
-class Snap(NamedTuple):
-    """A shift of ``dx`` and ``dy``, and the guides that it lies on: x of upright ones, y of
-    lying ones.
-    """
-
-    dx: float
-    dy: float
-    upright: tuple[float, ...] = ()
-    lying: tuple[float, ...] = ()
 
 
 def box_of(component: rbd.Component) -> Box:
@@ -79,49 +65,78 @@ def moved(boxes: Mapping[str, Box], dx: float, dy: float) -> dict[str, Box]:
     return {id: inside(b._replace(x=b.x + dx, y=b.y + dy)) for id, b in boxes.items()}
 
 
-def resized(box: Box, handle: str, dx: float, dy: float) -> Box:
-    """The box with the edges of ``handle`` shifted; the opposite ones stay."""
+def resized(
+    boxes: Mapping[str, Box], handle: str, dx: float, dy: float, keep: bool = False
+) -> dict[str, Box]:
+    """All of these with the edges of ``handle`` shifted; the opposite ones stay.
+
+    Several grow and shrink together, about what covers them all, with the distances between them.
+    keep: width and height stay in proportion; one that the handle does not shift grows and shrinks
+    about its middle.
+    """
+    if not boxes:
+        return {}
+    boxes = {id: inside(b) for id, b in boxes.items()}
+    old = around(boxes.values())
+    # None becomes smaller than LEAST; one that is so already does not become smaller still.
+    least_x = old.width * max(min(1.0, LEAST / b.width) for b in boxes.values())
+    least_y = old.height * max(min(1.0, LEAST / b.height) for b in boxes.values())
+    if keep:
+        new = _in_proportion(old, handle, dx, dy, max(least_x / old.width, least_y / old.height))
+    else:
+        new = _shifted(old, handle, dx, dy, least_x, least_y)
+    across, down = new.width / old.width, new.height / old.height
+    return {
+        id: inside(
+            Box(
+                new.x + (b.x - old.x) * across,
+                new.y + (b.y - old.y) * down,
+                b.width * across,
+                b.height * down,
+            )
+        )
+        for id, b in boxes.items()
+    }
+
+
+def _shifted(box: Box, handle: str, dx: float, dy: float, least_x: float, least_y: float) -> Box:
     left, top, right, bottom = box.x, box.y, box.right, box.bottom
     if "w" in handle:
-        left = max(0.0, min(left + dx, right - LEAST))
+        left = max(0.0, min(left + dx, right - least_x))
     if "e" in handle:
-        right = min(100.0, max(right + dx, left + LEAST))
+        right = min(100.0, max(right + dx, left + least_x))
     if "n" in handle:
-        top = max(0.0, min(top + dy, bottom - LEAST))
+        top = max(0.0, min(top + dy, bottom - least_y))
     if "s" in handle:
-        bottom = min(100.0, max(bottom + dy, top + LEAST))
-    return inside(Box(left, top, right - left, bottom - top))
+        bottom = min(100.0, max(bottom + dy, top + least_y))
+    return Box(left, top, right - left, bottom - top)
 
 
-def snapped(
-    box: Box, others: Collection[Box], dx: float, dy: float, handle: str = "nesw", move: bool = True
-) -> Snap:
-    """The shift nearest to this one that puts an edge or the middle on a guide, else on the grid.
-
-    Guides are the edges and middles of ``others`` and of the screen. handle: the edges that go;
-    move: all of it goes, so that its middle counts too.
-    """
-    xs = [0.0, 50.0, 100.0, *(v for b in others for v in (b.x, b.x + b.width / 2, b.right))]
-    ys = [0.0, 50.0, 100.0, *(v for b in others for v in (b.y, b.y + b.height / 2, b.bottom))]
-    own_x = [v for letter, v in (("w", box.x), ("e", box.right)) if letter in handle]
-    own_y = [v for letter, v in (("n", box.y), ("s", box.bottom)) if letter in handle]
-    if move:
-        own_x.append(box.x + box.width / 2)
-        own_y.append(box.y + box.height / 2)
-    dx, upright = _snapped(own_x, xs, dx)
-    dy, lying = _snapped(own_y, ys, dy)
-    return Snap(dx, dy, upright, lying)
-
-
-def _snapped(own: list[float], guides: list[float], by: float) -> tuple[float, tuple[float, ...]]:
-    if not own:
-        return 0.0, ()
-    pull = min((g - v - by for v in own for g in guides), key=abs)
-    if abs(pull) > NEAR:
-        return round((own[0] + by) / GRID) * GRID - own[0], ()
-    by += pull
-    met = {round(g, 2) for v in own for g in guides if abs(v + by - g) < 0.005}
-    return by, tuple(sorted(met))
+def _in_proportion(box: Box, handle: str, dx: float, dy: float, least: float) -> Box:
+    """least: the smallest factor."""
+    wanted, room = [], []
+    if "w" in handle or "e" in handle:
+        wanted.append(1 + (dx if "e" in handle else -dx) / box.width)
+        room.append(((100 - box.x) if "e" in handle else box.right) / box.width)
+    else:
+        middle = box.x + box.width / 2
+        room.append(2 * min(middle, 100 - middle) / box.width)
+    if "n" in handle or "s" in handle:
+        wanted.append(1 + (dy if "s" in handle else -dy) / box.height)
+        room.append(((100 - box.y) if "s" in handle else box.bottom) / box.height)
+    else:
+        middle = box.y + box.height / 2
+        room.append(2 * min(middle, 100 - middle) / box.height)
+    factor = max(wanted, key=lambda one: abs(one - 1))
+    factor = max(least, min(factor, *room))
+    width, height = box.width * factor, box.height * factor
+    x = box.x if "e" in handle else box.right - width
+    y = box.y if "s" in handle else box.bottom - height
+    if not {"w", "e"} & set(handle):
+        x = box.x + (box.width - width) / 2
+    if not {"n", "s"} & set(handle):
+        y = box.y + (box.height - height) / 2
+    return Box(x, y, width, height)
 
 
 def aligned(boxes: Mapping[str, Box], edge: str) -> dict[str, Box]:

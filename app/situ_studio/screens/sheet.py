@@ -1,58 +1,40 @@
-"""The screen under the mouse: components are selected, moved, resized and taken away."""
+"""The screen on which components are placed: what is selected, proposed and told of it.
+
+``hand`` is the mouse on it, ``keyboard`` the keys, ``writing`` the text that is edited in place,
+``marks`` what is painted over it, ``accessible`` what a screen reader finds.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import NamedTuple
+from collections.abc import Collection, Mapping
+from pathlib import Path
 
-from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import (
+    QContextMenuEvent,
     QDragEnterEvent,
     QDragMoveEvent,
     QDropEvent,
+    QFocusEvent,
+    QInputMethodEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPen,
+    QResizeEvent,
 )
 from PySide6.QtWidgets import QWidget
 
 from situ.document import rbd
 from situ_studio.kinds import COMPONENTS, MIME
 from situ_studio.panels.preview import ScreenPreview
-from situ_studio.screens import placing
+from situ_studio.screens import keyboard, marks, ordering, placing
+from situ_studio.screens.drags import Proposal
+from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import Box
+from situ_studio.screens.shown import Values
+from situ_studio.screens.writing import Writing
 from situ_studio.theme import Theme
-
-GRIP = 7.0
-"""Side of a handle, px."""
-SLACK = 4.0
-"""How far the mouse goes, in px, before a press is a drag."""
-_ARROWS = {
-    Qt.Key.Key_Left: (-1, 0),
-    Qt.Key.Key_Right: (1, 0),
-    Qt.Key.Key_Up: (0, -1),
-    Qt.Key.Key_Down: (0, 1),
-}
-_CURSORS = {
-    "nw": Qt.CursorShape.SizeFDiagCursor,
-    "se": Qt.CursorShape.SizeFDiagCursor,
-    "ne": Qt.CursorShape.SizeBDiagCursor,
-    "sw": Qt.CursorShape.SizeBDiagCursor,
-    "n": Qt.CursorShape.SizeVerCursor,
-    "s": Qt.CursorShape.SizeVerCursor,
-    "e": Qt.CursorShape.SizeHorCursor,
-    "w": Qt.CursorShape.SizeHorCursor,
-}
-
-
-class _Drag(NamedTuple):
-    """What the mouse holds since it was pressed at ``start``: a handle, or all of it ("")."""
-
-    start: QPointF
-    handle: str
-    boxes: Mapping[str, Box]
 
 
 class Sheet(ScreenPreview):
@@ -69,146 +51,187 @@ class Sheet(ScreenPreview):
     dropped = Signal(str, float, float)
     """A kind of component was dropped: its name, and where its middle shall be."""
     opened = Signal(str)
-    """A double click or Enter: the component is to be filled in."""
+    """The component is to be filled in: Enter, or a double click where there is no text."""
+    menu_asked = Signal(QPoint)
+    """A context menu is wanted, of what is selected, there on the desktop."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(theme, parent)
         self._chosen: tuple[str, ...] = ()
-        self._drag: _Drag | None = None
+        self._proposal: Proposal | None = None
         self._proposed: rbd.Screen | None = None
-        self._guides = placing.Snap(0, 0)
+        self._all_above: tuple[rbd.Component, ...] = ()
+        self._shows_above = True
+        self._hand = Hand(self)
+        self.writing = Writing(self)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled)
         self.setMouseTracking(True)
         self.setAcceptDrops(True)
         self.setCursor(Qt.CursorShape.ArrowCursor)
 
+    # -- what is shown -------------------------------------------------------------------
+
+    def show_screen(
+        self,
+        theme: Theme,
+        screen: rbd.Screen | None,
+        above: tuple[rbd.Component, ...],
+        media: Path | None,
+        values: Values | None = None,
+    ) -> None:
+        """A drag ends where its screen is another one."""
+        if screen is not self._screen:
+            self._hand.cancel()
+        self._all_above = above
+        above = above if self._shows_above else ()
+        super().show_screen(theme, screen, above, media, values)
+        self.writing.follow()
+
+    def show_always(self, shown: bool) -> None:
+        """Whether the components that Always adds are seen, and snapped to."""
+        self._shows_above = shown
+        self._above = self._all_above if shown else ()
+        self.update()
+
+    def offer_tags(self, tags: tuple[str, ...]) -> None:
+        """What ``{`` completes in a text that is edited in place."""
+        self.writing.offer(tags)
+
     def select(self, ids: tuple[str, ...]) -> None:
         """Shows which components are selected."""
-        self._chosen = ids
-        self.update()
+        if ids != self._chosen:
+            self.writing.take()
+            self._chosen = ids
+            self.update()
+
+    @property
+    def screen_shown(self) -> rbd.Screen | None:
+        """The screen of the document, without what is proposed."""
+        return self._screen
 
     @property
     def selected(self) -> tuple[str, ...]:
         """The ids of the selected components that are there."""
-        return tuple(self._selected())
+        return tuple(self.selected_boxes())
 
-    def align(self, edge: str) -> None:
-        """Places what is selected, as ``placing.aligned`` says."""
-        if self._screen is not None:
-            after = placing.placed(self._screen, placing.aligned(self._selected(), edge))
-            self._tell(after, self.tr("Align {0}"))
+    @property
+    def colours(self) -> Theme:
+        return self._theme
 
-    # -- measures ------------------------------------------------------------------------
+    # -- what is done --------------------------------------------------------------------
 
-    def _own(self) -> dict[str, Box]:
-        screen = self._screen
-        return {c.id: placing.box_of(c) for c in screen.components} if screen is not None else {}
-
-    def _selected(self) -> dict[str, Box]:
-        own = self._own()
-        return {id: own[id] for id in self._chosen if id in own}
-
-    def area(self, box: Box) -> QRectF:
-        """Where a box lies in the widget, px."""
-        across, down = self.width() / 100, self.height() / 100
-        return QRectF(box.x * across, box.y * down, box.width * across, box.height * down)
-
-    def handle_at(self, name: str) -> QPointF:
-        """The middle of a handle of what is selected."""
-        area = self.area(placing.around(self._selected().values()))
-        x = area.left() if "w" in name else area.right() if "e" in name else area.center().x()
-        y = area.top() if "n" in name else area.bottom() if "s" in name else area.center().y()
-        return QPointF(x, y)
-
-    def _handle_under(self, at: QPointF) -> str:
-        if len(self._selected()) != 1:
-            return ""
-        for name in placing.HANDLES:
-            if (self.handle_at(name) - at).manhattanLength() <= GRIP:
-                return name
-        return ""
-
-    def _under(self, at: QPointF) -> str | None:
-        """The uppermost component there."""
-        for id, box in reversed(self._own().items()):
-            if self.area(box).contains(at):
-                return id
-        return None
-
-    # -- mouse ---------------------------------------------------------------------------
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() != Qt.MouseButton.LeftButton:
-            return
-        at = event.position()
-        handle = self._handle_under(at)
-        if not handle:
-            self._choose(
-                self._under(at), bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            )
-        self._drag = _Drag(at, handle, self._selected())
-
-    def _choose(self, id: str | None, more: bool) -> None:
-        if id is None:
-            ids = self._chosen if more else ()
-        elif more:
-            ids = tuple(i for i in self._chosen if i != id)
-            ids = (*ids, id) if len(ids) == len(self._chosen) else ids
-        else:
-            ids = self._chosen if id in self._chosen else (id,)
+    def choose(self, ids: tuple[str, ...]) -> None:
+        """Selects components as a person does."""
         self.select(ids)
         self.chosen.emit(ids)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        at = event.position()
-        if self._drag is None:
-            handle = self._handle_under(at)
-            self.setCursor(_CURSORS.get(handle, Qt.CursorShape.ArrowCursor))
-            return
-        way = at - self._drag.start
-        if not self._drag.boxes or self._screen is None:
-            return
-        if self._proposed is None and way.manhattanLength() < SLACK:
-            return
-        free = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
-        self._propose(way.x() / self.width() * 100, way.y() / self.height() * 100, free)
+    def select_all(self) -> None:
+        self.choose(tuple(self.own()))
 
-    def _propose(self, dx: float, dy: float, free: bool) -> None:
-        assert self._drag is not None
-        assert self._screen is not None
-        _, handle, boxes = self._drag
-        guides = placing.Snap(dx, dy)
-        if not free:
-            others = [box for id, box in self._own().items() if id not in boxes]
-            others += [placing.box_of(c) for c in self._above]
-            whole = placing.around(boxes.values())
-            guides = placing.snapped(whole, others, dx, dy, handle or "wens", not handle)
-        if handle:
-            after = {
-                id: placing.resized(box, handle, guides.dx, guides.dy) for id, box in boxes.items()
-            }
-        else:
-            after = placing.moved(boxes, guides.dx, guides.dy)
-        self._guides = guides
-        self._proposed = placing.placed(self._screen, after)
+    def align(self, edge: str) -> None:
+        """Places what is selected, as ``placing.aligned`` says."""
+        self.place(placing.aligned(self.selected_boxes(), edge), self.tr("Align {0}"))
+
+    def order(self, way: ordering.Way) -> None:
+        """Puts what is selected before or behind others, as ``ordering.reordered`` says."""
+        texts = {
+            "front": self.tr("Bring {0} to the front"),
+            "forward": self.tr("Bring {0} forward"),
+            "backward": self.tr("Send {0} backward"),
+            "back": self.tr("Send {0} to the back"),
+        }
+        if self._screen is not None:
+            self.tell(ordering.reordered(self._screen, self.selected, way), texts[way])
+
+    def place(self, boxes: Mapping[str, Box], text: str) -> None:
+        """Components lie there now. text: the name of the step, {0} are those selected."""
+        if self._screen is not None:
+            self.tell(placing.placed(self._screen, boxes), text)
+
+    def tell(self, after: rbd.Screen, text: str) -> None:
+        """The screen is another one; nothing where it is the very same."""
+        if after is not self._screen:
+            self.edited.emit(after, text.format(", ".join(self.selected)))
+
+    def propose(self, proposal: Proposal | None) -> None:
+        """Paints components where they would lie; None: where they do."""
+        self._proposal = self._proposed = None
+        if proposal is not None and self._screen is not None:
+            self._proposal = proposal
+            self._proposed = placing.placed(self._screen, proposal.boxes)
         self.update()
+
+    # -- measures ------------------------------------------------------------------------
+
+    @property
+    def scale(self) -> marks.Scale:
+        return marks.Scale(QSizeF(self.size()))
+
+    def own(self) -> dict[str, Box]:
+        """The boxes of the screen's own components, back to front."""
+        screen = self._screen
+        return {c.id: placing.box_of(c) for c in screen.components} if screen is not None else {}
+
+    def selected_boxes(self) -> dict[str, Box]:
+        own = self.own()
+        return {id: own[id] for id in self._chosen if id in own}
+
+    def others(self, ids: Collection[str]) -> list[Box]:
+        """The boxes of everything on the screen but these."""
+        found = [box for id, box in self.own().items() if id not in ids]
+        return found + [placing.box_of(c) for c in self._above]
+
+    def component(self, id: str) -> rbd.Component | None:
+        """One of the screen's own components."""
+        every = self._screen.components if self._screen is not None else ()
+        return next((c for c in every if c.id == id), None)
+
+    def area(self, box: Box) -> QRectF:
+        """Where a box lies in the widget, px."""
+        return self.scale.area(box)
+
+    def handle_at(self, name: str) -> QPointF:
+        """The middle of a handle of what is selected."""
+        return self.scale.handle(name, placing.around(self.selected_boxes().values()))
+
+    def handle_under(self, at: QPointF) -> str:
+        """The handle there; "" where there is none."""
+        if self.selected_boxes():
+            for name in placing.HANDLES:
+                if (self.handle_at(name) - at).manhattanLength() <= marks.GRIP:
+                    return name
+        return ""
+
+    def under(self, at: QPointF) -> list[str]:
+        """The components there, the uppermost one first."""
+        return [id for id, box in reversed(self.own().items()) if self.area(box).contains(at)]
+
+    # -- events --------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._hand.press(event.position(), event.modifiers())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._hand.move(event.position(), event.modifiers())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        drag, proposed = self._drag, self._proposed
-        self._end_drag()
-        if drag is None or proposed is None:
-            return
-        self._tell(proposed, self.tr("Resize {0}") if drag.handle else self.tr("Move {0}"))
-
-    def _end_drag(self) -> None:
-        self._drag = self._proposed = None
-        self._guides = placing.Snap(0, 0)
-        self.update()
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._hand.release()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self._end_drag()
-        if (id := self._under(event.position())) is not None:
-            self.opened.emit(id)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._hand.double(event.position())
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        if event.reason() == QContextMenuEvent.Reason.Mouse:
+            under = self.under(QPointF(event.pos()))
+            if not under:
+                self.choose(())
+            elif not set(under) & set(self.selected):
+                self.choose((under[0],))
+            self.menu_asked.emit(event.globalPos())
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         event.setAccepted(_component_in(event) != "")
@@ -217,47 +240,52 @@ class Sheet(ScreenPreview):
         event.setAccepted(_component_in(event) != "")
 
     def dropEvent(self, event: QDropEvent) -> None:
-        name, at = _component_in(event), event.position()
+        name = _component_in(event)
         if name:
             event.setDropAction(Qt.DropAction.CopyAction)
             event.accept()
             self.setFocus()
-            across, down = at.x() / self.width() * 100, at.y() / self.height() * 100
-            self.dropped.emit(name, across, down)
-
-    # -- keys ----------------------------------------------------------------------------
+            self.dropped.emit(name, *self.scale.percent(event.position()))
 
     def event(self, event: QEvent) -> bool:
-        # What is done with a component here is not done with its state on the graph.
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
-            deletes = event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
-            if self._selected() and (deletes or event.key() in _ARROWS):
+        if isinstance(event, QKeyEvent):
+            # What is done with a component here is not done with its state on the graph.
+            if event.type() == QEvent.Type.ShortcutOverride and keyboard.takes(self, event):
                 event.accept()
+                return True
+            # Before Qt moves the focus by Tab.
+            if event.type() == QEvent.Type.KeyPress and keyboard.step(self, event):
                 return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        boxes, screen, key = self._selected(), self._screen, Qt.Key(event.key())
-        if key == Qt.Key.Key_Escape and self._drag is not None:
-            self._end_drag()
-        elif screen is None or not boxes:
-            super().keyPressEvent(event)
-        elif key in _ARROWS:
-            step = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-            dx, dy = (step * one for one in _ARROWS[key])
-            self._tell(placing.placed(screen, placing.moved(boxes, dx, dy)), self.tr("Move {0}"))
-        elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
-            after = placing.without(screen, boxes)
-            self._tell(after, self.tr("Delete {0}"))
-            self._choose(None, False)
-        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            self.opened.emit(next(iter(boxes)))
-        else:
+        if event.key() == Qt.Key.Key_Escape and self._hand.cancel():
+            return
+        if not keyboard.press(self, event):
             super().keyPressEvent(event)
 
-    def _tell(self, after: rbd.Screen, text: str) -> None:
-        if after is not self._screen:
-            self.edited.emit(after, text.format(", ".join(self._selected())))
+    def inputMethodEvent(self, event: QInputMethodEvent) -> None:
+        # Somebody begins to write with an input method, as one does in Japanese.
+        if not self.writing.compose(event):
+            super().inputMethodEvent(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.writing.settle()
+
+    def menu_corner(self) -> QPoint:
+        """Where a context menu of what is selected stands, on the desktop."""
+        boxes = self.selected_boxes()
+        at = self.area(placing.around(boxes.values())).center() if boxes else self.rect().center()
+        return self.mapToGlobal(QPointF(at).toPoint())
 
     # -- painting ------------------------------------------------------------------------
 
@@ -271,26 +299,23 @@ class Sheet(ScreenPreview):
             self._screen = kept
 
     def _paint_marks(self) -> None:
-        painter = QPainter(self)
-        across, down = self.width() / 100, self.height() / 100
-        painter.setPen(QPen(self._theme.color("guides"), 1))
-        for x in self._guides.upright:
-            painter.drawLine(QLineF(x * across, 0, x * across, self.height()))
-        for y in self._guides.lying:
-            painter.drawLine(QLineF(0, y * down, self.width(), y * down))
+        painter, theme, scale = QPainter(self), self._theme, self.scale
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        boxes = self._selected()
-        accent = self._theme.color("accent")
-        painter.setPen(QPen(accent, 2))
-        for box in boxes.values():
-            painter.drawRoundedRect(self.area(box), 3, 3)
-        if len(boxes) == 1:
-            painter.setPen(QPen(accent, 1.5))
-            painter.setBrush(self._theme.color("card"))
-            for name in placing.HANDLES:
-                grip = QRectF(0, 0, GRIP, GRIP)
-                grip.moveCenter(self.handle_at(name))
-                painter.drawRoundedRect(grip, 1.5, 1.5)
+        boxes = self.selected_boxes()
+        if self._proposal is not None:
+            marks.paint_guides(painter, theme, scale, self._proposal.snap)
+        if not self.writing.is_open:
+            dragged = self._proposal is not None
+            marks.paint_selection(painter, theme, scale, list(boxes.values()), not dragged)
+        if self._proposal is not None:
+            marks.paint_gaps(painter, theme, scale, self._proposal.gaps)
+        if boxes and not self.writing.is_open:
+            components = [c for id in boxes if (c := self.component(id)) is not None]
+            whole = placing.around(boxes.values())
+            text = marks.measured(whole, components)
+            marks.paint_badge(painter, theme, scale, whole, text)
+        if self._hand.band is not None:
+            marks.paint_band(painter, theme, scale, self._hand.band)
         painter.end()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -32,10 +33,10 @@ def on_screen(box: Box) -> bool:
     return box.x >= 0 and box.y >= 0 and box.right <= 100.0001 and box.bottom <= 100.0001
 
 
-@given(st.lists(BOXES, min_size=1, max_size=5), STEPS)
+@given(st.lists(BOXES, min_size=1, max_size=5), STEPS, st.booleans())
 @settings(max_examples=80, deadline=None)
 def test_whatever_is_done_components_stay_on_the_screen(
-    boxes: list[Box], steps: list[tuple[str, float, float]]
+    boxes: list[Box], steps: list[tuple[str, float, float]], keep: bool
 ) -> None:
     now = {f"c{i}": box for i, box in enumerate(boxes)}
     for what, dx, dy in steps:
@@ -44,7 +45,7 @@ def test_whatever_is_done_components_stay_on_the_screen(
         elif what in EDGES:
             now = placing.aligned(now, what)
         else:
-            now = {id: placing.resized(box, what, dx, dy) for id, box in now.items()}
+            now = placing.resized(now, what, dx, dy, keep)
         assert all(on_screen(box) and box.width > 0 and box.height > 0 for box in now.values())
 
 
@@ -58,33 +59,50 @@ def test_what_is_moved_together_keeps_its_distances(boxes: list[Box], dx: float,
     assert max(y for _, y in shifts) - min(y for _, y in shifts) <= 0.0101
 
 
-@given(BOXES, st.sampled_from(placing.HANDLES), WAYS, WAYS)
-@settings(max_examples=60, deadline=None)
+@given(
+    st.lists(BOXES, min_size=1, max_size=4),
+    st.sampled_from(placing.HANDLES),
+    WAYS,
+    WAYS,
+    st.booleans(),
+)
+@settings(max_examples=100, deadline=None)
 def test_a_handle_leaves_the_opposite_edges_where_they_are(
+    boxes: list[Box], handle: str, dx: float, dy: float, keep: bool
+) -> None:
+    every = {f"c{i}": box for i, box in enumerate(boxes)}
+    before = placing.around(boxes)
+    after = placing.around(placing.resized(every, handle, dx, dy, keep).values())
+    if "e" in handle or (not keep and "w" not in handle):
+        assert after.x == pytest.approx(before.x, abs=0.021)
+    if "w" in handle or (not keep and "e" not in handle):
+        assert after.right == pytest.approx(before.right, abs=0.021)
+    if "s" in handle or (not keep and "n" not in handle):
+        assert after.y == pytest.approx(before.y, abs=0.021)
+    if "n" in handle or (not keep and "s" not in handle):
+        assert after.bottom == pytest.approx(before.bottom, abs=0.021)
+
+
+@given(BOXES, st.sampled_from(placing.HANDLES), WAYS, WAYS)
+@settings(max_examples=80, deadline=None)
+def test_in_proportion_a_component_stays_as_wide_as_it_is_high(
     box: Box, handle: str, dx: float, dy: float
 ) -> None:
-    after = placing.resized(box, handle, dx, dy)
-    if "w" not in handle:
-        assert abs(after.x - box.x) < 0.011
-    else:
-        assert abs(after.right - box.right) < 0.011
-    if "n" not in handle:
-        assert abs(after.y - box.y) < 0.011
-    else:
-        assert abs(after.bottom - box.bottom) < 0.011
+    after = placing.resized({"a": box}, handle, dx, dy, keep=True)["a"]
+    assert after.width * box.height == pytest.approx(after.height * box.width, abs=1.1)
 
 
-def test_an_edge_near_another_is_put_there_and_told_as_a_guide() -> None:
-    box, other = Box(10, 10, 20, 10), Box(42.5, 60, 20, 10)
-    snap = placing.snapped(box, [other], 32.0, 5.0)
-    assert box.x + snap.dx == 42.5
-    assert 42.5 in snap.upright
+def test_several_are_resized_together_and_so_are_the_distances_between_them() -> None:
+    both = {"a": Box(10, 10, 20, 10), "b": Box(40, 30, 10, 10)}
+    made = placing.resized(both, "se", 40, 30)
+    assert made == {"a": Box(10, 10, 40, 20), "b": Box(70, 50, 20, 20)}
 
 
-def test_far_from_every_guide_it_goes_to_the_grid() -> None:
-    snap = placing.snapped(Box(10.3, 10, 20, 10), [], 6.0, 0.0)
-    assert (10.3 + snap.dx) == 16.0
-    assert snap.upright == ()
+def test_of_several_the_smallest_stays_large_enough_to_be_seen() -> None:
+    both = {"a": Box(10, 10, 40, 10), "b": Box(60, 10, 4, 10)}
+    made = placing.resized(both, "e", -100, 0)
+    assert made["b"].width == placing.LEAST
+    assert made["a"].width == 20
 
 
 def test_a_single_one_is_aligned_with_the_screen_several_among_themselves() -> None:
