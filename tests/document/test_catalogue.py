@@ -87,11 +87,14 @@ def test_what_a_person_translates_is_sure() -> None:
 
 
 def test_a_new_entry_stands_behind_the_text_before_it() -> None:
-    value = _of(Translation("a"), Translation("c"))
-    found = catalogue.with_entry(value, Translation("b", "x"), after="a")
-    assert [one.text for one in found.translations] == ["a", "b", "c"]
-    again = catalogue.with_entry(found, Translation("b", "y"), after="c")
-    assert [(one.text, one.said) for one in again.translations][1] == ("b", "y")
+    value = _of(Translation("a"), Translation("c"), Translation("old", "x", obsolete=True))
+    new = {text: Translation(text, "x") for text in ("first", "b", "b2", "other")}
+    found = catalogue.with_entries(value, new, ["first", "a", "b", "b2", "c"])
+    texts = [one.text for one in found.translations]
+    assert texts == ["first", "a", "b", "b2", "c", "old", "other"]
+    again = catalogue.with_entries(found, {"b": Translation("b", "y")}, ["c", "b"])
+    assert [one.text for one in again.translations] == texts
+    assert again.used == found.used | {"b": "y"}
 
 
 def test_a_reworded_text_keeps_its_translation_unsure() -> None:

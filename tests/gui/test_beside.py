@@ -39,7 +39,7 @@ def said(session: Session, text: str, to: str, file: str = JA) -> None:
     value = session.value(file)
     assert isinstance(value, Catalogue)
     entry = value.entry(text) or Translation(text)
-    after = catalogue.with_entry(value, catalogue.translated(entry, to))
+    after = catalogue.with_entries(value, {text: catalogue.translated(entry, to)})
     assert session.commit(file, after, f"Translate {text}")
 
 

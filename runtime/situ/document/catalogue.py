@@ -6,6 +6,7 @@ flags, plurals, contexts, and what is kept as obsolete.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import polib
@@ -134,18 +135,30 @@ def empty(project: str, language: str) -> Catalogue:
     )
 
 
-def with_entry(catalogue: Catalogue, entry: Translation, after: str | None = None) -> Catalogue:
-    """The catalogue with an entry put in place of the one of its text; where there is none,
-    behind that of the text ``after``, or first.
+def with_entries(
+    catalogue: Catalogue, entries: Mapping[str, Translation], order: Sequence[str] = ()
+) -> Catalogue:
+    """The catalogue with these entries, by their texts, in place of those of the same texts.
+
+    One that is new stands behind the text that goes before it in ``order``, the project's texts;
+    what is not there at the end.
     """
-    old = catalogue.entry(entry.text)
-    entries = list(catalogue.translations)
-    if old is not None:
-        entries[_index(entries, old)] = entry
-    else:
-        behind = catalogue.entry(after) if after is not None else None
-        entries.insert(_index(entries, behind) + 1 if behind is not None else 0, entry)
-    return replace(catalogue, translations=tuple(entries))
+    known = catalogue.by_text()
+    behind: dict[str | None, list[Translation]] = {}
+    last: str | None = None
+    for text in order:
+        if text in known:
+            last = text
+        elif text in entries:
+            behind.setdefault(last, []).append(entries[text])
+    made = list(behind.get(None, ()))
+    for one in catalogue.translations:
+        is_it = known[one.text] is one
+        made.append(entries.get(one.text, one) if is_it else one)
+        made += behind.get(one.text, ()) if is_it else ()
+    placed = set(order)
+    made += [e for text, e in entries.items() if text not in known and text not in placed]
+    return replace(catalogue, translations=tuple(made))
 
 
 def translated(entry: Translation, said: str) -> Translation:
