@@ -1,5 +1,7 @@
 // Colours that a designer gave, checked before they are used.
 
+import { measure } from "./measures.js";
+
 export function colour(text) {
   return typeof text === "string" && CSS.supports("color", text) ? text : "";
 }
@@ -12,5 +14,5 @@ export function isLight(node) {
     const share = part / 255;
     return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
   });
-  return 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.213;
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue > measure("light");
 }

@@ -3,11 +3,13 @@
 
 import { colour, isLight } from "./colours.js";
 import { element } from "./element.js";
-import { fit } from "./fit.js";
+import { balance, fit, write } from "./fit.js";
 import { input } from "./input.js";
+import { measure } from "./measures.js";
 
-function setText(node, text) {
-  if (node.textContent !== text) node.textContent = text;
+// Texts stay the same nodes while they say the same.
+function setText(node, { text, parts }) {
+  if (node.textContent !== text) write(node, parts);
 }
 
 function text() {
@@ -16,12 +18,13 @@ function text() {
   return {
     node,
     update(component) {
-      setText(inner, component.text);
+      setText(inner, component);
       node.style.color = colour(component.color);
-      const size = component.size ?? 6;
-      node.dataset.rank = size >= 8 ? "title" : size >= 5.5 ? "body" : "hint";
+      const size = component.size ?? measure("text-size");
+      node.dataset.rank = size >= measure("title-from") ? "title" : size >= measure("body-from") ? "body" : "hint";
     },
-    fit: (component, unit) => fit(node, inner, (component.size ?? 6) * unit),
+    fit: (component, unit) => fit(node, inner, (component.size ?? measure("text-size")) * unit, component.parts),
+    balance: () => balance(node, inner),
   };
 }
 
@@ -37,14 +40,15 @@ function button(say) {
     node,
     update(component) {
       shown = component;
-      setText(inner, component.text);
+      setText(inner, component);
       node.style.color = colour(component.color);
       node.dataset.look = component.fill ? "given" : component.first ? "filled" : "outlined";
     },
     fit(component, unit) {
-      if (component.fill && !component.color) node.classList.toggle("on-light", isLight(node));
-      fit(node, inner, (component.size ?? 6) * unit);
+      node.classList.toggle("on-light", Boolean(component.fill) && !component.color && isLight(node));
+      fit(node, inner, (component.size ?? measure("button-size")) * unit, component.parts);
     },
+    balance: () => balance(node, inner),
   };
 }
 
@@ -139,7 +143,7 @@ function list(say) {
         const row = element("button", "item");
         row.type = "button";
         row.setAttribute("role", "option");
-        element("span", "", row).textContent = label;
+        write(element("span", "", row), label);
         row.addEventListener("click", () => {
           for (const other of rows) other.setAttribute("aria-selected", String(other === row));
           say.use(shown.id, { item: number });
@@ -149,7 +153,7 @@ function list(say) {
       node.replaceChildren(...rows);
     },
     fit(component, unit) {
-      node.style.fontSize = `${Math.max(14, (component.size ?? 5) * unit)}px`;
+      node.style.fontSize = `${Math.max(measure("least"), (component.size ?? measure("list-size")) * unit)}px`;
       mark();
     },
   };

@@ -1,11 +1,13 @@
-// Sizes of text: percent of the screen's height as designed, smaller where it would not fit.
+// Sizes and lines of text: percent of the screen's height as designed, smaller where it would not
+// fit. The editor follows the same steps (docs/screen.md): change both.
 
-const SMALLEST = 11;
+import { element } from "./element.js";
+import { measure } from "./measures.js";
 
 // What "percent of the screen's height" is worth in `area`. A tall narrow one (a phone held
 // upright) is measured by its width, so that headings stay in proportion to the lines.
 export function unit(area) {
-  return Math.min(area.clientHeight, area.clientWidth * 1.25) / 100;
+  return Math.min(area.clientHeight, area.clientWidth * measure("narrow")) / 100;
 }
 
 // What looks alike is written alike: all of one kind, box and wanted size as small as the one
@@ -24,20 +26,39 @@ export function even(parts) {
   }
 }
 
-// Sets the largest size up to `wanted` px at which `inner` lies inside `box`. Words stay whole
-// unless that makes them much smaller (Japanese may be parted anywhere) or too small to fit.
-export function fit(box, inner, wanted) {
+// Writes a text in its parts: white space, or phrases, each a list of what must not be parted of
+// it. Lines end between them: phrases stay whole, unless they are `parted`.
+export function write(inner, parts, parted = false) {
+  const nodes = [];
+  for (const part of parts) {
+    if (typeof part === "string") {
+      nodes.push(part);
+      continue;
+    }
+    for (const one of parted ? part : [part.join("")]) {
+      const whole = element("span", "whole");
+      whole.textContent = one;
+      nodes.push(element("wbr"), whole);
+    }
+  }
+  inner.replaceChildren(...nodes);
+}
+
+// Sets the largest size up to `wanted` px at which `inner` lies inside `box`. Phrases stay whole
+// unless that makes them much smaller, words unless nothing else fits.
+export function fit(box, inner, wanted, parts) {
+  const smallest = measure("smallest");
   const fits = (size) => {
     box.style.fontSize = `${size}px`;
     // The padding grows and shrinks with the text.
     const style = getComputedStyle(box);
-    const width = box.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
-    const height = box.clientHeight - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom);
+    const width = parseFloat(style.width) - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+    const height = parseFloat(style.height) - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom);
     return inner.scrollWidth <= width + 1 && inner.scrollHeight <= height + 1;
   };
   const largest = () => {
     if (fits(wanted)) return wanted;
-    let low = SMALLEST;
+    let low = smallest;
     let high = wanted;
     while (high - low > 0.5) {
       const middle = (low + high) / 2;
@@ -47,12 +68,31 @@ export function fit(box, inner, wanted) {
     return fits(low) ? low : 0;
   };
   if (box.clientWidth === 0) return;
+  inner.style.width = "";
+  if (box.dataset.parted) write(inner, parts);
   delete box.dataset.parted;
   delete box.dataset.cut;
-  if (largest() >= wanted * 0.6) return;
+  if (largest() >= wanted * measure("whole")) return;
+  write(inner, parts, true);
   box.dataset.parted = "script";
   if (largest() > 0) return;
   box.dataset.parted = "anywhere";
   // What does not fit at any size shows its beginning, and nothing beside its box.
   if (largest() === 0) box.dataset.cut = "true";
+}
+
+// Evens out the lines of a text: as narrow as it can be without one more.
+export function balance(box, inner) {
+  inner.style.width = "";
+  const high = inner.scrollHeight;
+  if (box.dataset.cut || high < parseFloat(getComputedStyle(inner).lineHeight) * 1.5) return;
+  const most = Math.ceil(parseFloat(getComputedStyle(inner).width));
+  let [low, least] = [0, most];
+  while (least - low > 1) {
+    const middle = Math.floor((low + least) / 2);
+    inner.style.width = `${middle}px`;
+    if (inner.scrollHeight > high || inner.scrollWidth > middle) low = middle;
+    else least = middle;
+  }
+  inner.style.width = least < most ? `${least}px` : "";
 }

@@ -4,9 +4,9 @@
 import { colour } from "./colours.js";
 import { datePattern, dateRead, dateShown, dateTyped } from "./dates.js";
 import { element } from "./element.js";
+import { measure } from "./measures.js";
 
 const MODES = { text: "text", number: "decimal", date: "text", pin: "numeric" };
-const NARROW = 150; // px: too little for what is typed and a button beside it
 const ALLOWED = { number: /[^0-9.,+-]/g, pin: /[^0-9]/g };
 
 // What a person typed as the value that is sent; undefined: not (yet) one.
@@ -116,10 +116,12 @@ export function input(say) {
       mark();
     },
     fit(component, unit) {
-      node.classList.toggle("narrow", node.clientWidth < NARROW);
-      const letters = component.kind === "date" ? 12 : Math.min(component.max ?? 1, 12);
-      const most = Math.min(node.clientHeight * 0.62, field.clientWidth / (letters * 0.68));
-      field.style.fontSize = `${Math.max(14, Math.min(most, (component.size ?? 7) * unit))}px`;
+      node.classList.toggle("narrow", node.clientWidth < measure("input-slim"));
+      const seen = measure("input-letters");
+      const letters = component.kind === "date" ? seen : Math.min(component.max ?? 1, seen);
+      const most = Math.min(node.clientHeight * measure("input-share"), field.clientWidth / (letters * measure("input-letter")));
+      const wanted = (component.size ?? measure("input-size")) * unit;
+      field.style.fontSize = `${Math.max(measure("least"), Math.min(most, wanted))}px`;
     },
     remove() {
       gone = true;

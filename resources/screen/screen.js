@@ -3,7 +3,7 @@
 import { makers } from "./components.js";
 import { colour } from "./colours.js";
 import { element } from "./element.js";
-import { even, fit, unit } from "./fit.js";
+import { even, fit, unit, write } from "./fit.js";
 import { keyboard, ownKeys } from "./keys.js";
 import { connect } from "./link.js";
 
@@ -24,6 +24,7 @@ const veil = page("veil");
 const parts = new Map(); // key -> {node, update, fit, component}
 let state = { revision: 0, since: 0 };
 let words = WORDS.en;
+let said = []; // the parts of what the caption says
 let tap = { at: -Infinity, since: 0, x: 0, y: 0 };
 
 // The key in the address was for the door; it need not stay where people can read it.
@@ -127,7 +128,7 @@ function showCaption(on, spoken) {
   const line = caption.firstElementChild;
   caption.classList.toggle("speaking", spoken !== null);
   if (spoken !== null) {
-    line.textContent = spoken.text;
+    write(line, (said = spoken.parts));
     line.lang = spoken.lang;
   }
 }
@@ -137,7 +138,8 @@ function layout() {
   stage.style.setProperty("--unit", `${size}px`);
   for (const part of parts.values()) part.fit?.(part.component, size);
   even(parts.values());
-  if (!caption.hidden) fit(caption, caption.firstElementChild, caption.clientHeight * 0.4);
+  for (const part of parts.values()) part.balance?.();
+  if (!caption.hidden) fit(caption, caption.firstElementChild, caption.clientHeight * 0.4, said);
 }
 
 new ResizeObserver(layout).observe(stage);

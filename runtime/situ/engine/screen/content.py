@@ -14,6 +14,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from situ.document.phrases import parts
 from situ.engine.media import MediaFolder
 
 TYPES = ("text", "button", "image", "movie", "input", "list")
@@ -129,6 +130,7 @@ def _component(raw: Any, shown: dict[str, Shown], log: logging.Logger) -> Shown 
     page.update((k, raw[k]) for k in ("color", "fill", "event") if isinstance(raw.get(k), str))
     if kind in ("text", "button"):
         page["text"] = _text(raw.get("text"))
+        page["parts"] = parts(page["text"])
     elif kind in ("image", "movie"):
         page["src"] = MediaFolder.address(_text(raw.get("src")))
     elif kind == "input":
@@ -142,7 +144,7 @@ def _component(raw: Any, shown: dict[str, Shown], log: logging.Logger) -> Shown 
         entries = raw.get("items")
         listed = entries[: MOST * 5] if isinstance(entries, list) else []
         pairs = [e if isinstance(e, dict) else {"label": e, "value": e} for e in listed]
-        page["items"] = [_text(p.get("label")) for p in pairs]
+        page["items"] = [parts(_text(p.get("label"))) for p in pairs]
         items = tuple(p.get("value") for p in pairs)
     tag = raw.get("tag")
     if isinstance(tag, str) and kind in ("input", "list"):

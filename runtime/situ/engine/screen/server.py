@@ -23,6 +23,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 from msgspec import UNSET, Struct, UnsetType
 
 from situ.decide.inputs import AnyInput, Set, Touch, Use
+from situ.document.phrases import parts
 from situ.document.project import Project
 from situ.engine.media import MediaFolder
 from situ.engine.screen.content import Content, Shown, content
@@ -139,7 +140,7 @@ class ScreenServer:
             {"Content-Security-Policy": POLICY},
         )
         self._content = Content()
-        self._caption: dict[str, str] | None = None
+        self._caption: dict[str, Any] | None = None
         self._captions = False
         # How often a file that was shown became another one, by its address.
         self._editions: dict[str | None, int] = {}
@@ -223,7 +224,7 @@ class ScreenServer:
 
     def caption(self, text: str | None, lang: str = "en") -> None:
         """What is being said, as text; None: nothing."""
-        self._caption = {"text": text, "lang": lang} if text else None
+        self._caption = {"parts": parts(text), "lang": lang} if text else None
         self._tell()
 
     @property
