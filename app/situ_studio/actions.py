@@ -11,8 +11,11 @@ from typing import Any, Literal
 
 from msgspec import Struct
 
+from situ.document.rbd import Application
+from situ.document.spds import Spds
 from situ_studio import kinds
 from situ_studio.language import LANGUAGES, SYSTEM
+from situ_studio.views import VIEWS
 
 
 class Command(Struct, frozen=True, kw_only=True):
@@ -79,6 +82,30 @@ _INSERT = tuple(
     )
     for part in ("application", "action", "screen", "drawing", "script", "modules")
     for index, kind in enumerate(k for k in kinds.KINDS if k.palette == part)
+)
+
+_ONLY: dict[tuple[type[Any], ...], str] = {
+    (Application,): "is_application",
+    (Spds,): "is_script",
+    (Application, Spds): "has_graph",
+}
+"""The condition of a view that is not of every kind of document."""
+
+_VIEWS = tuple(
+    _c(
+        f"view.{view.name}",
+        view.text,
+        "show_view",
+        argument=view.name,
+        icon=view.icon,
+        shortcut=view.key,
+        menu="View",
+        when=_ONLY.get(view.kinds, "has_document"),
+        choice="view",
+        checked="shows_view",
+        tip=view.tip,
+    )
+    for view in VIEWS
 )
 
 COMMANDS: tuple[Command, ...] = (
@@ -357,43 +384,7 @@ COMMANDS: tuple[Command, ...] = (
         rule=True,
         tip="Language, colours, and the keys of the commands.",
     ),
-    _c(
-        "view.graph",
-        "Graph",
-        "show_view",
-        argument="graph",
-        icon="graph",
-        shortcut="Ctrl+1",
-        menu="View",
-        when="has_graph",
-        choice="view",
-        checked="shows_view",
-    ),
-    _c(
-        "view.split",
-        "Split",
-        "show_view",
-        argument="split",
-        icon="split",
-        shortcut="Ctrl+3",
-        menu="View",
-        when="is_application",
-        choice="view",
-        checked="shows_view",
-        tip="The graph, and beside it the screen of the selected state",
-    ),
-    _c(
-        "view.outline",
-        "Outline",
-        "show_view",
-        argument="outline",
-        icon="table",
-        shortcut="Ctrl+2",
-        menu="View",
-        when="has_document",
-        choice="view",
-        checked="shows_view",
-    ),
+    *_VIEWS,
     _c(
         "zoom_in",
         "Zoom in",

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication
 
 import situ
 from situ.document.rbd import Application
+from situ.document.spds import Spds
 from situ.document.words import listed
 from situ_studio import kinds, places, recent
 from situ_studio.actions import command
@@ -44,6 +45,9 @@ class Commands(FileCommands):
         view = self._window.current_view
         return view is not None and view.has_graph
 
+    def is_script(self) -> bool:
+        return isinstance(self._window.current_document, Spds)
+
     def _can(self, method: str, selected: bool = True) -> bool:
         view = self._window.current_view
         return view is not None and (bool(view.selected) or not selected) and view.can(method)
@@ -68,11 +72,16 @@ class Commands(FileCommands):
         return self.is_application()
 
     def can_align(self) -> bool:
-        return self._window.beside.selected_count > 0 or self.has_two_cards()
+        return self._components() > 0 or self.has_two_cards()
 
     def can_space(self) -> bool:
-        count = self._window.beside.selected_count
+        count = self._components()
         return count > 2 or (count == 0 and self.has_three_cards())
+
+    def _components(self) -> int:
+        """How many components are selected on the screen beside the graph."""
+        beside = self._window.beside
+        return beside.selected_count if beside is not None else 0
 
     def can_auto_layout(self) -> bool:
         return self._can("auto_layout", selected=False)
@@ -213,8 +222,9 @@ class Commands(FileCommands):
     def align(self, edge: str) -> None:
         """Of the components selected on the screen, where there are some, else of the cards."""
         view = self._window.current_view
-        if self._window.beside.selected_count:
-            self._window.beside.align(edge)
+        beside = self._window.beside
+        if beside is not None and beside.selected_count:
+            beside.align(edge)
         elif view is not None:
             view.call("align", edge)
 

@@ -11,8 +11,10 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QTabBar, QWidget
 
 from situ_studio import icons
 from situ_studio.icon_widgets import IconButton
+from situ_studio.menus import translated
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
+from situ_studio.views import VIEWS
 
 READABLE = 168
 """Px that a tab has at least, if its name wants them."""
@@ -111,11 +113,7 @@ class DocumentTabs(QFrame):
         line.addStretch(1)
         self.views = Segments(
             theme,
-            (
-                ("graph", "graph", self.tr("Graph")),
-                ("split", "split", self.tr("Split")),
-                ("outline", "table", self.tr("Outline")),
-            ),
+            tuple((view.name, view.icon, translated(view.text)) for view in VIEWS),
             self.tr("View"),
         )
         self.views.chosen.connect(self.view_chosen)

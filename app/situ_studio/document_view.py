@@ -1,37 +1,28 @@
-"""One document in the middle of the window: its graph and its outline twin, one of them shown."""
+"""One document in the middle of the window, shown as one of the views that its kind has."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QPoint, Signal
-from PySide6.QtWidgets import QStackedWidget, QWidget
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtWidgets import QApplication, QSplitter, QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
-from situ.document.rbd import Application
-from situ.document.spds import Spds
+from situ.document.project import Project
 from situ_studio.copying import Copying
 from situ_studio.edit import Document, Place
 from situ_studio.panels.twin import Twin
 from situ_studio.theme import Theme
+from situ_studio.views import PIECES, VIEWS, Setting, View, views_of
 
 
-def make_canvas(document: Document, theme: Theme, parent: QWidget | None) -> Any:
-    """The canvas for a document; None where its kind has none."""
-    # NodeGraphQt takes a third of a second to import: only when a graph is shown.
-    if isinstance(document, Application):
-        from situ_studio.canvas.application import ApplicationCanvas
+class DocumentView(QWidget):
+    """The pieces of the views of one file; all tell through the same signals.
 
-        return ApplicationCanvas(theme, parent)
-    if isinstance(document, Spds):
-        from situ_studio.canvas.script import ScriptCanvas
-
-        return ScriptCanvas(theme, parent)
-    return None
-
-
-class DocumentView(QStackedWidget):
-    """Graph and outline of one file; both tell through the same signals."""
+    project: as ``Setting`` has it. Pieces are made when they are first shown, and brought up to
+    date when they are shown again.
+    """
 
     edited = Signal(object, str)
     selection_changed = Signal(tuple)
@@ -39,45 +30,59 @@ class DocumentView(QStackedWidget):
     status = Signal(str)
     menu_requested = Signal(tuple, QPoint)
     """A context menu is wanted: of what, and where on the screen."""
-    zoomed = Signal()
     part_asked = Signal(object, tuple)
     """A part was dropped: where its card's corner shall be, and the exit into whose pipe."""
+    filled_in = Signal(tuple)
+    """The place whose form is wanted."""
 
     origin: str
     """The path of the file, for what is copied from here."""
 
-    def __init__(self, theme: Theme, file: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        theme: Theme,
+        file: str,
+        parent: QWidget | None = None,
+        project: Callable[[], Project | None] = lambda: None,
+    ) -> None:
         super().__init__(parent)
         self.file = file
         self.origin = ""
         self.selected: tuple[Place, ...] = ()
         self._theme = theme
+        self._project = project
         self._document: Document | None = None
         self._problems: list[Problem] = []
-        self._canvas: Any = None
-        self._twin: Twin | None = None
-        self._split = False
+        self._pieces: dict[str, Any] = {}
+        self._view = VIEWS[0]
+        self._arranged: View | None = None
+        self._shares: dict[str, list[int]] = {}
         self._live: Any = None
-        self._mode = "graph"
         self._fresh: set[str] = set()
         self._telling = False
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        self.room = QSplitter()
+        self.room.setChildrenCollapsible(False)
+        self.room.splitterMoved.connect(self._on_moved)
+        column.addWidget(self.room)
 
-    @property
-    def mode(self) -> str:
-        """``graph`` or ``outline``."""
-        return self._mode
+    # -- what is shown ---------------------------------------------------------------
 
     @property
     def shown_as(self) -> str:
-        """``graph``, ``split`` (the window shows the state's screen beside it) or ``outline``."""
-        return "split" if self._split and self._mode == "graph" else self._mode
+        """The name of the view that is shown."""
+        return self._view.name
+
+    @property
+    def mode(self) -> str:
+        """The name of the shown view's first piece: ``graph``, ``outline`` …"""
+        return self._view.pieces[0]
 
     @property
     def ways_to_show(self) -> tuple[str, ...]:
         """What ``shown_as`` can be for this document."""
-        if isinstance(self._document, Application):
-            return "graph", "split", "outline"
-        return ("graph", "outline") if self.has_graph else ("outline",)
+        return tuple(view.name for view in views_of(self._document))
 
     @property
     def problems(self) -> list[Problem]:
@@ -87,104 +92,160 @@ class DocumentView(QStackedWidget):
     @property
     def has_graph(self) -> bool:
         """Whether documents of this kind have a graph."""
-        return isinstance(self._document, Application | Spds)
+        return "graph" in self.ways_to_show
+
+    def piece(self, name: str) -> Any:
+        """A piece's widget; None before it was first shown."""
+        return self._pieces.get(name)
 
     @property
     def canvas(self) -> Any:
         """The graph's widget; None before it was first shown."""
-        return self._canvas
+        return self.piece("graph")
 
     @property
     def twin(self) -> Twin | None:
         """The outline's widget; None before it was first shown."""
-        return self._twin
+        return self._pieces.get("outline")
+
+    @property
+    def shares(self) -> dict[str, list[int]]:
+        """How a person has divided the room, by view, in px."""
+        return dict(self._shares)
+
+    def set_shares(self, shares: dict[str, list[int]]) -> None:
+        """Divides the room as it was; nothing is changed for views that are not in ``shares``."""
+        self._shares |= shares
+        self._divide()
+
+    # -- showing ---------------------------------------------------------------------
 
     def show_document(self, document: Document, problems: list[Problem]) -> None:
-        """Shows a new value of the document; the hidden view gets it when it is shown."""
+        """Shows a new value of the document; what is hidden gets it when it is shown."""
         self._document, self._problems = document, problems
         self._fresh = set()
-        if not self.has_graph:
-            self._mode = "outline"
+        if self.shown_as not in self.ways_to_show:
+            self._view = views_of(document)[0]
         self._bring()
 
-    def set_mode(self, mode: str) -> None:
-        """Shows the document as ``graph``, ``split`` or ``outline``, if it can be shown so."""
-        if mode not in self.ways_to_show:
-            mode = self.ways_to_show[0]
-        self._split = mode == "split"
-        self._mode = "outline" if mode == "outline" else "graph"
+    def set_mode(self, name: str) -> None:
+        """Shows the document as the view of that name, if it can be shown so."""
+        offered = {view.name: view for view in views_of(self._document)}
+        if not offered:
+            return
+        self._view = offered.get(name, next(iter(offered.values())))
         self._bring()
 
     def _bring(self) -> None:
-        """Makes the shown view if need be, and brings it up to date."""
+        """Makes the pieces of the shown view if need be, and brings them up to date."""
         if self._document is None:
             return
-        shown = self.current_view()
-        self.setCurrentWidget(shown)
-        if self._mode in self._fresh:
+        self._arrange(self._view)
+        for name in self._view.pieces:
+            if name in self._fresh:
+                continue
+            self._fresh.add(name)
+            # What a piece thinks to be selected while it takes a new value is not what a person
+            # chose.
+            with _Telling(self):
+                self._pieces[name].show_document(self._document, self._problems)
+                self._pieces[name].select(self.selected)
+
+    def _arrange(self, view: View) -> None:
+        if self._arranged is view:
             return
-        self._fresh.add(self._mode)
-        # What a view thinks to be selected while it takes a new value is not what a person chose.
-        self._telling = True
-        try:
-            shown.show_document(self._document, self._problems)
-            shown.select(self.selected)
-        finally:
-            self._telling = False
+        self._arranged = view
+        upright = Qt.Orientation.Vertical if view.upright else Qt.Orientation.Horizontal
+        self.room.setOrientation(upright)
+        for name in view.pieces:
+            self._made(name).show()
+        gone = [piece for name, piece in self._pieces.items() if name not in view.pieces]
+        focus = QApplication.focusWidget()
+        if focus is not None and any(piece.isAncestorOf(focus) for piece in gone):
+            # Else Qt gives it to anything in the window.
+            self.current_view().setFocus()
+        for piece in gone:
+            piece.hide()
+        self._divide()
+
+    def _divide(self) -> None:
+        """Gives the shown pieces their shares of the room."""
+        view = self._view
+        wanted = self._shares.get(view.name)
+        if wanted is None or len(wanted) != len(view.pieces):
+            wanted = [1000 * share for share in view.shares]
+        shares = dict(zip(view.pieces, wanted, strict=True))
+        every = [shares.get(name, 0) for name in self._lying()]
+        self.room.setSizes(every)
+        for at, share in enumerate(every):
+            self.room.setStretchFactor(at, share)
+
+    def _on_moved(self) -> None:
+        sizes = dict(zip(self._lying(), self.room.sizes(), strict=True))
+        self._shares[self._view.name] = [sizes[name] for name in self._view.pieces]
+
+    def _lying(self) -> list[str]:
+        """The pieces that there are, as they lie: in the order of ``PIECES``."""
+        return [name for name in PIECES if name in self._pieces]
 
     def current_view(self) -> Any:
-        """The view of the present mode, made at its first use."""
-        assert self._document is not None
-        if self._mode == "graph":
-            if self._canvas is None:
-                self._canvas = make_canvas(self._document, self._theme, self)
-                self._add(self._canvas)
-                self._canvas.viewer.clicked.connect(lambda *_: self._on_clicked())
-                if isinstance(self._document, Application):
-                    self._canvas.part_asked.connect(self.part_asked)
-                if self._live is not None:
-                    self._canvas.set_live(self._live)
-            return self._canvas
-        if self._twin is None:
-            self._twin = Twin(self._theme, self)
-            self._add(self._twin)
-        return self._twin
+        """The first piece of the present view, made at its first use."""
+        return self._made(self.mode)
 
-    def _add(self, view: Any) -> None:
-        if isinstance(view, Copying):
-            view.origin = self.origin
-        view.edited.connect(self.edited)
-        view.selection_changed.connect(self._on_selection)
-        view.activated.connect(self.activated)
-        view.status.connect(self.status)
-        if hasattr(view, "menu_requested"):
-            view.menu_requested.connect(self.menu_requested)
-        self.addWidget(view)
+    def _made(self, name: str) -> Any:
+        piece = self._pieces.get(name)
+        if piece is None:
+            assert self._document is not None
+            setting = Setting(self._document, self._theme, self, self._project)
+            piece = self._pieces[name] = PIECES[name](setting)
+            self.room.insertWidget(self._lying().index(name), piece)
+            self._add(name, piece)
+        return piece
+
+    def _add(self, name: str, piece: Any) -> None:
+        if isinstance(piece, Copying):
+            piece.origin = self.origin
+        piece.edited.connect(self.edited)
+        piece.selection_changed.connect(self._on_selection)
+        for heard in ("activated", "status", "menu_requested", "part_asked", "filled_in"):
+            if hasattr(piece, heard):
+                getattr(piece, heard).connect(getattr(self, heard))
+        if name == "graph":
+            piece.viewer.clicked.connect(lambda *_: self._on_clicked())
+        if self._live is not None and hasattr(piece, "set_live"):
+            piece.set_live(self._live)
+
+    # -- the selection ----------------------------------------------------------------
 
     def _on_selection(self, chosen: Any) -> None:
         if self._telling:
             return
         self.selected = tuple(tuple(p) for p in chosen)
-        self._fresh &= {self._mode}
+        told = self.sender()
+        self._tell({name for name in self._view.pieces if self._made(name) is not told})
         self.selection_changed.emit(self.selected)
 
     def _on_clicked(self) -> None:
         """A click on the card of which a part is selected selects the card again."""
-        chosen = self._canvas.selection()
+        chosen = self.canvas.selection()
         if chosen != self.selected and len(chosen) == 1 and len(self.selected) == 1:
             self._on_selection(chosen)
 
     def select(self, chosen: tuple[Place, ...]) -> None:
-        """Shows this selection in the present view, and in the other one when it is shown."""
+        """Shows this selection in the present view, and in others when they are shown."""
         self.selected = chosen
-        if self._document is None:
-            return
-        self._fresh &= {self._mode}
-        self._telling = True
-        try:
-            self.current_view().select(chosen)
-        finally:
-            self._telling = False
+        if self._document is not None:
+            self._tell(set(self._view.pieces))
+
+    def _tell(self, names: set[str]) -> None:
+        """Tells the selection to these pieces now, to those that are hidden when they come."""
+        self._fresh &= set(self._view.pieces)
+        with _Telling(self):
+            for name in self._view.pieces:
+                if name in names:
+                    self._made(name).select(self.selected)
+
+    # -- what commands ask for ----------------------------------------------------------
 
     def can(self, method: str) -> bool:
         """Whether the present view knows a method of the contract."""
@@ -198,12 +259,25 @@ class DocumentView(QStackedWidget):
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
-        for view in (self._canvas, self._twin):
-            if view is not None:
-                view.set_theme(theme)
+        for piece in self._pieces.values():
+            piece.set_theme(theme)
 
     def set_live(self, live: Any) -> None:
         """What the robot does at the moment, or None."""
         self._live = live
-        if self._canvas is not None:
-            self._canvas.set_live(live)
+        for piece in self._pieces.values():
+            if hasattr(piece, "set_live"):
+                piece.set_live(live)
+
+
+class _Telling:
+    """While it lasts, what a piece tells of its selection is what it was told."""
+
+    def __init__(self, view: DocumentView) -> None:
+        self._view = view
+
+    def __enter__(self) -> None:
+        self._before, self._view._telling = self._view._telling, True
+
+    def __exit__(self, *_: object) -> None:
+        self._view._telling = self._before

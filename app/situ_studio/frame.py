@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QMainWindow,
     QSizePolicy,
-    QSplitter,
     QStackedWidget,
     QToolBar,
     QVBoxLayout,
@@ -29,7 +28,6 @@ from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.keys import Keys
 from situ_studio.menus import Actions
-from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.fields import Choice, Flag
 from situ_studio.panels.header import PanelHeader
 from situ_studio.panels.inspector import Inspector
@@ -131,15 +129,7 @@ class Frame(QMainWindow):
         self.no_document.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.no_document.setWordWrap(True)
         self.documents.addWidget(self.no_document)
-        self.beside = ScreenBeside(self.theme)
-        self.beside.hide()
-        sides = QSplitter(Qt.Orientation.Horizontal)
-        sides.setChildrenCollapsible(False)
-        for side, share in ((self.documents, 3), (self.beside, 2)):
-            sides.addWidget(side)
-            sides.setStretchFactor(sides.indexOf(side), share)
-        sides.setSizes([600, 400])
-        column.addWidget(sides, 1)
+        column.addWidget(self.documents, 1)
         self.stack.addWidget(centre)
         self.setCentralWidget(self.stack)
 
@@ -296,7 +286,6 @@ class Frame(QMainWindow):
             self.tabs,
             self.crumbs,
             self.bottom,
-            self.beside,
             self.welcome,
             self.finder,
         )

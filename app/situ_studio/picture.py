@@ -14,9 +14,9 @@ from PySide6.QtSvg import QSvgGenerator
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import UsageError
-from situ_studio.document_view import make_canvas
 from situ_studio.edit import Document, Place
 from situ_studio.theme import LIGHT
+from situ_studio.views import PIECES, Setting
 
 if TYPE_CHECKING:
     from situ_studio.canvas.base import Canvas
@@ -47,9 +47,9 @@ def paper(
     """
     from situ_studio.canvas.paper import Paper
 
-    canvas = make_canvas(document, LIGHT, None)
-    if canvas is None:
+    if not has_picture(document):
         raise UsageError("documents of this kind have no graph: choose an application or a script")
+    canvas = PIECES["graph"](Setting(document, LIGHT, None))
     made = Paper(canvas, document, like, only)
     if not canvas.graph.cards:
         made.close()

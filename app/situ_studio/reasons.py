@@ -49,6 +49,7 @@ def reasons() -> dict[str, str]:
         "has_selection": selection,
         "has_two_cards": cards,
         "is_application": application,
+        "is_script": tr("only in a script"),
         "on_application": tr("only in the graph of an application"),
         "on_graph": graph,
     }

@@ -28,6 +28,7 @@ from situ_studio.live.link import RobotLink
 from situ_studio.looking import FindingSide
 from situ_studio.menus import Actions
 from situ_studio.opening import Found
+from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.parts import PartsSide
@@ -106,10 +107,6 @@ class MainWindow(Frame):
         self.project_tree.file_asked.connect(self.open_file)
         self.outline.selected.connect(self._on_outline)
         self.outline.activated.connect(self._on_outline_activated)
-        self.beside.selected.connect(self.select_all)
-        self.beside.edited.connect(self.commit)
-        self.beside.opened.connect(self.fill_in)
-        self.beside.refused.connect(self.say)
         self.palette_.kind_asked.connect(self.commands.insert)
         self.inspector.edited.connect(self._on_form)
         self.inspector.place_asked.connect(self.select)
@@ -233,7 +230,7 @@ class MainWindow(Frame):
             self.documents.setCurrentWidget(view)
             view.show_document(document, self._problems_of(file))
             self.tabs.views.set_offered(view.ways_to_show)
-            self.tabs.views.setVisible(view.has_graph)
+            self.tabs.views.setVisible(len(view.ways_to_show) > 1)
             self.tabs.views.show_choice(view.shown_as)
         else:
             self.documents.setCurrentWidget(self.no_document)
@@ -245,12 +242,13 @@ class MainWindow(Frame):
         self._settle_document()
 
     def _make_view(self, file: str) -> DocumentView:
-        view = DocumentView(self.theme, file)
+        view = DocumentView(self.theme, file, project=lambda: self.session.project)
         view.origin = str((self.session.root / file).resolve())
         view.edited.connect(lambda after, text: self.commit(after, text, file))
         view.selection_changed.connect(self._on_selection)
         view.activated.connect(self._on_activated)
         view.status.connect(self.say)
+        view.filled_in.connect(self.fill_in)
         view.part_asked.connect(self.parts.insert)
         view.menu_requested.connect(self.context_menus.open)
         self.views[file] = view
@@ -319,16 +317,21 @@ class MainWindow(Frame):
         return self.views.get(self.current_file or "")
 
     @property
+    def beside(self) -> ScreenBeside | None:
+        """The screen beside the current document's graph, where it is shown so."""
+        view = self.current_view
+        return view.piece("screen") if view is not None and view.shown_as == "split" else None
+
+    @property
     def current_document(self) -> Document | None:
         return self.session.document(self.current_file or "")
 
     def show_mode(self, mode: str) -> None:
-        """Shows the current document as ``graph``, ``split`` or ``outline``."""
+        """Shows the current document as the view of that name, if it can be shown so."""
         view = self.current_view
         if view is not None:
             view.set_mode(mode)
             self.tabs.views.show_choice(view.shown_as)
-            self._settle_beside()
             view.current_view().setFocus()
             self.actions_.refresh()
 
@@ -564,7 +567,6 @@ class MainWindow(Frame):
             self.inspector.usages.hide()
             self.status.show_selection(())
             self.actions_.refresh()
-            self._settle_beside()
             return
         media = Path(project.root) / project.media if project.media is not None else None
         self.inspector.show_selection(
@@ -578,16 +580,6 @@ class MainWindow(Frame):
         self.outline.select(view.selected)
         self.status.show_selection(view.selected)
         self.actions_.refresh()
-        self._settle_beside()
-
-    def _settle_beside(self) -> None:
-        """The screen beside the graph, where the document is shown so."""
-        view, document, project = self.current_view, self.current_document, self.session.project
-        shown = view is not None and view.shown_as == "split"
-        self.beside.setVisible(shown)
-        if shown and view is not None and project is not None and isinstance(document, Application):
-            media = Path(project.root) / project.media if project.media is not None else None
-            self.beside.show_selection(view.file, document, view.selected, media)
 
     def _refresh_tree(self) -> None:
         dirty = self.session.dirty

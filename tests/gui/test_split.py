@@ -7,6 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from situ_studio.views import VIEWS
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -88,4 +91,35 @@ def test_split_graph_and_outline_by_their_keys(studio: Start, project: Copy) -> 
         shown.append((view.shown_as, view.canvas.isVisible()))
         assert used.window.tabs.views.button(view.shown_as).isChecked()
     assert shown == [("split", True), ("outline", False), ("split", True), ("graph", True)]
-    assert not used.window.beside.isVisible()
+    assert used.window.beside is None
+
+
+def test_the_line_between_graph_and_screen_stays_where_it_was_dragged(
+    studio: Start, project: Copy
+) -> None:
+    used = split(studio, project("reception"))
+    view = used.window.current_view
+    line = view.room.handle(1)
+    middle = line.rect().center()
+    QTest.mousePress(line, Qt.MouseButton.LeftButton, pos=middle)
+    QTest.mouseMove(line, middle - QPoint(60, 0))
+    QTest.mouseRelease(line, Qt.MouseButton.LeftButton, pos=middle - QPoint(60, 0))
+    dragged = [view.canvas.width(), view.piece("screen").width()]
+    assert view.shares == {"split": dragged}
+    for key in (Qt.Key.Key_2, Qt.Key.Key_3):
+        used.key(key, CONTROL)
+    assert [view.canvas.width(), view.piece("screen").width()] == dragged
+
+
+def test_every_view_of_the_table_can_be_shown_by_its_key(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    for file in ("conversation.spds.xml", "modules.xml", "conversation.rbd.xml"):
+        if used.session.document(file) is None:
+            continue
+        used.window.open_file(file)
+        for view in VIEWS:
+            action = used.window.actions_.actions[f"view.{view.name}"]
+            assert action.isEnabled() == (view.name in used.window.current_view.ways_to_show)
+            used.key(Qt.Key(ord(view.key[-1])), CONTROL)
+            if action.isEnabled():
+                assert used.window.current_view.shown_as == view.name

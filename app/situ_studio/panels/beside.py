@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document import rbd
+from situ.document.problem import Problem
 from situ_studio import kinds, places, words
 from situ_studio.edit import Place
 from situ_studio.insert import NotHere, insert
@@ -21,24 +23,26 @@ class ScreenBeside(QScrollArea):
     """Of what is selected in an application: the screen, at the size there is, and the speech.
 
     While nothing is selected that has a screen, the one before is shown, at first the start's.
+    media: the folder of the pictures, at the time of the call.
     """
 
-    selected = Signal(tuple)
+    selection_changed = Signal(tuple)
     """The places of what was clicked on the screen."""
     edited = Signal(object, str)
     """Another application, and the name of the step."""
-    refused = Signal(str)
+    status = Signal(str)
     """What was asked for can not be done: why, in one line."""
-    opened = Signal(tuple)
+    filled_in = Signal(tuple)
     """The place of the component that is to be filled in."""
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, theme: Theme, media: Callable[[], Path | None], parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._theme = theme
         self._application: rbd.Application | None = None
         self._place: Place = ()
-        self._file = ""
-        self._media: Path | None = None
+        self._media = media
         self.setAccessibleName(self.tr("Screen of the selected state"))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -56,7 +60,7 @@ class ScreenBeside(QScrollArea):
         self.sheet.chosen.connect(self._on_chosen)
         self.sheet.edited.connect(self._on_edited)
         self.sheet.dropped.connect(self._on_dropped)
-        self.sheet.opened.connect(lambda id: self.opened.emit((*self._place, "screen", id)))
+        self.sheet.opened.connect(lambda id: self.filled_in.emit((*self._place, "screen", id)))
         column.addWidget(self.sheet)
         self._speech = QVBoxLayout()
         self._speech.setSpacing(4)
@@ -68,20 +72,15 @@ class ScreenBeside(QScrollArea):
         self._theme = theme
         self._show()
 
-    def show_selection(
-        self,
-        file: str,
-        application: rbd.Application,
-        selected: tuple[Place, ...],
-        media: Path | None,
-    ) -> None:
-        """Shows the screen of the first of these that has one, as it is now.
+    def show_document(self, application: rbd.Application, problems: list[Problem]) -> None:
+        """Takes a new value, of which ``select`` says what is shown."""
+        self._application = application
 
-        media: the folder of the pictures.
-        """
-        if file != self._file:
-            self._file, self._place = file, ()
-        self._application, self._media = application, media
+    def select(self, selected: tuple[Place, ...]) -> None:
+        """Shows the screen of the first of these that has one, as it is now."""
+        application = self._application
+        if application is None:
+            return
         for place in (*selected, self._place, ("state", application.start_no or "")):
             root = places.root(place)
             if root and isinstance(places.get(application, root), rbd.State | rbd.Always):
@@ -129,7 +128,7 @@ class ScreenBeside(QScrollArea):
             self.title.setText(self.tr("In every state"))
         self.sheet.setVisible(part is not None)
         screen = part.screen if part is not None else None
-        self.sheet.show_screen(self._theme, screen, above, self._media)
+        self.sheet.show_screen(self._theme, screen, above, self._media())
         clear(self._speech)
         for text in self.texts:
             said = QLabel(self.tr("“{0}”").format(text))
@@ -140,7 +139,7 @@ class ScreenBeside(QScrollArea):
 
     def _on_chosen(self, ids: tuple[str, ...]) -> None:
         places_ = tuple((*self._place, "screen", id) for id in ids)
-        self.selected.emit(places_ or (self._place,))
+        self.selection_changed.emit(places_ or (self._place,))
 
     def _on_edited(self, screen: rbd.Screen, text: str) -> None:
         if self._application is not None:
@@ -153,10 +152,10 @@ class ScreenBeside(QScrollArea):
         try:
             after, place, text = insert(self._application, kinds.kind(name), self._place)
         except NotHere as refused:
-            self.refused.emit(str(refused))
+            self.status.emit(str(refused))
             return
         box = placing.box_of(places.get(after, place))
         box = box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2))
         after = places.change(after, place, **placing.inside(box)._asdict())
         self.edited.emit(after, text)
-        self.selected.emit((place,))
+        self.selection_changed.emit((place,))
