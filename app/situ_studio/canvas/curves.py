@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, Qt
 from PySide6.QtWidgets import (
@@ -16,10 +14,11 @@ from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas.cards import arrow
 from situ_studio.canvas.live import LiveScript
-from situ_studio.canvas.pipes import HIT, UNDER, RoutedPipe
+from situ_studio.canvas.pipes import ABOVE, HIT, RoutedPipe
 from situ_studio.canvas.routes import Route
-from situ_studio.canvas.script_projection import Inherited, ScriptLink
+from situ_studio.canvas.script_faces import Inherited, ScriptLink
 from situ_studio.canvas.style import Label, Look
+from situ_studio.language import tr
 
 PILL = 18.0
 
@@ -55,7 +54,7 @@ class CurvedPipe(RoutedPipe):
         link = self.link
         self._pill_text = None
         if link.kind == "priority":
-            said = "none" if link.priority is None else str(link.priority)
+            said = tr("none") if link.priority is None else str(link.priority)
             self._pill_text = Label(said, 12, 600)
         self.route = Route(points=((start.x(), start.y()), (end.x(), end.y())))
         path = self._way = curve(start, end)
@@ -69,13 +68,18 @@ class CurvedPipe(RoutedPipe):
             self._rect = self._rect.united(box.adjusted(-3, -3, 3, 3))
         self.update()
 
-    def pill(self) -> QRectF:
-        """Where the priority stands, in the scene; empty for pipes without."""
+    def pill(self, part: float | None = None) -> QRectF:
+        """Where the priority stands, in the scene, or would stand; empty for pipes without."""
         if self._pill_text is None:
             return QRectF()
-        return pill_area(
-            self.path().pointAtPercent(self._part), self._pill_text, bool(self.link.mark)
-        )
+        at = self.path().pointAtPercent(self._part if part is None else part)
+        return pill_area(at, self._pill_text, bool(self.link.mark))
+
+    def move_pill(self, part: float) -> None:
+        """Puts the priority elsewhere on the pipe."""
+        if part != self._part:
+            start, end = (QPointF(*point) for point in self.route.points)
+            self.set_curve(start, end, part)
 
     def distance(self, spot: QPointF) -> float:
         # A curve is nowhere near the box of its ends; of several the topmost is meant.
@@ -92,7 +96,20 @@ class CurvedPipe(RoutedPipe):
         return bool(self.chosen)
 
     def _hint(self) -> str:
-        return ""
+        link = self.link
+        source, target = self._output_port.node.face, self._input_port.node.face
+        if link.kind == "priority":
+            if link.none:
+                told = tr("{0} takes away what it took over for {1}")
+                return told.format(source.name, target.name)
+            told = tr("{0} has priority {1} in {2}")
+            return told.format(target.name, link.priority, source.name)
+        if link.kind == "observes":
+            row = next((r for r in target.rows if r.path == link.entry), None)
+            return f"{row.tag} {row.text}" if row is not None else ""
+        if link.kind == "uses":
+            return tr("{0} uses {1}").format(source.name, target.name)
+        return str(source.hint())
 
     chosen = False
     """On the way to the selected situation, or on from it, without touching it."""
@@ -164,7 +181,8 @@ class InheritedPipe(QGraphicsPathItem):
         self._text = Label(str(value.priority), 11, 500)
         self._end = QPointF()
         self._part = 0.4
-        self.setZValue(UNDER - 0.5)
+        # Its pill is pressed, not a pipe that passes below.
+        self.setZValue(ABOVE)
 
     def set_curve(self, start: QPointF, end: QPointF, part: float) -> None:
         self.prepareGeometryChange()
@@ -205,7 +223,3 @@ class InheritedPipe(QGraphicsPathItem):
         painter.setBrush(look["canvas"])
         painter.drawRoundedRect(box, PILL / 2, PILL / 2)
         self._text.draw_middle(painter, box.center().x(), box.center().y() + 4, look["text2"])
-
-
-def is_pipe(item: Any) -> bool:
-    return isinstance(item, CurvedPipe)

@@ -34,7 +34,7 @@ class FollowMenu(QFrame):
         self.setObjectName("followMenu")
         self.choices = tuple(choices)
         self._theme = theme
-        self._naming = ""
+        self._naming, self._new = "", ""
         layout = QVBoxLayout(self)
         layout.setContentsMargins(5, 5, 5, 5)
         layout.setSpacing(4)
@@ -86,12 +86,12 @@ class FollowMenu(QFrame):
                 self.list.addItem(item)
         if self._naming and wanted:
             words = self._naming.format(" ".join(text.split()))
-            self.list.addItem(QListWidgetItem(icons.icon("state", self._theme.text2), words))
+            self.list.addItem(QListWidgetItem(icons.icon(self._new, self._theme.text2), words))
         self.list.setCurrentRow(0)
 
-    def offer_name(self, words: str) -> None:
+    def offer_name(self, words: str, icon: str = "state") -> None:
         """Last of all is offered something new, called as was typed. words: with ``{0}``."""
-        self._naming = words
+        self._naming, self._new = words, icon
 
     def _take(self, item: QListWidgetItem | None) -> None:
         if item is None:

@@ -5,64 +5,59 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QPointF, QRect, QRectF, Qt
-from PySide6.QtGui import QKeyEvent, QPainter
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QPainter, QResizeEvent, Qt
 from PySide6.QtWidgets import QWidget
 
+from situ.document.condition import Group
 from situ.document.problem import Problem
 from situ.document.spds import Spds
+from situ_studio import places
+from situ_studio.canvas import headings, script_piping, script_spoken, spoken
 from situ_studio.canvas import script_gestures as gestures
-from situ_studio.canvas.base import Canvas
-from situ_studio.canvas.curves import CurvedPipe, InheritedPipe
-from situ_studio.canvas.gestures import Follow
+from situ_studio.canvas.base import BAR, READABLE
+from situ_studio.canvas.curves import CurvedPipe
+from situ_studio.canvas.headings import Headings
 from situ_studio.canvas.live import LiveScript
-from situ_studio.canvas.menu import FollowMenu
 from situ_studio.canvas.nodes import NodeFace
-from situ_studio.canvas.overlay import InPlace, priority_editor
+from situ_studio.canvas.script_commands import ScriptCommands
+from situ_studio.canvas.script_faces import STRIP, ScriptNode, ScriptPicture
+from situ_studio.canvas.script_laws import Laws
 from situ_studio.canvas.script_nodes import ScriptItem
-from situ_studio.canvas.script_projection import (
-    LEFT,
-    OUT,
-    TITLES,
-    TOP,
-    ScriptLink,
-    ScriptNode,
-    ScriptPicture,
-    inherited,
-    named,
-    picture,
-    uid,
-)
-from situ_studio.canvas.style import Label
+from situ_studio.canvas.script_priorities import Priorities
+from situ_studio.canvas.script_projection import picture
 from situ_studio.edit import Place
+from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 
-TAKES = {
-    "data": ("condition", "situation"),
-    "situation": ("module",),
-    "module": ("resource",),
-}
-"""Which kinds a pipe from a kind may go to."""
+_CONDITIONS = (("condition",), ("until",))
 
 
-class ScriptCanvas(Canvas):
+class ScriptCanvas(ScriptCommands):
     """Shows a script; gestures become ``edited``. Positions are the canvas's, never the file's."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(theme, parent)
-        self.document: Spds = Spds(name="")
-        self._picture = ScriptPicture({}, {}, {}, TOP)
-        self._taken_over: list[InheritedPipe] = []
+        self.document = Spds(name="")
+        self._picture = ScriptPicture({}, {}, {})
+        self._laws = Laws()
+        self.priorities = Priorities(self, self._prioritise, self.status.emit)
+        self.menu = self.test_editor = self.seconds_editor = None
         self._drop: tuple[Any, Any, QPointF] | None = None
-        self._pill_editor: InPlace | None = None
-        self._titles = [(LEFT[k], Label(t, 12, 600)) for k, t in TITLES.items()]
-        self.menu: FollowMenu | None = None
+        self._why_not: tuple[ScriptNode, ScriptNode] | None = None
+        self._on_way: set[tuple[str, ...]] = set()
+        self._groups: tuple[Place, ...] = ()
+        self._lines: tuple[Place, ...] = ()
+        self._choosing = False
         self.minimap.wanted = False
+        self.headings = Headings(self.viewer, self.look, self)
+        self.viewer.looked.connect(self.headings.update)
         self.viewer.pipe_kind = CurvedPipe
         self.viewer.accepts = self._accepts
-        self.viewer.on_ground = self._draw_titles
+        self.viewer.on_ground = self._draw_headings
         self.viewer.dropped.connect(self._on_dropped)
-        self.selection_changed.connect(self._show_taken_over)
+        self.viewer.refused.connect(self._on_refused)
+        self.selection_changed.connect(self._on_chosen)
 
     def _item_kind(self, card: Any) -> type[NodeFace]:
         return ScriptItem
@@ -75,99 +70,139 @@ class ScriptCanvas(Canvas):
         self.render_document()
 
     def render_document(self) -> None:
-        old = self._picture.cards
-        self._picture = picture(self.document, self._problems)
+        old = self._picture
+        new = self._picture = picture(self.document, self._problems)
         # What did not change keeps its identity, so that it is not built again.
-        cards = {
-            key: old[key] if key in old and old[key] == node else node
-            for key, node in self._picture.cards.items()
-        }
-        self._picture.cards = cards
-        self._show(cards, self._picture.links)
-        self._show_taken_over()
+        for key, node in new.cards.items():
+            if old.cards.get(key) == node:
+                new.cards[key] = old.cards[key]
+        fresh = []
+        for id, link in new.links.items():
+            if old.links.get(id) == link:
+                new.links[id] = old.links[id]
+            else:
+                fresh.append(id)
+        for id in old.links.keys() - new.links.keys():
+            self.priorities.forget(id)
+        self._show(new.cards, new.links)
+        if len(new.links) > self.few:
+            self._curve(fresh)
+        self._on_chosen()
+        self._follow_test()
 
     def _route(self, moved: Iterable[str] | None = None) -> None:
-        beside: dict[str, int] = {}
-        for id, link in self._picture.links.items():
-            pipe = self.graph.pipe(id)
-            if pipe is None or link.source not in self.graph.nodes:
-                continue
-            order = beside[link.source] = beside.get(link.source, -1) + 1
-            start, end = self._end(link.source, link.exit), self._end(link.target, link.entry)
-            pipe.set_curve(start, end, 0.62 if order % 2 == 0 else 0.7)
-        self._mark_way()
+        if moved is None:
+            self.priorities.begin()
+            self._curve(self.graph.links)
+        else:
+            links = (id for key in moved for id in self.graph.links_at(key))
+            self._curve(dict.fromkeys(links))
+        self._show_taken_over()
 
-    def _end(self, key: str, port: str) -> QPointF:
+    def _curve(self, ids: Iterable[tuple[str, ...]]) -> None:
+        for id in ids:
+            pipe = self.graph.pipe(id)
+            if pipe is not None:
+                link = pipe.link
+                start, end = (
+                    self.port_at(link.source, link.exit),
+                    self.port_at(link.target, link.entry),
+                )
+                pipe.set_curve(start, end)
+                self.priorities.place(pipe)
+
+    def port_at(self, key: str, port: str) -> QPointF:
+        """Where a port is in the scene now, in the middle of a drag too."""
         view = self.graph.nodes[key].view
         x, y = self._picture.cards[key].port(port)
         return QPointF(view.x() + x, view.y() + y)
 
-    def _mark_way(self) -> None:
-        """The pipes that lead to the selected situation and on from it."""
-        chosen: set[str] = set()
-        for key in self.selected_uids():
-            node = self._picture.cards.get(key)
-            if node is not None and node.kind == "situation":
-                chosen.add(uid("condition", key.removeprefix("situation ")))
-                situation = self.document.situation(node.name)
-                if situation is not None:
-                    chosen |= {uid("module", e.module) for e in situation.entries}
-        for id, link in self._picture.links.items():
-            pipe = self.graph.pipe(id)
-            if pipe is None:
-                continue
-            on_way = (link.kind == "observes" and link.target in chosen) or (
-                link.kind == "uses" and link.source in chosen
-            )
-            if pipe.chosen != on_way:
-                pipe.chosen = on_way
-                pipe.refresh()
+    def around(self, spot: QPointF) -> QRectF:
+        return QRectF(spot.x() - 28, spot.y() - 13, 56, 26)
 
-    def _show_taken_over(self, _: Any = None) -> None:
-        """Priorities that the selected situation takes over, dashed."""
-        for item in self._taken_over:
-            self.viewer.release_pipe(item)
-        self._taken_over = []
+    def _on_chosen(self, _: Any = None) -> None:
+        self._show_taken_over()
         self._mark_way()
-        keys = [k for k in self.selected_uids() if self._picture.cards[k].kind == "situation"]
-        if len(keys) != 1:
-            return
-        key = keys[0].removeprefix("situation ")
-        pairs = zip(
-            self.document.situations,
-            named(s.name for s in self.document.situations),
-            strict=True,
-        )
-        situation = next((s for s, (_, k) in pairs if k == key), None)
-        if situation is None:
-            return
-        pills = [
-            p.pill()
-            for i in self.graph.links
-            if (p := self.graph.pipe(i)) and p.link.kind == "priority"
-        ]
-        for value in inherited(self.document, situation, key):
-            if value.target not in self.graph.nodes:
-                continue
-            item = InheritedPipe(self.look, value)
-            self.viewer.hold_pipe(item)
-            start = self._end(value.source, OUT) + QPointF(0, 8)
-            end = self._end(value.target, "in") - QPointF(0, 7)
-            for part in (0.22, 0.28, 0.34, 0.4, 0.16, 0.46, 0.52, 0.58, 0.25):
-                item.set_curve(start, end, part)
-                if not any(item.pill().adjusted(-2, -1, 2, 1).intersects(p) for p in pills):
-                    break
-            pills.append(item.pill())
-            self._taken_over.append(item)
+        self._mark_rows()
 
-    def _draw_titles(self, painter: QPainter) -> None:
-        if self.look.level in ("quarter", "tiny"):
-            return
-        for x, label in self._titles:
-            label.draw(painter, x, 26, self.look["text2"])
+    def _show_taken_over(self) -> None:
+        """Priorities that the selected situation takes over, dashed."""
+        self.priorities.show_taken_over(self.document, self._picture, self._shown_situation())
+
+    def _shown_situation(self) -> list[str]:
+        """The situation that is selected, or of which a priority is."""
+        keys = self.selected_uids()
+        if not keys:
+            chosen = [p for p in self.selection() if p[0] == "situation" and p[2:3] == ("entry",)]
+            keys = list(dict.fromkeys(self._picture.uids.get(p[:2], "") for p in chosen))
+        return [key for key in keys if key in self._picture.cards]
+
+    def _mark_way(self) -> None:
+        """The pipes that lead to the selected situation and on from it, without touching it."""
+        links = self._picture.links
+        wanted: set[tuple[str, ...]] = set()
+        for key in self._shown_situation():
+            near = [links[id] for id in self.graph.links_at(key) if id in links]
+            for link in near if self._picture.cards[key].kind == "situation" else ():
+                end = link.source if link.kind == "holds" else link.target
+                beyond = "observes" if link.kind == "holds" else "uses"
+                for id in self.graph.links_at(end):
+                    if id in links and links[id].kind == beyond:
+                        wanted.add(id)
+        for id in wanted ^ self._on_way:
+            pipe = self.graph.pipe(id)
+            if pipe is not None:
+                pipe.chosen = id in wanted
+                pipe.refresh()
+        self._on_way = wanted
+
+    def _mark_rows(self) -> None:
+        """The lines of conditions that are selected."""
+        chosen: dict[str, set[str]] = {}
+        for place in self.selection():
+            key = self._picture.uids.get(place[:3])
+            if key is not None and len(place) > 3:
+                chosen.setdefault(key, set()).add("/".join(place[3:]))
+        for key, node in self.graph.nodes.items():
+            rows = frozenset(chosen.get(key, ()))
+            if node.view.chosen_rows != rows:
+                node.view.chosen_rows = rows
+                node.view.update()
+
+    def _draw_headings(self, painter: QPainter) -> None:
+        if self.look.on_paper:
+            headings.draw(painter, self.look)
 
     def extent(self) -> QRectF:
-        return super().extent().united(QRectF(16, 8, 940, 60))
+        return super().extent().united(headings.EXTENT)
+
+    def zoom_to_begin(self) -> None:
+        """From the top, all columns where they can be read so; the rest is scrolled to."""
+        area = self.extent().adjusted(-24, -8, 24, 24)
+        size = self.viewer.viewport().size()
+        zoom = max(READABLE, min(1.0, size.width() / area.width()))
+        if area.height() * zoom <= size.height() - BAR and area.width() * zoom <= size.width():
+            self.zoom_to_fit()
+            return
+        wide = max(area.width(), size.width() / zoom)
+        left = area.center().x() - wide / 2 if area.width() * zoom <= size.width() else area.left()
+        self.look_at((zoom, left, area.top()))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.headings.setGeometry(0, 0, self.width(), headings.HIGH)
+
+    def set_theme(self, theme: Theme) -> None:
+        super().set_theme(theme)
+        self.headings.update()
+
+    def _advise(self) -> str:
+        if not self.document.situations:
+            return self.tr(
+                "No situation yet. Drag Situation, Data and Module from the palette to here, then "
+                "from card to card, from left to right."
+            )
+        return ""
 
     def set_live(self, live: LiveScript | None) -> None:
         """Current situation, what holds, who holds what; None for none."""
@@ -184,26 +219,28 @@ class ScriptCanvas(Canvas):
 
     def _accepts(self, start: Any, end: Any) -> bool:
         source, target = start.node.face, end.node.face
-        return target.kind in TAKES.get(source.kind, ())
+        return script_piping.accepts(source, target)
 
     def settle(self) -> None:
         moved = self.graph.moved(self.viewer.touched)
         connections, slices = self.graph.take_intents()
-        after, text = self.document, ""
+        edit: tuple[Spds, str, Place] = (self.document, "", ())
         if connections:
-            after, text = self._connected(*connections[-1])
+            edit = self._connected(*connections[-1])
         elif slices:
             gone = [self._between(leaving, entry) for cut in slices for entry, leaving in cut]
-            after, text = gestures.delete(self.document, [p for p in gone if p])
+            edit = *gestures.delete(self.document, [p for p in gone if p]), ()
         elif moved:
-            after, text = self._reordered(moved)
-        if text:
-            self.edited.emit(after, text)
+            edit = *self._reordered(moved), ()
+        self._edit(*edit)
         if self.viewer.touched:
             self.render_document()
         drop, self._drop = self._drop, None
         if drop is not None:
             self._after_drop(*drop)
+        why_not, self._why_not = self._why_not, None
+        if why_not is not None:
+            self.status.emit(script_piping.refusal(*why_not))
 
     def _between(self, leaving: Any, entry: Any) -> Place:
         """The place of the pipe between two ports; () where there is none to change."""
@@ -212,41 +249,15 @@ class ScriptCanvas(Canvas):
         link = self._picture.links.get((leaving.node.uid, leaving.name, entry.node.uid, entry.name))
         return link.place if link is not None else ()
 
-    def _connected(self, gone: list[Any], made: list[Any]) -> tuple[Spds, str]:
+    def _connected(self, gone: list[Any], made: list[Any]) -> tuple[Spds, str, Place]:
         leaving, entry = made[0]
         if leaving.node is None or entry.node is None:
-            return self.document, ""
-        source: ScriptNode = leaving.node.face
-        target: ScriptNode = entry.node.face
+            return self.document, "", ()
         old = self._between(*gone[0]) if gone else ()
-        script, text = self.document, ""
-        match source.kind:
-            case "data":
-                name = target.name
-                if old and old[1] == name:
-                    return self.document, ""
-                if old:
-                    script, _ = gestures.delete(script, [old])
-                script, text = gestures.observe(script, source.name, name)
-            case "situation":
-                priority: int | None = gestures.new_priority(script, source.name)
-                if any(
-                    e.module == target.name
-                    for s in script.situations
-                    if s.name == source.name
-                    for e in s.entries
-                ):
-                    return self.document, ""
-                if old:
-                    link = next((x for x in self._picture.links.values() if x.place == old), None)
-                    priority = link.priority if link is not None else priority
-                    script, _ = gestures.delete(script, [old])
-                script, text = gestures.prioritise(script, source.name, target.name, priority)
-            case "module":
-                if old:
-                    script, _ = gestures.delete(script, [old])
-                script, text = gestures.use(script, source.name, target.name)
-        return script, text
+        source, target = leaving.node.face, entry.node.face
+        if not script_piping.accepts(source, target):
+            return self.document, "", ()
+        return script_piping.connect(self.document, source, target, entry.name, old)
 
     def _reordered(self, moved: dict[str, tuple[float, float]]) -> tuple[Spds, str]:
         """The situation that was dragged goes where it was dropped among the others."""
@@ -254,16 +265,26 @@ class ScriptCanvas(Canvas):
         dragged = self._picture.cards[key]
         if dragged.kind != "situation":
             return self.document, ""
-        y = moved[key][1]
-        others = [c for c in self._picture.cards.values() if c.kind == "situation" and c.uid != key]
-        index = sum(1 for c in others if c.y < y)
+        index = self._index_at(moved[key][1] + dragged.height / 2, key)
         return gestures.reorder(self.document, dragged.name, index)
+
+    def _index_at(self, y: float, but: str = "") -> int:
+        """Which place among the situations a height stands for."""
+        every = self._picture.cards.values()
+        others = (c for c in every if c.kind == "situation" and c.uid != but)
+        return sum(1 for c in others if c.y + c.height / 2 < y)
 
     def _on_dropped(self, leaving: Any, spot: QPointF) -> None:
         self._drop = leaving, self.viewer._detached_port, spot
 
+    def _on_refused(self, leaving: Any, spot: QPointF) -> None:
+        faces = [item for item in self.viewer.scene().items(spot) if isinstance(item, NodeFace)]
+        if leaving.node is not None and faces and self.viewer._detached_port is None:
+            self._why_not = leaving.node.face, faces[0].face
+
     def _after_drop(self, leaving: Any, detached: Any, spot: QPointF) -> None:
-        """A pipe that was pulled off goes; one that was begun asks what it shall lead to."""
+        """A pipe that was pulled off goes; one that was begun goes where a pipe leads on which it
+        was dropped, or asks what it shall lead to."""
         if leaving.node is None:
             return
         if detached is not None:
@@ -272,195 +293,155 @@ class ScriptCanvas(Canvas):
                 self._edit(*gestures.delete(self.document, [place]))
             return
         source: ScriptNode = leaving.node.face
-        choices: list[Follow] = []
-        match source.kind:
-            case "data":
-                choices = [Follow("+situation", "New situation", "situation", "add")]
-                kinds = "situation"
-            case "situation":
-                choices = [Follow("+module", "New module", "module", "add")]
-                kinds = "module"
-            case "module":
-                kinds = "resource"
-            case _:
+        hit = self.viewer.hit(spot)
+        link = hit.link if isinstance(hit, CurvedPipe) else None
+        if link is not None and link.source != source.uid:
+            target = self._picture.cards[link.source if link.kind == "holds" else link.target]
+            if script_piping.accepts(source, target):
+                edit = script_piping.connect(self.document, source, target, link.entry, ())
+                self._edit(*edit)
                 return
-        choices += [
-            Follow(f"={c.name}", c.name, kinds)
-            for c in self._picture.cards.values()
-            if c.kind == kinds
-        ]
-        menu = FollowMenu(choices, self.look.theme, self)
-        menu.chosen.connect(lambda key: self._follow(source, key))
-        menu.closed.connect(self._menu_closed)
-        self.menu = menu
-        menu.popup(self.viewer.viewport().mapToGlobal(self.viewer.mapFromScene(spot)))
-
-    def _menu_closed(self) -> None:
-        self.menu = None
-        self.viewer.setFocus()
-
-    def _follow(self, source: ScriptNode, key: str) -> None:
-        script = self.document
-        if source.uid not in self._picture.cards:
-            return
-        if key == "+situation":
-            script, text, name = gestures.add_situation(script)
-            script, _ = gestures.delete(script, [("situation", name, "condition", "0")])
-            script, _ = gestures.observe(script, source.name, name)
-            self._edit(script, text)
-            self.select([("situation", name)])
-        elif key == "+module":
-            script, text, name = gestures.add_module(script, source.name)
-            self._edit(script, text)
-            self.select([("module", name)])
-        elif source.kind == "data":
-            self._edit(*gestures.observe(script, source.name, key[1:]))
-        elif source.kind == "situation":
-            known = {
-                e.module for s in script.situations if s.name == source.name for e in s.entries
-            }
-            if key[1:] not in known:
-                priority = gestures.new_priority(script, source.name)
-                self._edit(*gestures.prioritise(script, source.name, key[1:], priority))
+        if script_piping.choices(self.document, source):
+            self._ask_from(source, spot, self._index_at(spot.y()))
         else:
-            self._edit(*gestures.use(script, source.name, key[1:]))
+            self.status.emit(script_piping.refusal(source, source))
 
-    # -- priorities, edited where they stand --------------------------------------------------
+    def drop_kind(self, kind: Kind, spot: QPointF) -> None:
+        """What was dragged from the palette; what it was dropped on says what it belongs to."""
+        item = self.viewer.hit(spot)
+        node: ScriptNode | None = item.face if isinstance(item, NodeFace) else None
+        if isinstance(item, CurvedPipe) and item.link is not None:
+            at = item.link.source if item.link.kind in ("holds", "priority") else item.link.target
+            node = self._picture.cards[at]
+        about = "" if node is None or node.kind not in ("situation", "condition") else node.name
+        match kind.name:
+            case "data":
+                self.add_data()
+            case "situation":
+                tag = node.name if node is not None and node.kind == "data" else ""
+                index = self._index_at(spot.y())
+                after, text, name = gestures.add_situation(self.document, index, tag)
+                self._edit(after, text, ("situation", name))
+            case "module":
+                after, text, name = gestures.add_module(self.document, about or None)
+                self._edit(after, text, ("module", name))
+            case "condition" if about:
+                self.select([node.place if node is not None else ("situation", about)])
+                word = "until" if node is not None and node.until else "condition"
+                self._ask_data(word, self.tr("When what?"))
+            case "condition":
+                self.status.emit(self.tr("Drop a condition on the situation that it is of"))
 
-    def edit_priority(self, link: ScriptLink | None, item: Any, typed: str = "") -> None:
-        """Opens the pill's editor: of an entry's pipe, or of one that is taken over."""
-        if self._pill_editor is not None:
-            self._pill_editor.close_editor()
-        if link is not None:
-            node = self._picture.cards[link.source]
-            situation, module = node.name, self._picture.cards[link.target].name
-            text = "none" if link.priority is None else str(link.priority)
-        else:
-            situation, module = item.value.situation, item.value.module
-            text = str(item.value.priority)
-        centre = self.viewer.mapFromScene(item.pill()).boundingRect().center()
-        key = situation, module
-        editor = priority_editor(key, typed or text, self.look, self.viewer.viewport())
-        editor.finished.connect(self._on_priority)
-        self._pill_editor = editor
-        editor.open_at(QRect(centre.x() - 28, centre.y() - 13, 56, 26))
-        if typed:
-            editor.deselect()
-            editor.setCursorPosition(len(typed))
-
-    def _on_priority(self, key: tuple[str, str], value: str | None, _: int) -> None:
-        self._pill_editor = None
-        self.viewer.setFocus()
-        if value is None:
-            return
-        value = value.strip()
-        if value in ("none", "-", ""):
-            self._edit(*gestures.prioritise(self.document, *key, None))
-        elif value.removeprefix("-").isdigit():
-            self._edit(*gestures.prioritise(self.document, *key, int(value)))
-        else:
-            self.status.emit(f"A priority is a whole number or none, not {value}")
-
-    def _selected_entry(self) -> CurvedPipe | None:
-        pipes = [p for p in self.viewer.selected_pipes() if p.link.kind == "priority"]
-        return pipes[0] if len(pipes) == 1 and not self.selected_uids() else None
-
-    def _key(self, event: QKeyEvent) -> bool:
-        entry = self._selected_entry()
-        if entry is not None:
-            if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
-                self.edit_priority(entry.link, entry)
-                return True
-            if event.text().isdigit():
-                self.edit_priority(entry.link, entry, event.text())
-                return True
-        return super()._key(event)
+    # -- clicks -----------------------------------------------------------------------------
 
     def _on_clicked(self, item: Any, spot: QPointF) -> None:
-        if item is None:
-            over = next((g for g in self._taken_over if g.pill().contains(spot)), None)
-            if over is not None:
-                self.edit_priority(None, over)
-                return
+        over = self.priorities.taken_over_at(spot)
+        if over is not None and (item is None or isinstance(item, CurvedPipe)):
+            self.priorities.override(over)
+            return
+        several = bool(self.viewer.held & Qt.KeyboardModifier.ControlModifier)
+        if isinstance(item, ScriptItem) and item.face.kind == "condition":
+            self._on_row(item, item.mapFromScene(spot), several)
+            return
         super()._on_clicked(item, spot)
+        if isinstance(item, CurvedPipe) and item.pill().contains(spot) and not several:
+            self.select([self.link_place(item.link.id)])
+            self.priorities.edit(item)
+
+    def _on_row(self, item: ScriptItem, at: QPointF, several: bool) -> None:
+        """A click on a line of a condition selects it; with Ctrl, it too or no longer."""
+        row = item.face.row_at(at.y()) if at.x() > STRIP else None
+        if row is None:
+            return
+        place = (*item.face.place, *row.tail)
+        before = list(self._lines) if several else []
+        if place in before:
+            before.remove(place)
+            self.select(before)
+        else:
+            self.select([*before, place])
 
     def _choose_exit(self, card: NodeFace, exit: str) -> None:
         self.select([self._place(card.uid)])
 
-    # -- commands -------------------------------------------------------------------------------
-
-    def _edit(self, after: Spds, text: str) -> None:
-        if text:
-            self.edited.emit(after, text)
-
-    def delete_selection(self) -> None:
-        self._edit(*gestures.delete(self.document, self.selection()))
-
-    def add_situation(self) -> None:
-        after, text, name = gestures.add_situation(self.document)
-        self._edit(after, text)
-        self.select([("situation", name)])
-
-    def add_module(self) -> None:
-        after, text, name = gestures.add_module(self.document)
-        self._edit(after, text)
-        self.select([("module", name)])
-
-    def add_data(self) -> None:
-        after, text, tag = gestures.add_data(self.document)
-        self._edit(after, text)
-        self.select([("data", tag)])
-
-    def connect_selected(self) -> None:
-        """Connects the selected nodes of neighbouring columns."""
-        cards = [self._picture.cards[k] for k in self.selected_uids()]
-        script, texts = self.document, []
-        for source in cards:
-            for target in cards:
-                text = ""
-                if source.kind == "data" and target.kind == "situation":
-                    script, text = gestures.observe(script, source.name, target.name)
-                elif source.kind == "situation" and target.kind == "module":
-                    priority = gestures.new_priority(script, source.name)
-                    script, text = gestures.prioritise(script, source.name, target.name, priority)
-                elif source.kind == "module" and target.kind == "resource":
-                    script, text = gestures.use(script, source.name, target.name)
-                texts += [text] if text else []
-        self._edit(script, "Connect" if len(texts) > 1 else texts[0] if texts else "")
-
-    def nudge(self, across: int, down: int) -> None:
-        """Ctrl with up or down moves a situation in the precedence."""
-        nodes = [self._picture.cards[k] for k in self.selected_uids()]
-        if len(nodes) == 1 and nodes[0].kind == "situation" and down:
-            index = nodes[0].number - 1 + down
-            self._edit(*gestures.reorder(self.document, nodes[0].name, index))
-
-    def _rename_card(self, key: str, name: str) -> None:
-        node = self._picture.cards[key]
-        after, text = gestures.rename(self.document, node.kind, node.name, name)
-        self._edit(after, text)
-        if text:
-            self.select([(node.kind, name)])
-
-    def edit_name(self, uid: str) -> None:
-        if self._picture.cards[uid].kind != "condition":
-            super().edit_name(uid)
-
-    def name_area(self, uid: str) -> QRectF:
-        area = self.card_area(uid)
-        return QRectF(area.left() + 34, area.center().y() - 13, area.width() - 38, 26)
-
     def _on_double_click(self, card: NodeFace, spot: QPointF) -> None:
-        if card.face.kind != "condition" and spot.x() > 32:
-            self.edit_name(card.uid)
+        """Edits what it was on: a name, a line of a condition, its sign, a time, a type."""
+        node: ScriptNode = card.face
+        if node.kind == "condition":
+            row = node.row_at(spot.y())
+            if spot.x() <= STRIP and node.joint:
+                self.ask_joint(node.place)
+            elif row is not None and spot.x() > STRIP:
+                self.select([(*node.place, *row.tail)])
+                self.rename()
+            return
+        line = node.line_of(spot.y()) if spot.x() > STRIP else ""
+        if line == "":
+            self.activated.emit(node.place)
+        elif line == "times":
+            situation = self.document.situation(node.name)
+            limited = situation is not None and situation.limit is not None
+            (self.edit_limit if limited else self.edit_dwell)()
+        elif line == "extends":
+            self.ask_extends()
+        elif line == "detail" and node.kind == "data":
+            self.ask_type()
         else:
-            self.activated.emit(card.face.place)
+            self.edit_name(card.uid)
+
+    # -- selection ----------------------------------------------------------------------------
+
+    def selection(self) -> tuple[Place, ...]:
+        """Groups of tests too, to which no pipe leads."""
+        groups = (g for g in self._groups if places.get(self.document, g) is not None)
+        return (*super().selection(), *groups)
+
+    def select(self, chosen: Iterable[Place]) -> None:
+        every = list(chosen)
+        self._groups = tuple(p for p in every if self._is_group(p))
+        self._choosing = True
+        try:
+            super().select(p for p in every if p not in self._groups)
+        finally:
+            self._choosing = False
+        self._lines = tuple(p for p in self.selection() if p[2:3] in _CONDITIONS and len(p) > 3)
+
+    def clear_selection(self) -> None:
+        self._groups = ()
+        super().clear_selection()
+        self._on_selection()
+
+    def _show(self, cards: dict[str, Any], links: dict[tuple[str, ...], Any]) -> None:
+        self._choosing = True
+        try:
+            super()._show(cards, links)
+        finally:
+            self._choosing = False
+
+    def _on_selection(self) -> None:
+        if not self._quiet and not self._choosing:
+            # A hand chose something else.
+            self._groups = ()
+            if any(self._picture.cards[key].kind != "condition" for key in self.selected_uids()):
+                self._lines = ()
+        super()._on_selection()
+
+    def _is_group(self, place: Place) -> bool:
+        if place[2:3] not in _CONDITIONS or len(place) < 4:
+            return False
+        return isinstance(places.get(self.document, place), Group)
+
+    # -- for screen readers -------------------------------------------------------------------
+
+    def spoken(self, uid: str) -> spoken.Spoken:
+        return script_spoken.node(self.document, self._picture, self._picture.cards[uid])
 
     # -- places ----------------------------------------------------------------------------------
 
     def _place(self, uid: str, exit: str | None = None) -> Place:
-        place: Place = self._picture.cards[uid].place
-        return place
+        place = self._picture.cards[uid].place
+        row = next((r for r in self._picture.cards[uid].rows if r.path == exit), None)
+        return (*place, *row.tail) if row is not None else place
 
     def link_place(self, id: tuple[str, ...]) -> Place:
         link = self._picture.links.get(id)
@@ -472,5 +453,10 @@ class ScriptCanvas(Canvas):
         for end in range(len(place), 0, -1):
             found = self._picture.uids.get(place[:end])
             if found is not None:
-                return found, (OUT if len(place) > end else None)
+                rest = place[end:]
+                node = self._picture.cards[found]
+                if node.kind == "condition":
+                    row = next((r for r in node.rows if r.tail == rest), None)
+                    return found, row.path if row is not None else None
+                return found, ("out" if rest else None)
         return None, None

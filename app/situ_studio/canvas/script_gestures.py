@@ -1,4 +1,4 @@
-"""What gestures make of a script: pure functions, document in, document and words out. No Qt."""
+"""What gestures make of a script: pure functions, document in, document and words out."""
 
 from __future__ import annotations
 
@@ -6,10 +6,14 @@ from collections.abc import Iterable
 
 from msgspec.structs import replace
 
-from situ.document.condition import Condition, Group, Test
+from situ.document.check_script import DEFAULT
+from situ.document.condition import Condition
+from situ.document.datatypes import write_number
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ_studio import changes, places
+from situ_studio.canvas.script_conditions import test_of, tidy, without_tag
 from situ_studio.edit import Place
+from situ_studio.language import tr
 
 Done = tuple[Spds, str]
 
@@ -25,7 +29,8 @@ def reorder(script: Spds, name: str, index: int) -> Done:
     if old < 0 or old == index:
         return script, ""
     every.insert(index, every.pop(old))
-    return replace(script, situations=tuple(every)), f"Move {name} to place {index + 1}"
+    text = tr("Move {0} to place {1}").format(name, index + 1)
+    return replace(script, situations=tuple(every)), text
 
 
 def prioritise(script: Spds, situation: str, module: str, priority: int | None) -> Done:
@@ -42,8 +47,9 @@ def prioritise(script: Spds, situation: str, module: str, priority: int | None) 
     else:
         entries[index] = replace(entries[index], priority=priority)
     after = places.change(script, ("situation", situation), entries=tuple(entries))
-    said = "no priority" if priority is None else f"priority {priority}"
-    return after, f"Give {module} {said} in {situation}"
+    if priority is None:
+        return after, tr("Give {0} no priority in {1}").format(module, situation)
+    return after, tr("Give {0} priority {1} in {2}").format(module, priority, situation)
 
 
 def new_priority(script: Spds, situation: str) -> int:
@@ -52,37 +58,6 @@ def new_priority(script: Spds, situation: str) -> int:
     own = [e.priority for e in found.entries if e.priority is not None] if found else []
     every = list(script.priorities(found).values()) if found else []
     return max(own or every, default=FIRST_PRIORITY - 10) + 10
-
-
-def _test(script: Spds, tag: str) -> Test:
-    known = next((o for o in script.observe if o.tag == tag), None)
-    kind = known.type if known is not None else None
-    if kind == "boolean":
-        return Test(tag=tag, test="is", value="true")
-    if kind == "number":
-        return Test(tag=tag, test="above", value="0")
-    return Test(tag=tag, test="exists", value="true")
-
-
-def observe(script: Spds, tag: str, situation: str) -> Done:
-    """One more test of the tag in the situation's condition."""
-    found = script.situation(situation)
-    if found is None:
-        return script, ""
-    children = found.condition.children if found.condition is not None else ()
-    aside = found.condition.aside if found.condition is not None else Condition().aside
-    condition = Condition(children=(*children, _test(script, tag)), aside=aside)
-    after = places.change(script, ("situation", situation), condition=condition)
-    return after, f"Let {situation} look at {tag}"
-
-
-def look_elsewhere(script: Spds, test: Place, tag: str) -> Done:
-    """The test looks at another tag."""
-    value = places.get(script, test)
-    if not isinstance(value, Test) or value.tag == tag:
-        return script, ""
-    after = places.change(script, test, tag=tag)
-    return after, f"Let {test[1]} look at {tag}"
 
 
 def use(script: Spds, module: str, resource: str) -> Done:
@@ -97,7 +72,7 @@ def use(script: Spds, module: str, resource: str) -> Done:
             replace(m, resources=(*m.resources, resource)) if m is declared else m
             for m in script.modules
         )
-    return replace(script, modules=every), f"Let {module} use {resource}"
+    return replace(script, modules=every), tr("Let {0} use {1}").format(module, resource)
 
 
 def disuse(script: Spds, module: str, resource: str) -> Done:
@@ -106,7 +81,42 @@ def disuse(script: Spds, module: str, resource: str) -> Done:
         return script, ""
     kept = tuple(r for r in declared.resources if r != resource)
     every = tuple(replace(m, resources=kept) if m is declared else m for m in script.modules)
-    return replace(script, modules=every), f"Let {module} not use {resource}"
+    return replace(script, modules=every), tr("Let {0} not use {1}").format(module, resource)
+
+
+def set_seconds(script: Spds, situation: str, which: str, seconds: float | None) -> Done:
+    """How long a situation stays at least (``dwell``), or when it ends (``limit``)."""
+    found = script.situation(situation)
+    if found is None or getattr(found, which) == seconds:
+        return script, ""
+    after = places.change(script, ("situation", situation), **{which: seconds})
+    if seconds is None:
+        said = tr("Let {0} stay as long as it holds")
+    elif which == "dwell":
+        said = tr("Let {0} stay {1} s at least")
+    else:
+        said = tr("Let {0} end after {1} s")
+    return after, said.format(situation, "" if seconds is None else write_number(seconds))
+
+
+def extend(script: Spds, situation: str, other: str | None) -> Done:
+    """The situation takes over the priorities of another; None: of none any more."""
+    found = script.situation(situation)
+    if found is None or found.extends == other:
+        return script, ""
+    after = places.change(script, ("situation", situation), extends=other)
+    if other is None:
+        return after, tr("Let {0} take over nothing").format(situation)
+    return after, tr("Let {0} take over from {1}").format(situation, other)
+
+
+def change_data(script: Spds, tag: str, **fields: str | None) -> Done:
+    """Type or unit of a datum; one that was only used is observed from then on."""
+    place = ("data", tag)
+    if places.get(script, place) is None:
+        script = replace(script, observe=(*script.observe, Observed(tag=tag)))
+    after = places.change(script, place, **fields)
+    return (after, tr("Change data {0}").format(tag)) if after != script else (script, "")
 
 
 def _free(word: str, taken: Iterable[str]) -> str:
@@ -119,38 +129,56 @@ def _free(word: str, taken: Iterable[str]) -> str:
     return f"{word}{number}"
 
 
-def add_situation(script: Spds, index: int | None = None) -> tuple[Spds, str, str]:
-    """A new situation before the last, which alone may hold always. Returns its name too."""
-    name = _free("situation", (s.name for s in script.situations))
-    made = Situation(name=name)
-    if script.situations:
-        tag = script.observe[0].tag if script.observe else "data"
-        made = replace(made, condition=Condition((_test(script, tag),)))
+def add_situation(
+    script: Spds, index: int | None = None, tag: str = "", name: str = ""
+) -> tuple[Spds, str, str]:
+    """A new situation before the last, which alone may hold always. Returns its name too.
+
+    index: its place among the others. tag: what it looks at; without one the first datum, where
+    it has to look at something. The first of all holds always, unless it is to look at ``tag``:
+    then one that does follows it.
+    """
+    taken = {s.name for s in script.situations}
+    name = name if name and name not in taken else _free(name or "situation", taken)
     every = list(script.situations)
-    every.insert(max(0, len(every) - 1) if index is None else index, made)
-    return replace(script, situations=tuple(every)), f"Add situation {name}", name
+    made = Situation(name=name)
+    if every or tag:
+        tag = tag or (script.observe[0].tag if script.observe else "data")
+        made = replace(made, condition=Condition((test_of(script, tag),)))
+    if not every and tag:
+        every = [Situation(name=_free(DEFAULT, {name}))]
+    last = max(0, len(every) - 1)
+    every.insert(last if index is None else max(0, min(last, index)), made)
+    after = replace(script, situations=tuple(every))
+    return after, tr("Add situation {0}").format(name), name
 
 
-def add_module(script: Spds, situation: str | None = None) -> tuple[Spds, str, str]:
-    """A new module, with a priority in ``situation`` if one is given."""
+def add_module(script: Spds, situation: str | None = None, name: str = "") -> tuple[Spds, str, str]:
+    """A new module, with a priority in ``situation`` if one is given. Returns its name too."""
     taken = {m.name for m in script.modules} | {
         e.module for s in script.situations for e in s.entries
     }
-    name = _free("module", taken)
+    name = name if name and name not in taken else _free(name or "module", taken)
     after = replace(script, modules=(*script.modules, Declaration(name=name)))
     if situation is not None:
         after, _ = prioritise(after, situation, name, new_priority(script, situation))
-    return after, f"Add module {name}", name
+    return after, tr("Add module {0}").format(name), name
 
 
 def add_data(script: Spds) -> tuple[Spds, str, str]:
     tag = _free("data", (o.tag for o in script.observe))
-    return replace(script, observe=(*script.observe, Observed(tag=tag))), f"Add data {tag}", tag
+    after = replace(script, observe=(*script.observe, Observed(tag=tag)))
+    return after, tr("Add data {0}").format(tag), tag
+
+
+def cleaned(kind: str, name: str) -> str:
+    """A name as it can stand in a file: only situations have blanks in theirs."""
+    return (" " if kind == "situation" else "").join(name.split())
 
 
 def rename(script: Spds, kind: str, old: str, new: str) -> Done:
     """A datum, situation, module or resource, and everything that names it."""
-    new = "".join(new.split()) if kind != "situation" else " ".join(new.split())
+    new = cleaned(kind, new)
     if not new or new == old:
         return script, ""
     match kind:
@@ -164,32 +192,24 @@ def rename(script: Spds, kind: str, old: str, new: str) -> Done:
             after = replace(
                 script,
                 modules=tuple(
-                    replace(m, resources=tuple(new if r == old else r for r in m.resources))
+                    replace(
+                        m,
+                        resources=tuple(dict.fromkeys(new if r == old else r for r in m.resources)),
+                    )
                     for m in script.modules
                 ),
             )
         case _:
             return script, ""
-    return (after, f"Rename {kind} {old} to {new}") if after != script else (script, "")
-
-
-def _without_tag(condition: Condition | None, tag: str) -> Condition | None:
-    def keep(children: Iterable[Test | Group]) -> tuple[Test | Group, ...]:
-        kept: list[Test | Group] = []
-        for child in children:
-            if isinstance(child, Test):
-                if child.tag != tag and not child.tag.startswith(f"{tag}."):
-                    kept.append(child)
-                continue
-            inner = keep(child.children)
-            if inner:
-                kept.append(replace(child, children=inner))
-        return tuple(kept)
-
-    if condition is None:
-        return None
-    children = keep(condition.children)
-    return replace(condition, children=children) if children else None
+    if after == script:
+        return script, ""
+    said = {
+        "data": tr("Rename data {0} to {1}"),
+        "situation": tr("Rename situation {0} to {1}"),
+        "module": tr("Rename module {0} to {1}"),
+        "resource": tr("Rename resource {0} to {1}"),
+    }
+    return after, said[kind].format(old, new)
 
 
 def delete(script: Spds, gone: Iterable[Place]) -> Done:
@@ -204,10 +224,11 @@ def delete(script: Spds, gone: Iterable[Place]) -> Done:
         if places.get(after, place) is None:
             continue
         if len(place) == 3:
-            after = places.change(after, place[:2], condition=None, until=None)
+            after = places.change(after, place[:2], **{place[2]: None})
         else:
-            after = _tidy(places.put(after, place, None), place)
-        what.append(f"{'a priority' if place[2] == 'entry' else 'a test'} of {place[1]}")
+            after = tidy(places.put(after, place, None), place)
+        told = tr("a priority of {0}") if place[2] == "entry" else tr("a test of {0}")
+        what.append(told.format(place[1]))
     for place in wanted:
         match place:
             case ("situation", name) if after.situation(name) is not None:
@@ -219,10 +240,10 @@ def delete(script: Spds, gone: Iterable[Place]) -> Done:
                         if s.name != name
                     ),
                 )
-                what.append(f"situation {name}")
+                what.append(tr("situation {0}").format(name))
             case ("module", name, "resource", resource):
                 after, text = disuse(after, name, resource)
-                what += [f"{resource} of {name}"] if text else []
+                what += [tr("{0} of {1}").format(resource, name)] if text else []
             case ("module", name):
                 before = after
                 after = replace(
@@ -235,7 +256,7 @@ def delete(script: Spds, gone: Iterable[Place]) -> Done:
                         for s in after.situations
                     ),
                 )
-                what += [f"module {name}"] if after != before else []
+                what += [tr("module {0}").format(name)] if after != before else []
             case ("data", tag):
                 before = after
                 after = replace(
@@ -244,29 +265,20 @@ def delete(script: Spds, gone: Iterable[Place]) -> Done:
                     situations=tuple(
                         replace(
                             s,
-                            condition=_without_tag(s.condition, tag),
-                            until=_without_tag(s.until, tag),
+                            condition=without_tag(s.condition, tag),
+                            until=without_tag(s.until, tag),
                         )
                         for s in after.situations
                     ),
                 )
-                what += [f"data {tag}"] if after != before else []
+                what += [tr("data {0}").format(tag)] if after != before else []
             case ("resource", name):
                 before = after
                 for module in after.modules:
                     after, _ = disuse(after, module.name, name)
-                what += [f"resource {name}"] if after is not before else []
+                what += [tr("resource {0}").format(name)] if after is not before else []
     if not what:
         return script, ""
-    return after, f"Delete {what[0]}" if len(what) == 1 else f"Delete {len(what)} things"
-
-
-def _tidy(script: Spds, place: Place) -> Spds:
-    """Without the empty group or condition that taking its last test leaves."""
-    for end in range(len(place) - 1, 2, -1):
-        holder = places.get(script, place[:end])
-        if isinstance(holder, Group | Condition) and not holder.children:
-            script = places.put(script, place[:end], None)
-        else:
-            break
-    return script
+    if len(what) > 1:
+        return after, tr("Delete {0} things").format(len(what))
+    return after, tr("Delete {0}").format(what[0])

@@ -5,21 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QPainter, QPainterPath, QPen, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
-from situ_studio.canvas.script_projection import OUT, ScriptNode
+from situ_studio.canvas.script_faces import INDENT, LINE, OUT, STRIP, ScriptNode
 from situ_studio.canvas.style import Label, Look
+from situ_studio.language import tr
 
-STRIP = 32.0
 RADIUS = 8.0
 
 
 class ScriptItem(NodeFace):
-    """One node of any of the five kinds. Only situations can be dragged, up and down."""
+    """One node of any of the five kinds. Only situations are dragged, up and down."""
 
     face: ScriptNode
 
@@ -27,6 +27,8 @@ class ScriptItem(NodeFace):
         super().__init__(name, parent)
         self._laid: tuple[object, ...] | None = None
         self._texts: dict[str, Label] = {}
+        self.chosen_rows: frozenset[str] = frozenset()
+        """Lines of a condition that are selected, by their paths."""
 
     def show_face(self, face: ScriptNode) -> None:
         super().show_face(face)
@@ -54,11 +56,16 @@ class ScriptItem(NodeFace):
         self._texts = {
             "name": Label(node.name, 13, 600, name_room),
             "detail": Label(detail, 11, 400, room),
+            "extends": Label(node.extends, 11, 400, room),
+            "times": Label(node.times, 11, 400, room - 15),
             "number": Label(str(node.number), 11, 600),
-            "joint": Label(node.joint, 11, 600),
+            "joint": Label(joint_word(node.joint), 11, 600, STRIP - 2),
+            "until": Label(tr("until"), 11, 600, STRIP - 2),
         }
-        for index, line in enumerate(node.lines):
-            self._texts[f"line {index}"] = Label(line, 12, 500, room)
+        for row in node.rows:
+            inner = room + 4 - INDENT * row.depth
+            weight = 600 if row.group else 500
+            self._texts[f"row {row.path}"] = Label(row.text, 12, weight, inner)
 
     def _detail(self, look: Look) -> str:
         node, live = self.face, look.live
@@ -66,9 +73,9 @@ class ScriptItem(NodeFace):
             if node.kind == "data" and node.name in live.values:
                 return said(live.values[node.name])
             if node.kind == "resource":
-                return live.authority.get(node.name) or "nobody"
+                return live.authority.get(node.name) or tr("nobody")
             if node.kind == "module" and node.name in live.asking:
-                return f"asks for {' '.join(live.asking[node.name])}"
+                return tr("asks for {0}").format(" ".join(live.asking[node.name]))
         return node.detail
 
     def _lit(self, look: Look) -> bool:
@@ -80,7 +87,7 @@ class ScriptItem(NodeFace):
             case "situation":
                 return live.situation == node.name
             case "condition":
-                return node.name in live.holds
+                return node.name in live.holds and not node.until
             case "module":
                 return node.name in live.authority.values()
             case "resource":
@@ -120,38 +127,22 @@ class ScriptItem(NodeFace):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRoundedRect(area, RADIUS, RADIUS)
         kind_color = look["live"] if lit else look[node.kind]
-        middle = node.height / 2
-        if node.joint:
-            look.icon(painter, node.kind, 7, middle - 17, 18, kind_color)
-            self._texts["joint"].draw_middle(painter, STRIP / 2, middle + 16, kind_color)
+        self._paint_strip(painter, look, kind_color)
+        if node.kind == "condition":
+            self._paint_rows(painter, look)
         else:
-            look.icon(painter, node.kind, 7, middle - 9, 18, kind_color)
-        if node.lines:
-            for index in range(len(node.lines)):
-                self._texts[f"line {index}"].draw(
-                    painter, 40, node.line_at(index) + 4, look["text"]
-                )
-        else:
-            detail = self._texts["detail"]
-            two = detail.width > 0
-            up = 9 if node.height < 50 else 8
-            self._texts["name"].draw(
-                painter, 40, middle + (4.5 if not two else 4.5 - up), look["text"]
-            )
-            if two:
-                detail.draw(painter, 40, middle + (13 if node.height >= 50 else 12), look["text2"])
+            self._paint_lines(painter, look, detail=self._detail(look))
         if node.number:
             box = QRectF(node.width - 26, 8, 18, 16)
-            if not self._texts["detail"].width:
-                box.moveTop(middle - 8)
+            box.moveTop(node.stack()[0][1] - 8)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(look["live"] if lit else look["situation_soft"])
             painter.drawRoundedRect(box, 4, 4)
             ink = look["card"] if lit else look["situation"]
             self._texts["number"].draw_middle(painter, box.center().x(), box.center().y() + 4, ink)
         if node.mark:
-            x = node.width - (46 if node.number else 24)
-            look.icon(painter, node.mark, x, 8, 16, look[node.mark])
+            x = node.width - (46 if node.number else 22)
+            look.icon(painter, node.mark, x, 6, 16, look[node.mark])
         if node.outputs and (self.isSelected() or (self.isUnderMouse() and not look.on_paper)):
             x, y = node.port(OUT)
             hovered = self.hovered == OUT
@@ -159,18 +150,68 @@ class ScriptItem(NodeFace):
             painter.setBrush(look["accent"] if hovered else look["card"])
             painter.drawEllipse(QPointF(x, y), 4.25, 4.25)
 
+    def _paint_strip(self, painter: QPainter, look: Look, color: QColor) -> None:
+        """The icon in the strip; a condition's has above it that it ends, below it what joins."""
+        node = self.face
+        words = [text for text, there in (("until", node.until), ("joint", node.joint)) if there]
+        up = 8.5 * ("joint" in words) - 8.5 * ("until" in words)
+        middle = node.height / 2 - up
+        look.icon(painter, node.kind, 7, middle - 9, 18, color)
+        if "until" in words:
+            self._texts["until"].draw_middle(painter, STRIP / 2, middle - 12, color)
+        if "joint" in words:
+            self._texts["joint"].draw_middle(painter, STRIP / 2, middle + 22, color)
+
+    def _paint_rows(self, painter: QPainter, look: Look) -> None:
+        node = self.face
+        for index, row in enumerate(node.rows):
+            at = node.line_at(index)
+            if row.path in self.chosen_rows:
+                box = QRectF(STRIP + 3, at - LINE / 2 + 0.5, node.width - STRIP - 6, LINE - 1)
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(look["accent_soft"])
+                painter.drawRoundedRect(box, 4, 4)
+            x = 39 + INDENT * row.depth
+            if row.depth:
+                painter.setPen(QPen(look["condition"], 1))
+                edge = x - INDENT / 2 - 1
+                painter.drawLine(QPointF(edge, at - LINE / 2 + 1), QPointF(edge, at + LINE / 2 - 1))
+            ink = look["condition"] if row.group else look["text"]
+            self._texts[f"row {row.path}"].draw(painter, x, at + 4, ink)
+
+    def _paint_lines(self, painter: QPainter, look: Look, detail: str) -> None:
+        node = self.face
+        stack = node.stack()
+        if detail and not node.detail:
+            # What the robot says of it has a line where the node itself has none.
+            stack = (("name", node.height / 2 - 8.5), ("detail", node.height / 2 + 8.5))
+        for line, at in stack:
+            if line == "name":
+                self._texts["name"].draw(painter, 40, at + 4.5, look["text"])
+            elif line == "times":
+                look.icon(painter, "timeout", 39, at - 6, 12, look["text2"])
+                self._texts["times"].draw(painter, 55, at + 4, look["text2"])
+            elif line:
+                self._texts[line].draw(painter, 40, at + 4, look["text2"])
+
+
+def joint_word(joint: str) -> str:
+    """What joins the lines of a condition, in one word."""
+    words = {"all": tr("all"), "any": tr("any"), "none": tr("none")}
+    return words.get(joint, "")
+
 
 def said(value: Any) -> str:
     """A value on the blackboard in a few letters."""
     match value:
         case None:
-            return "nothing"
+            return tr("nothing")
         case True | False:
-            return "yes" if value else "no"
+            return tr("yes") if value else tr("no")
         case float():
             return f"{value:.3g}"
         case list():
-            return f"{len(value)} in a list"
+            return tr("{0} in a list").format(len(value))
         case dict():
             return ", ".join(f"{k} {said(v)}" for k, v in value.items())
     return str(value)

@@ -1,192 +1,48 @@
 """A script as a picture: data, conditions, situations, modules and resources in five columns. Pure.
 
-Where things stand is ours, not the file's: situations in precedence from top to
-bottom, everything else near what it belongs to, in the measures of
-mockups/script-light.png. The same document always gives the same picture.
+Where things stand is ours, not the file's (``script_layout``). The same document always gives the
+same picture.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Literal
-
-from msgspec import Struct
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from situ.document import words
-from situ.document.condition import Condition, Group, Test
+from situ.document.condition import Condition, Test
 from situ.document.problem import Problem
 from situ.document.spds import Observed, Situation, Spds
 from situ_studio import kinds
+from situ_studio.canvas.script_faces import (
+    IN,
+    LEFT,
+    LOW,
+    OUT,
+    PITCH,
+    TOP,
+    UNTIL,
+    Inherited,
+    Mark,
+    ScriptLink,
+    ScriptNode,
+    ScriptPicture,
+    uid,
+)
+from situ_studio.canvas.script_layout import Tier, spread, tiers
+from situ_studio.canvas.script_rows import joint, rows, tests, whole_group
 from situ_studio.edit import Place
 from situ_studio.language import say, tr, translated
 
-Kind = Literal["data", "condition", "situation", "module", "resource"]
-Mark = Literal["", "warning", "error"]
-
-LEFT: dict[str, float] = {
-    "data": 16,
-    "condition": 218,
-    "situation": 426,
-    "module": 698,
-    "resource": 870,
-}
-WIDTH: dict[str, float] = {
-    "data": 166,
-    "condition": 180,
-    "situation": 160,
-    "module": 124,
-    "resource": 100,
-}
-TITLES: dict[str, str] = {
-    "data": "Data",
-    "condition": "Conditions",
-    "situation": "Situations, first that holds",
-    "module": "Modules",
-    "resource": "Resources",
-}
-TOP = 44.0
-TALL, LOW = 52.0, 44.0
-PITCH = 72.0
-LINE = 18.0
-OUT, IN = "out", "in"
+LAST = 1e6
+"""Below all others."""
 
 
-class ScriptNode(Struct, frozen=True):
-    """What one node shows. lines: a condition's tests; number: a situation's precedence."""
-
-    uid: str
-    place: Place
-    kind: Kind
-    name: str
-    x: float
-    y: float
-    height: float = TALL
-    detail: str = ""
-    lines: tuple[str, ...] = ()
-    joint: str = ""
-    number: int = 0
-    mark: Mark = ""
-
-    @property
-    def width(self) -> float:
-        return WIDTH[self.kind]
-
-    @property
-    def no(self) -> str:
-        return self.name
-
-    @property
-    def many(self) -> bool:
-        return True
-
-    @property
-    def inputs(self) -> tuple[str, ...]:
-        if self.kind == "data":
-            return ()
-        if self.kind == "condition":
-            return tuple(str(i) for i in range(len(self.lines)))
-        return (IN,)
-
-    @property
-    def outputs(self) -> tuple[str, ...]:
-        return () if self.kind == "resource" else (OUT,)
-
-    def hint(self, name: str = "") -> str:
-        """What the node has no room for: long names, all tests."""
-        if name:
-            return "Drag to where it leads"
-        return "\n".join((self.name, *self.lines) if self.lines else (self.name, self.detail))
-
-    def spoken(self) -> str:
-        """The node for those who hear it."""
-        parts = [self.kind, *([f"number {self.number}"] if self.number else []), self.detail]
-        return "; ".join(part for part in (*parts, *self.lines) if part)
-
-    def port(self, name: str) -> tuple[float, float]:
-        """A port's centre, from the corner."""
-        if name == OUT:
-            return self.width, self.height / 2
-        if self.kind == "condition":
-            return 0.0, self.line_at(int(name))
-        return 0.0, self.height / 2
-
-    def line_at(self, index: int) -> float:
-        """The middle of a condition's line, below the top."""
-        return self.height / 2 + LINE * (index - (len(self.lines) - 1) / 2)
+def picture(script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:
+    """Nodes and pipes of the whole script, the nodes in the order of reading."""
+    return _Drawing(script, _marks(problems)).picture()
 
 
-class ScriptLink(Struct, frozen=True):
-    """A pipe. priority: of a module in a situation, None where the entry takes it away.
-
-    place: what it stands for in the document, () where it follows from others.
-    """
-
-    source: str
-    exit: str
-    target: str
-    entry: str
-    kind: Literal["observes", "holds", "priority", "uses"]
-    place: Place = ()
-    priority: int | None = None
-    none: bool = False
-    mark: Mark = ""
-
-    @property
-    def id(self) -> tuple[str, str, str, str]:
-        return self.source, self.exit, self.target, self.entry
-
-
-class ScriptPicture(Struct):
-    cards: dict[str, ScriptNode]
-    links: dict[tuple[str, ...], ScriptLink]
-    uids: dict[Place, str]
-    height: float
-
-
-class Inherited(Struct, frozen=True):
-    """A priority that a situation takes over from another."""
-
-    source: str
-    target: str
-    priority: int
-    situation: str
-    module: str
-
-
-def uid(kind: str, name: str) -> str:
-    return f"{kind} {name}"
-
-
-def tests(condition: Condition | None) -> list[tuple[Test, tuple[str, ...]]]:
-    """Every test with the rest of its place below the condition."""
-    found: list[tuple[Test, tuple[str, ...]]] = []
-
-    def walk(children: Sequence[Test | Group], where: tuple[str, ...]) -> None:
-        for index, child in enumerate(children):
-            here = (*where, str(index))
-            if isinstance(child, Test):
-                found.append((child, here))
-            else:
-                walk(child.children, here)
-
-    if condition is not None:
-        walk(condition.children, ())
-    return found
-
-
-def joint(condition: Condition | None) -> str:
-    """``all``, ``any``, ``none``: what joins the tests; ``mixed`` for groups among tests."""
-    if condition is None or len(condition.children) == 0:
-        return ""
-    if len(condition.children) == 1:
-        only = condition.children[0]
-        return only.kind if isinstance(only, Group) else ""
-    if any(isinstance(c, Group) for c in condition.children):
-        return "mixed"
-    return "all"
-
-
-def named(values: Iterable[str]) -> Iterable[tuple[str, str]]:
+def named(values: Iterable[str]) -> Iterator[tuple[str, str]]:
     """Each name with what tells doubled ones apart."""
     seen: dict[str, int] = {}
     for name in values:
@@ -194,17 +50,10 @@ def named(values: Iterable[str]) -> Iterable[tuple[str, str]]:
         yield name, (name if count == 1 else f"{name}  {count}")
 
 
-def tags(script: Spds) -> list[tuple[str, Observed | None]]:
-    """Every tag of the picture: observed ones in the file's order, then those only used."""
-    observed = {o.tag: o for o in script.observe}
-    used: dict[str, None] = {}
-    for situation in script.situations:
-        for condition in (situation.condition, situation.until):
-            for test, _ in tests(condition):
-                used.setdefault(test.tag)
-    # A test may look into a tag: the datum is the longest observed beginning.
-    every = dict.fromkeys([*observed, *(datum(t, observed) for t in used)])
-    return [(tag, observed.get(tag)) for tag in every]
+def keyed(script: Spds) -> list[tuple[Situation, str]]:
+    """Every situation with what its node goes by."""
+    names = named(situation.name for situation in script.situations)
+    return [(s, key) for s, (_, key) in zip(script.situations, names, strict=True)]
 
 
 def datum(tag: str, observed: Mapping[str, object]) -> str:
@@ -217,253 +66,13 @@ def datum(tag: str, observed: Mapping[str, object]) -> str:
     return tag
 
 
-def modules(script: Spds) -> list[tuple[str, tuple[str, ...] | None]]:
+def modules(script: Spds) -> dict[str, tuple[str, ...] | None]:
     """Every module of the picture with its resources; None for one that only has priorities."""
     found: dict[str, tuple[str, ...] | None] = {m.name: m.resources for m in script.modules}
     for situation in script.situations:
         for entry in situation.entries:
             found.setdefault(entry.module, None)
-    return list(found.items())
-
-
-def picture(script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:
-    """Nodes and pipes of the whole script."""
-    marks = _marks(problems)
-    cards: dict[str, ScriptNode] = {}
-    links: dict[tuple[str, ...], ScriptLink] = {}
-    uids: dict[Place, str] = {}
-
-    def add(node: ScriptNode) -> None:
-        cards[node.uid] = node
-        uids.setdefault(node.place, node.uid)
-
-    def link(made: ScriptLink) -> None:
-        links.setdefault(made.id, made)
-
-    rows = _rows(script)
-    used_by: dict[str, list[float]] = {}
-    asked_by: dict[str, list[float]] = {}
-    observed = {o.tag: o for o in script.observe}
-    for number, (situation, (_, key)) in enumerate(
-        zip(script.situations, named(s.name for s in script.situations), strict=True), start=1
-    ):
-        y, room = rows[number - 1]
-        for index, (test, _) in enumerate((*tests(situation.condition), *tests(situation.until))):
-            used_by.setdefault(datum(test.tag, observed), []).append(y + index)
-        for entry in situation.entries:
-            asked_by.setdefault(entry.module, []).append(y)
-        place: Place = ("situation", situation.name)
-        detail = tr("extends {0}").format(situation.extends) if situation.extends else ""
-        if situation.condition is None or not situation.condition.children:
-            detail = detail or tr("always")
-        top = y + (room - 20 - TALL) / 2
-        add(
-            ScriptNode(
-                uid=uid("situation", key),
-                place=place,
-                kind="situation",
-                name=situation.name,
-                x=LEFT["situation"],
-                y=top,
-                detail=detail,
-                number=number,
-                mark=marks.get(place, ""),
-            )
-        )
-        lines = _lines(situation)
-        if lines:
-            where = (*place, "condition")
-            add(
-                ScriptNode(
-                    uid=uid("condition", key),
-                    place=where,
-                    kind="condition",
-                    name=situation.name,
-                    x=LEFT["condition"],
-                    y=y,
-                    height=room - 20,
-                    lines=lines,
-                    joint=joint(situation.condition),
-                    mark=marks.get(where, ""),
-                )
-            )
-            link(
-                ScriptLink(uid("condition", key), OUT, uid("situation", key), IN, "holds", place=())
-            )
-    _add_data(script, used_by, marks, add)
-    _add_modules(script, asked_by, marks, add)
-    _add_links(script, observed, marks, cards, link)
-    bottom = max((c.y + c.height for c in cards.values()), default=TOP)
-    return ScriptPicture(cards, links, uids, bottom)
-
-
-def _rows(script: Spds) -> list[tuple[float, float]]:
-    """Top and height of each situation's row, the gap below it included."""
-    rows = []
-    y = TOP
-    for situation in script.situations:
-        count = len(_lines(situation))
-        room = max(PITCH, TALL + 20 + LINE * max(0, count - 2))
-        rows.append((y, room))
-        y += room
-    return rows
-
-
-def _lines(situation: Situation) -> tuple[str, ...]:
-    lines = [words.predicate(test, say) for test, _ in tests(situation.condition)]
-    lines += [
-        tr("until {0}").format(words.predicate(test, say)) for test, _ in tests(situation.until)
-    ]
-    return tuple(lines)
-
-
-def _mean(values: Sequence[float], otherwise: float) -> float:
-    return sum(values) / len(values) if values else otherwise
-
-
-def _spread(wanted: Sequence[tuple[str, float]], pitch: float) -> dict[str, float]:
-    """Tops near what is wanted, in that order, at least ``pitch`` apart."""
-    order = sorted(enumerate(wanted), key=lambda i: (i[1][1], i[0]))
-    tops: dict[str, float] = {}
-    at = TOP
-    for _, (name, top) in order:
-        at = max(at, top)
-        tops[name] = at
-        at += pitch
-    return tops
-
-
-def _add_data(
-    script: Spds,
-    used_by: Mapping[str, Sequence[float]],
-    marks: Mapping[Place, Mark],
-    add: Callable[[ScriptNode], None],
-) -> None:
-    every = tags(script)
-    wanted = [(tag, _mean(used_by.get(tag, ()), 1e6)) for tag, _ in every]
-    # On the grid of rows, so that most pipes are straight.
-    used = [(t, TOP + round((y - TOP) / PITCH) * PITCH) for t, y in wanted if y < 1e6]
-    tops = _spread(used, PITCH)
-    below = max(tops.values(), default=TOP - PITCH) + PITCH
-    for tag, y in wanted:
-        if y >= 1e6:
-            tops[tag] = below
-            below += PITCH
-    for tag, known in every:
-        place: Place = ("data", tag)
-        detail = tr("not observed")
-        if known is not None:
-            type_ = dict(kinds.TYPES).get(known.type or "")
-            detail = known.unit or (translated(type_) if type_ else tr("any value"))
-        add(
-            ScriptNode(
-                uid=uid("data", tag),
-                place=place,
-                kind="data",
-                name=tag,
-                x=LEFT["data"],
-                y=tops[tag],
-                detail=detail,
-                mark=marks.get(place, ""),
-            )
-        )
-
-
-def _add_modules(
-    script: Spds,
-    asked_by: Mapping[str, Sequence[float]],
-    marks: Mapping[Place, Mark],
-    add: Callable[[ScriptNode], None],
-) -> None:
-    every = modules(script)
-    last = max((y for ys in asked_by.values() for y in ys), default=TOP)
-    tops = _spread([(m, _mean(asked_by.get(m, ()), last)) for m, _ in every], 60)
-    needed: dict[str, list[float]] = {}
-    for name, resources in every:
-        place: Place = ("module", name)
-        for resource in resources or ():
-            needed.setdefault(resource, []).append(tops[name])
-        add(
-            ScriptNode(
-                uid=uid("module", name),
-                place=place,
-                kind="module",
-                name=name,
-                x=LEFT["module"],
-                y=tops[name],
-                height=LOW,
-                detail="" if resources is not None else tr("not declared"),
-                mark=marks.get(place, ""),
-            )
-        )
-    spots = _spread([(r, _mean(ys, TOP)) for r, ys in needed.items()], 56)
-    for resource, top in spots.items():
-        add(
-            ScriptNode(
-                uid=uid("resource", resource),
-                place=("resource", resource),
-                kind="resource",
-                name=resource,
-                x=LEFT["resource"],
-                y=top,
-                height=LOW,
-            )
-        )
-
-
-def _add_links(
-    script: Spds,
-    observed: Mapping[str, Observed],
-    marks: Mapping[Place, Mark],
-    cards: Mapping[str, ScriptNode],
-    link: Callable[[ScriptLink], None],
-) -> None:
-    for situation, (_, key) in zip(
-        script.situations, named(s.name for s in script.situations), strict=True
-    ):
-        place: Place = ("situation", situation.name)
-        index = 0
-        for part in ("condition", "until"):
-            for test, rest in tests(getattr(situation, part)):
-                link(
-                    ScriptLink(
-                        uid("data", datum(test.tag, observed)),
-                        OUT,
-                        uid("condition", key),
-                        str(index),
-                        "observes",
-                        place=(*place, part, *rest),
-                    )
-                )
-                index += 1
-        for number, entry in enumerate(situation.entries):
-            where = (*place, "entry", str(number))
-            link(
-                ScriptLink(
-                    uid("situation", key),
-                    OUT,
-                    uid("module", entry.module),
-                    IN,
-                    "priority",
-                    place=where,
-                    priority=entry.priority,
-                    none=entry.priority is None,
-                    mark=marks.get(where, ""),
-                )
-            )
-    for name, resources in modules(script):
-        for resource in dict.fromkeys(resources or ()):
-            if uid("resource", resource) in cards:
-                link(
-                    ScriptLink(
-                        uid("module", name),
-                        OUT,
-                        uid("resource", resource),
-                        IN,
-                        "uses",
-                        place=("module", name, "resource", resource),
-                    )
-                )
+    return found
 
 
 def inherited(script: Spds, situation: Situation, key: str) -> list[Inherited]:
@@ -476,6 +85,215 @@ def inherited(script: Spds, situation: Situation, key: str) -> list[Inherited]:
     ]
 
 
+class _Drawing:
+    """One script while it becomes a picture."""
+
+    def __init__(self, script: Spds, marks: Mapping[Place, Mark]) -> None:
+        self._script = script
+        self._marks = marks
+        self._observed = {o.tag: o for o in script.observe}
+        self._cards: dict[str, ScriptNode] = {}
+        self._links: dict[tuple[str, ...], ScriptLink] = {}
+        self._uids: dict[Place, str] = {}
+        self._used_by: dict[str, list[float]] = {}
+        self._asked_by: dict[str, list[float]] = {}
+
+    def picture(self) -> ScriptPicture:
+        every = list(zip(keyed(self._script), tiers(self._script.situations), strict=True))
+        for (situation, _), tier in every:
+            for index, (test, _) in enumerate(_looked_at(situation)):
+                at = tier.top + index
+                self._used_by.setdefault(datum(test.tag, self._observed), []).append(at)
+            for entry in situation.entries:
+                self._asked_by.setdefault(entry.module, []).append(tier.situation[0])
+        self._add_data()
+        for number, ((situation, key), tier) in enumerate(every, start=1):
+            self._add_condition(situation.condition, situation, key, tier)
+            self._add_condition(situation.until, situation, key, tier, until=True)
+            self._add_situation(situation, key, number, tier)
+        self._add_modules()
+        for situation, key in keyed(self._script):
+            self._add_priorities(situation, key)
+        return ScriptPicture(self._cards, self._links, self._uids)
+
+    def _add(self, node: ScriptNode) -> None:
+        self._cards[node.uid] = node
+        self._uids.setdefault(node.place, node.uid)
+
+    def _link(self, made: ScriptLink) -> None:
+        self._links.setdefault(made.id, made)
+
+    # -- from left to right --------------------------------------------------------------
+
+    def _add_data(self) -> None:
+        # Every tag: observed ones in the file's order, then those only used.
+        every = dict.fromkeys([*self._observed, *self._used_by])
+        wanted = [(tag, _mean(self._used_by.get(tag, ()), LAST)) for tag in every]
+        # In rows, so that most pipes are straight.
+        tops = spread([(tag, y) for tag, y in wanted if y < LAST], PITCH, in_rows=True)
+        below = max(tops.values(), default=TOP - PITCH) + PITCH
+        for tag, y in wanted:
+            if y >= LAST:
+                tops[tag] = below
+                below += PITCH
+        for tag in sorted(every, key=lambda tag: tops[tag]):
+            place: Place = ("data", tag)
+            self._add(
+                ScriptNode(
+                    uid=uid("data", tag),
+                    place=place,
+                    kind="data",
+                    name=tag,
+                    x=LEFT["data"],
+                    y=tops[tag],
+                    detail=_type(self._observed.get(tag)),
+                    mark=self._marks.get(place, ""),
+                )
+            )
+
+    def _add_condition(
+        self,
+        condition: Condition | None,
+        situation: Situation,
+        key: str,
+        tier: Tier,
+        until: bool = False,
+    ) -> None:
+        lines = rows(condition)
+        if condition is None or not lines:
+            return
+        word = "until" if until else "condition"
+        place: Place = ("situation", situation.name, word)
+        top, height = tier.until if until else tier.condition
+        self._add(
+            ScriptNode(
+                uid=uid(word, key),
+                place=place,
+                kind="condition",
+                name=situation.name,
+                x=LEFT["condition"],
+                y=top,
+                height=height,
+                rows=lines,
+                joint=joint(condition),
+                joined=(*place, "0") if whole_group(condition) is not None else (),
+                until=until,
+                mark=self._marks.get(place, ""),
+            )
+        )
+        goal = uid("situation", key)
+        self._link(ScriptLink(uid(word, key), OUT, goal, UNTIL if until else IN, "holds"))
+        for test, rest in tests(condition):
+            source = uid("data", datum(test.tag, self._observed))
+            entry = "/".join(rest)
+            where = (*place, *rest)
+            self._link(ScriptLink(source, OUT, uid(word, key), entry, "observes", where))
+
+    def _add_situation(self, situation: Situation, key: str, number: int, tier: Tier) -> None:
+        place: Place = ("situation", situation.name)
+        extends = tr("extends {0}").format(situation.extends) if situation.extends else ""
+        always = situation.condition is None or not situation.condition.children
+        top, height = tier.situation
+        self._add(
+            ScriptNode(
+                uid=uid("situation", key),
+                place=place,
+                kind="situation",
+                name=situation.name,
+                x=LEFT["situation"],
+                y=top,
+                height=height,
+                extends=extends or (tr("always") if always else ""),
+                times=_times(situation),
+                number=number,
+                mark=self._marks.get(place, ""),
+            )
+        )
+
+    def _add_modules(self) -> None:
+        every = modules(self._script)
+        last = max((y for ys in self._asked_by.values() for y in ys), default=TOP)
+        wanted = [(m, _mean(self._asked_by.get(m, ()), last)) for m in every]
+        tops = spread(wanted, 60)
+        needed: dict[str, list[float]] = {}
+        for name, top in tops.items():
+            for resource in every[name] or ():
+                needed.setdefault(resource, []).append(top)
+        for name in sorted(every, key=lambda name: tops[name]):
+            place: Place = ("module", name)
+            self._add(
+                ScriptNode(
+                    uid=uid("module", name),
+                    place=place,
+                    kind="module",
+                    name=name,
+                    x=LEFT["module"],
+                    y=tops[name],
+                    height=LOW,
+                    detail="" if every[name] is not None else tr("not declared"),
+                    mark=self._marks.get(place, ""),
+                )
+            )
+        for name, top in spread([(r, _mean(ys, TOP)) for r, ys in needed.items()], 56).items():
+            self._add(
+                ScriptNode(
+                    uid=uid("resource", name),
+                    place=("resource", name),
+                    kind="resource",
+                    name=name,
+                    x=LEFT["resource"],
+                    y=top,
+                    height=LOW,
+                )
+            )
+        for name, resources in every.items():
+            for resource in dict.fromkeys(resources or ()):
+                place = ("module", name, "resource", resource)
+                source, goal = uid("module", name), uid("resource", resource)
+                self._link(ScriptLink(source, OUT, goal, IN, "uses", place))
+
+    def _add_priorities(self, situation: Situation, key: str) -> None:
+        for number, entry in enumerate(situation.entries):
+            where = ("situation", situation.name, "entry", str(number))
+            self._link(
+                ScriptLink(
+                    uid("situation", key),
+                    OUT,
+                    uid("module", entry.module),
+                    IN,
+                    "priority",
+                    place=where,
+                    priority=entry.priority,
+                    none=entry.priority is None,
+                    mark=self._marks.get(where, ""),
+                )
+            )
+
+
+def _looked_at(situation: Situation) -> list[tuple[Test, tuple[str, ...]]]:
+    return [*tests(situation.condition), *tests(situation.until)]
+
+
+def _type(known: Observed | None) -> str:
+    if known is None:
+        return tr("not observed")
+    named_type = dict(kinds.TYPES).get(known.type or "")
+    return known.unit or (translated(named_type) if named_type else tr("any value"))
+
+
+def _times(situation: Situation) -> str:
+    told = []
+    if situation.dwell is not None:
+        told.append(tr("stays {0} at least").format(words.seconds(situation.dwell, say)))
+    if situation.limit is not None:
+        told.append(tr("ends after {0}").format(words.seconds(situation.limit, say)))
+    return ", ".join(told)
+
+
+def _mean(values: Sequence[float], otherwise: float) -> float:
+    return sum(values) / len(values) if values else otherwise
+
+
 def _marks(problems: Iterable[Problem]) -> dict[Place, Mark]:
     """Marks by place: of nodes, and of entries for their pills."""
     marks: dict[Place, Mark] = {}
@@ -484,7 +302,7 @@ def _marks(problems: Iterable[Problem]) -> dict[Place, Mark]:
         if place[:1] == ("situation",) and len(place) > 3 and place[2] == "entry":
             root = place[:4]
         elif place[:1] == ("situation",) and len(place) > 2 and place[2] in ("condition", "until"):
-            root = (*place[:2], "condition")
+            root = place[:3]
         else:
             root = place[:2]
         if root and (problem.severity == "error" or root not in marks):

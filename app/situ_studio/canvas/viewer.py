@@ -66,6 +66,8 @@ class Viewer(Ground):
     double_click = Signal(object, QPointF)
     clicked = Signal(object, QPointF)
     """A press and release at one place: the node's item or None, where on it."""
+    refused = Signal(object, QPointF)
+    """A pipe from an exit was dropped on a card that it can not lead to."""
     moved = Signal()
     """Cards are where they were not; the pipes have to follow."""
     menu_wanted = Signal(object, QPoint)
@@ -212,8 +214,9 @@ class Viewer(Ground):
                 continue
             if node is start.node and (pos - start.centre()).manhattanLength() < 24:
                 return False
-            entry = next((s for s in node.inputs if self.accepts(start, s)), None)
-            return entry if entry is not None else False
+            entries = [s for s in node.inputs if self.accepts(start, s)]
+            near = min(entries, key=lambda s: (s.centre() - pos).manhattanLength(), default=None)
+            return near if near is not None else False
         return None
 
     def apply_live_connection(self, event: Any) -> None:
@@ -228,6 +231,8 @@ class Viewer(Ground):
                 self.connection_changed.emit(gone, [(start, target)])
         elif target is None:
             self.dropped.emit(start, QPointF(spot))
+        else:
+            self.refused.emit(start, QPointF(spot))
         self.cancel()
 
     def cancel(self) -> None:

@@ -1,0 +1,125 @@
+"""Where the nodes of a script stand, and the priorities on its pipes. Pure, but for Qt's values.
+
+Situations stand in precedence from top to bottom, everything else near what it belongs to, in the
+measures of mockups/script-light.png; nothing lies on anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Sequence
+from itertools import product
+
+from PySide6.QtCore import QRectF
+
+from situ.document.spds import Situation
+from situ_studio.canvas.script_faces import LINE, PITCH, TALL, TOP
+from situ_studio.canvas.script_rows import joint, rows
+
+GAP = 20.0
+"""Between one row of situations and the next."""
+BETWEEN = 10.0
+"""Between a situation's condition and what ends it."""
+
+
+class Tier:
+    """The row of one situation: where its condition, what ends it and itself stand."""
+
+    __slots__ = ("condition", "height", "situation", "top", "until")
+
+    def __init__(self, situation: Situation, top: float) -> None:
+        self.top = top
+        first, second = rows(situation.condition), rows(situation.until)
+        card = situation_height(situation)
+        high = condition_height(len(first)) if first else 0.0
+        low = condition_height(len(second)) if second else 0.0
+        # Its strip says that it ends the situation, and what joins its lines.
+        low += 8.0 if joint(situation.until) else 0.0
+        beside = max(high, card) if first or not second else max(low, card)
+        self.condition = (top + (beside - high) / 2, high)
+        self.situation = (top + (beside - card) / 2, card)
+        self.until = (top + (beside + BETWEEN if first else (beside - low) / 2), low)
+        bottom = max(self.condition[0] + high, self.situation[0] + card)
+        if second:
+            bottom = max(bottom, self.until[0] + low)
+        self.height = max(bottom - top + GAP, PITCH)
+
+
+def situation_height(situation: Situation) -> float:
+    told = bool(situation.extends) or (
+        situation.condition is None or not situation.condition.children
+    )
+    timed = situation.dwell is not None or situation.limit is not None
+    return TALL + 16 if told and timed else TALL
+
+
+def condition_height(lines: int) -> float:
+    return max(TALL, 16 + LINE * lines)
+
+
+def tiers(situations: Iterable[Situation]) -> list[Tier]:
+    made: list[Tier] = []
+    top = TOP
+    for situation in situations:
+        tier = Tier(situation, top)
+        made.append(tier)
+        top += tier.height
+    return made
+
+
+def spread(
+    wanted: Sequence[tuple[str, float]], pitch: float, in_rows: bool = False
+) -> dict[str, float]:
+    """Tops as near as can be to what is wanted, in that order, at least ``pitch`` apart, none above
+    ``TOP``. Those that want one place stand round it; in_rows: whole pitches below ``TOP``."""
+    order = sorted(enumerate(wanted), key=lambda one: (one[1][1], one[0]))
+    # Blocks of neighbours that touch; each stands where all in it are nearest to what they want.
+    blocks: list[tuple[float, list[str]]] = []
+    for _, (name, top) in order:
+        at, names = max(top, TOP), [name]
+        while blocks and blocks[-1][0] + pitch * len(blocks[-1][1]) > at:
+            before, others = blocks.pop()
+            count, more = len(others), len(names)
+            mean = (before * count + (at - pitch * count) * more) / (count + more)
+            at, names = max(mean, TOP), others + names
+        blocks.append((at, names))
+    if in_rows:
+        blocks = [(TOP + round((at - TOP) / pitch) * pitch, names) for at, names in blocks]
+    return {name: at + pitch * i for at, names in blocks for i, name in enumerate(names)}
+
+
+class Pills:
+    """Where priorities stand on their pipes: on none of the others, as far as there is room."""
+
+    SIZE = 64.0
+
+    def __init__(self) -> None:
+        self._areas: dict[Hashable, QRectF] = {}
+        self._near: dict[tuple[int, int], set[Hashable]] = {}
+
+    def clear(self) -> None:
+        self._areas, self._near = {}, {}
+
+    def remove(self, key: Hashable) -> None:
+        area = self._areas.pop(key, None)
+        for cell in self._cells(area) if area is not None else ():
+            self._near[cell].discard(key)
+
+    def put(self, key: Hashable, area: QRectF) -> None:
+        self.remove(key)
+        self._areas[key] = area
+        for cell in self._cells(area):
+            self._near.setdefault(cell, set()).add(key)
+
+    def is_free(self, area: QRectF) -> bool:
+        around = area.adjusted(-3, -2, 3, 2)
+        return not any(
+            self._areas[key].intersects(around)
+            for cell in self._cells(around)
+            for key in self._near.get(cell, ())
+        )
+
+    def _cells(self, area: QRectF) -> Iterable[tuple[int, int]]:
+        size = self.SIZE
+        across = range(int(area.left() // size), int(area.right() // size) + 1)
+        down = range(int(area.top() // size), int(area.bottom() // size) + 1)
+        return product(across, down)

@@ -1,0 +1,102 @@
+"""A test of a condition, edited where it stands: the box of the forms, over the drawing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QEvent, QPoint, QRect, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication, QFrame, QVBoxLayout, QWidget
+
+from situ.document.condition import Test
+from situ_studio.edit import Place
+from situ_studio.panels.conditions import TestBox
+from situ_studio.theme import Theme
+from situ_studio.vocabulary import Vocabulary
+
+WIDE = 252
+
+
+class TestEditor(QFrame):
+    """Stays open while its fields are used; Esc, Enter and a press elsewhere close it."""
+
+    changed = Signal(tuple, object)
+    """The test's place, and the test as it shall be."""
+    removed = Signal(tuple)
+    closed = Signal()
+
+    __test__ = False
+
+    def __init__(self, theme: Theme, place: Place, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.place = place
+        self._gone = False
+        self.setObjectName("testEditor")
+        self.setAccessibleName(self.tr("Test"))
+        self.setStyleSheet(
+            f"#testEditor {{ background: {theme.panel}; border: 2px solid {theme.accent};"
+            " border-radius: 8px; }"
+        )
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        self.box = TestBox(theme)
+        self.box.changed.connect(lambda test: self.changed.emit(self.place, test))
+        self.box.removed.connect(self._on_removed)
+        layout.addWidget(self.box)
+        self.setFixedWidth(WIDE)
+
+    def show_test(self, test: Test, tags: tuple[str, ...]) -> None:
+        self.box.show_test(test, Vocabulary(tags=tags))
+        self.adjustSize()
+
+    def open_at(self, row: QRect) -> None:
+        """Below a line of a condition, or above where there is no room; the test is typed into."""
+        self.settle_at(row)
+        self.show()
+        self.raise_()
+        self.box.test.setFocus(Qt.FocusReason.PopupFocusReason)
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            application.focusChanged.connect(self._on_focus)
+
+    def settle_at(self, row: QRect) -> None:
+        room = self.parentWidget().rect().adjusted(4, 4, -4, -4)
+        self.adjustSize()
+        top = row.bottom() + 4
+        if top + self.height() > room.bottom():
+            top = max(room.top(), row.top() - 4 - self.height())
+        left = max(room.left(), min(row.left(), room.right() - self.width()))
+        self.move(QPoint(left, top))
+
+    def close_editor(self) -> None:
+        """Goes away; what is being typed is taken first."""
+        if self._gone:
+            return
+        self._gone = True
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            application.focusChanged.disconnect(self._on_focus)
+        self.hide()
+        self.deleteLater()
+        self.closed.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.close_editor()
+
+    def event(self, event: QEvent) -> bool:
+        # The drawing beneath takes no key that a field left over.
+        handled = super().event(event)
+        if event.type() == QEvent.Type.KeyPress:
+            event.accept()
+            return True
+        return handled
+
+    def _on_removed(self) -> None:
+        place = self.place
+        self.close_editor()
+        self.removed.emit(place)
+
+    def _on_focus(self, before: Any, now: Any) -> None:
+        if now is not None and now.window() is self.window() and not self.isAncestorOf(now):
+            self.close_editor()
