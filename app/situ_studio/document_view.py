@@ -29,6 +29,7 @@ class DocumentView(QWidget):
     activated = Signal(tuple)
     status = Signal(str)
     menu_requested = Signal(tuple, QPoint)
+    module_dropped = Signal(str, tuple)
     """A context menu is wanted: of what, and where on the screen."""
     part_asked = Signal(object, tuple)
     """A part was dropped: where its card's corner shall be, and the exit into whose pipe."""
@@ -207,7 +208,14 @@ class DocumentView(QWidget):
             piece.origin = self.origin
         piece.edited.connect(self.edited)
         piece.selection_changed.connect(self._on_selection)
-        for heard in ("activated", "status", "menu_requested", "part_asked", "filled_in"):
+        for heard in (
+            "activated",
+            "status",
+            "menu_requested",
+            "module_dropped",
+            "part_asked",
+            "filled_in",
+        ):
             if hasattr(piece, heard):
                 getattr(piece, heard).connect(getattr(self, heard))
         if name == "graph":

@@ -43,6 +43,8 @@ class Canvas(Choosing):
     status = Signal(str)
     zoomed = Signal(float)
     menu_requested = Signal(tuple, QPoint)
+    module_dropped = Signal(str, tuple)
+    """The name of a module that was dragged here, and the place of what it was dropped on."""
     """A right click: the place under it (empty for the ground), where on the screen."""
     pointed: QPointF | None
     """Where in the scene a context menu was opened, while what it offers is done: what is added
@@ -363,6 +365,10 @@ class Canvas(Choosing):
         return ()
 
     def _on_data_dropped(self, mime: QMimeData, spot: QPoint) -> None:
+        if mime.hasFormat(kinds.MODULE_MIME):
+            name = bytes(mime.data(kinds.MODULE_MIME).data()).decode()
+            self.module_dropped.emit(name, self.place_at(QPointF(spot)))
+            return
         name = bytes(mime.data(kinds.MIME).data()).decode()
         kind = next((k for k in kinds.KINDS if k.name == name), None)
         if kind is not None:

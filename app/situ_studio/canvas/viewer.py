@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QDragEnterEvent,
@@ -26,7 +26,7 @@ from situ_studio.canvas.ground import Ground
 from situ_studio.canvas.nodes import OUT, NodeFace, Spot
 from situ_studio.canvas.pipes import LivePipe, RoutedPipe
 from situ_studio.canvas.style import Look
-from situ_studio.kinds import MIME
+from situ_studio.kinds import MIME, MODULE_MIME
 
 SLOP = 4.0
 """How far off a press may be, in px on screen."""
@@ -388,13 +388,13 @@ class Viewer(Ground):
     # -- drops -----------------------------------------------------------------------
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        event.setAccepted(event.mimeData().hasFormat(MIME))
+        event.setAccepted(_is_ours(event.mimeData()))
 
     def dragMoveEvent(self, event: QDragMoveEvent) -> None:
-        event.setAccepted(event.mimeData().hasFormat(MIME))
+        event.setAccepted(_is_ours(event.mimeData()))
 
     def dropEvent(self, event: QDropEvent) -> None:
-        if event.mimeData().hasFormat(MIME):
+        if _is_ours(event.mimeData()):
             event.setDropAction(Qt.DropAction.CopyAction)
             event.accept()
             spot = self.mapToScene(event.position().toPoint())
@@ -433,3 +433,7 @@ class Viewer(Ground):
             self.viewport().setCursor(Qt.CursorShape.OpenHandCursor)
         else:
             self.viewport().unsetCursor()
+
+
+def _is_ours(mime: QMimeData) -> bool:
+    return mime.hasFormat(MIME) or mime.hasFormat(MODULE_MIME)

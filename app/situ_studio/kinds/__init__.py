@@ -95,6 +95,8 @@ _BY_NAME = {k.name: k for k in KINDS}
 
 MIME = "application/x-situ-kind"
 """What a drag from the palette carries: a kind's name as UTF-8."""
+MODULE_MIME = "application/x-situ-module"
+"""What a drag from the list of modules carries: a module's name as UTF-8."""
 
 
 def kind_of(value: Any) -> Kind | None:
@@ -133,6 +135,7 @@ __all__ = [
     "LIST",
     "MESSAGE",
     "MIME",
+    "MODULE_MIME",
     "MODULE",
     "MODULES",
     "MOVIE",

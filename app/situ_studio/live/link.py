@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from situ.blackboard.client import Call
     from situ.blackboard.link import Link
     from situ.blackboard.protocol import Entry as Standing
+    from situ.blackboard.protocol import ModuleState
 
 
 class LinkState(Struct, frozen=True):
@@ -143,6 +144,20 @@ class RobotLink(QObject):
         """Raises an event; ``told`` gets one line where the robot refuses."""
         if self._link is not None:
             self._await(self._link.dialog.publish(event, application), told)
+
+    def ask_modules(self, told: Callable[[tuple[ModuleState, ...]], None]) -> None:
+        """Tells the modules that the robot knows; nothing where there is no answer."""
+        if self._link is None:
+            return
+        call = self._link.dialog.modules()
+
+        def done() -> None:
+            try:
+                told(call.result().modules)
+            except BlackboardError:
+                return
+
+        call.then(done)
 
     def _await(self, call: Call[Any], told: Callable[[str], None]) -> None:
         def done() -> None:

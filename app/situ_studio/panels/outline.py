@@ -18,6 +18,7 @@ from situ.document.spds import Spds
 from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, NUMBER, PLACE, RowDelegate
+from situ_studio.panels.more_modules import MoreModules
 from situ_studio.theme import Theme
 
 
@@ -88,6 +89,7 @@ class Outline(QWidget):
         self._at: dict[Place, list[int]] = {}
         self._worst: dict[Place, str] = {}
         self._told: tuple[Place, ...] = ()
+        self._present: frozenset[str] = frozenset()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -113,11 +115,14 @@ class Outline(QWidget):
         self.list.setModel(self._proxy)
         self.list.selectionModel().selectionChanged.connect(self._on_selection)
         self.list.activated.connect(self._on_activated)
-        column.addWidget(self.list)
+        column.addWidget(self.list, 1)
+        self.more = MoreModules(theme)
+        column.addWidget(self.more)
 
     def set_theme(self, theme: Theme) -> None:
         self._delegate.set_theme(theme)
         self.list.viewport().update()
+        self.more.set_theme(theme)
 
     def toggle_search(self) -> None:
         """Shows or hides the field that filters."""
@@ -126,6 +131,10 @@ class Outline(QWidget):
             self.search.setFocus()
         else:
             self.search.clear()
+
+    def show_present(self, names: frozenset[str]) -> None:
+        """Marks the modules that are connected to the robot now, from the next document on."""
+        self._present = names
 
     def show_document(
         self, project: Project, document: Document | None, problems: tuple[Problem, ...]
@@ -188,13 +197,16 @@ class Outline(QWidget):
                 icon, otherwise = "module", self.tr("no module information")
                 if declared.name in applications:
                     icon, otherwise = "state", self.tr("an application of this project")
+                found = marks(place)
+                if declared.name in self._present:
+                    found = (("link", "live"), *(found or ()))
                 rows.append(
                     Row(
                         place=place,
                         name=declared.name,
                         icon=(icon, icon),
                         count=" ".join(declared.resources),
-                        marks=marks(place),
+                        marks=found,
                         detail=about or otherwise,
                     )
                 )

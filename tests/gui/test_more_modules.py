@@ -1,0 +1,175 @@
+"""The modules that a script does not name yet: of the project's files, and of a running robot."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent
+from PySide6.QtWidgets import QApplication
+from tests.gui.live.conftest import DEADLINE, Running, robot, until
+
+import situ
+from situ.document.folder import load
+from situ.document.modules import Module, Modules, Provides, Requires
+from situ_studio.kinds import MODULE_MIME
+from situ_studio.known_modules import Known, added, known
+from situ_studio.panels.more_modules import words
+
+__all__ = ["DEADLINE", "Running", "robot", "until"]
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+SEER = Module(
+    "seer",
+    ("head",),
+    "Looks out for smoke.",
+    (Requires(data="camera.left"),),
+    (Provides("smoke.seen", "boolean"), Provides("sound.slap", "number", "deg")),
+)
+SCRIPT = "conversation.spds.xml"
+
+
+def conversation(project: Callable[[str], Path]) -> Any:
+    found, _ = load(project("conversation"))
+    assert found is not None
+    return found
+
+
+def test_an_added_module_is_declared_and_what_it_provides_observed(project: Any) -> None:
+    found = conversation(project)
+    changed, text = added(found, found.spds, SCRIPT, Known(SEER))
+    after = changed[SCRIPT]
+    assert after.modules[-1].resources == ("head",)
+    assert [o.tag for o in after.observe[len(found.spds.observe) :]] == ["smoke.seen"]
+    assert after.situations == found.spds.situations
+    assert changed["modules.xml"].modules[-1] == SEER
+    assert text == "Add seer to the script"
+
+
+def test_in_a_situation_it_takes_nothing_from_the_others(project: Any) -> None:
+    found = conversation(project)
+    changed, _ = added(found, found.spds, SCRIPT, Known(SEER), "sound")
+    script = changed[SCRIPT]
+    before = found.spds.priorities(found.spds.situation("sound"))
+    now = script.priorities(script.situation("sound"))
+    assert now.pop("seer") < min(before.values())
+    assert now == before
+    again = replace(found, spds=script, modules=changed["modules.xml"])
+    assert added(again, script, SCRIPT, Known(SEER), "sound")[0] == {}
+
+
+def test_what_a_file_says_of_a_module_counts_before_what_it_says_itself(project: Any) -> None:
+    from situ.blackboard.protocol import ModuleState
+
+    found = replace(conversation(project), modules=Modules((SEER,)))
+    told = ModuleState("seer", False, True, True, ("base",), (), "Other words.", (), ())
+    every = known(found, (told,))
+    assert every["seer"].module == SEER
+    assert every["seer"].present
+    assert every["converse"].application
+
+
+def test_its_words_say_what_it_needs_and_provides() -> None:
+    assert words(Known(SEER, present=True)).splitlines() == [
+        "Looks out for smoke.",
+        "Connected to the robot now.",
+        "Moves or uses: head",
+        "Needs: camera.left",
+        "Provides: smoke.seen (boolean), sound.slap (deg)",
+    ]
+
+
+@pytest.fixture
+def drawing(studio: Callable[..., Any], project: Callable[[str], Path]) -> Any:
+    """A window on the script, which has lost one of its modules."""
+    it = studio(project("conversation"))
+    script = it.session.document(SCRIPT)
+    left = replace(
+        script,
+        modules=tuple(m for m in script.modules if m.name != "nod"),
+        situations=tuple(
+            replace(s, entries=tuple(e for e in s.entries if e.module != "nod"))
+            for s in script.situations
+        ),
+    )
+    it.window.open_file(SCRIPT)
+    it.session.commit(SCRIPT, left, "Take nod out")
+    it.settle()
+    return it
+
+
+def names(it: Any) -> list[str]:
+    model = it.window.outline.more.list.model()
+    return [model.index(row, 0).data() for row in range(model.rowCount())]
+
+
+def test_enter_adds_the_module_and_it_leaves_the_list(drawing: Any) -> None:
+    more = drawing.window.outline.more
+    row = names(drawing).index("nod")
+    more.list.setFocus()
+    more.list.setCurrentIndex(more.list.model().index(row, 0))
+    drawing.key(Qt.Key.Key_Return)
+    assert "nod" not in names(drawing)
+    assert "nod" in {m.name for m in drawing.session.document(SCRIPT).modules}
+    assert drawing.window.current_view.selected == (("module", "nod"),)
+    drawing.session.undo()
+    drawing.settle()
+    assert "nod" in names(drawing)
+
+
+def test_a_module_dropped_on_a_situation_gets_a_priority_there(drawing: Any) -> None:
+    canvas = drawing.window.current_view.canvas
+    viewer = canvas.viewer
+    place = ("situation", "sound")
+    card = next(n.view for uid, n in canvas.graph.nodes.items() if canvas._place(uid) == place)
+    spot = viewer.mapFromScene(card.sceneBoundingRect().center())
+    model = drawing.window.outline.more.list.model()
+    data: QMimeData = model.mimeData([model.index(names(drawing).index("nod"), 0)])
+    assert data.hasFormat(MODULE_MIME)
+    drag(viewer.viewport(), data, spot)
+    drawing.settle()
+    script = drawing.session.document(SCRIPT)
+    assert "nod" in script.priorities(script.situation("sound"))
+    assert drawing.session.undo_text == "Add nod to the script"
+
+
+def drag(target: Any, data: QMimeData, spot: QPoint) -> None:
+    """A drag that is let go: what Qt sends, for offscreen nobody holds a mouse."""
+    copy, left = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton
+    held = Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(target, QDragEnterEvent(spot, copy, data, left, held))
+    QApplication.sendEvent(target, QDragMoveEvent(spot, copy, data, left, held))
+    QApplication.sendEvent(target, QDropEvent(QPointF(spot), copy, data, left, held))
+
+
+def test_a_module_that_connects_to_the_robot_tells_of_itself_here(
+    drawing: Any, robot: Any, until: Any
+) -> None:
+    window = drawing.window
+    there = robot(Path(drawing.session.project.root))
+    link = window.robot.link
+    drawing.answers.put("name", there.endpoint)
+    drawing.key(Qt.Key.Key_R, CONTROL)
+    present = window.modules.present
+    until(present.changed, lambda: link.connected)
+    with situ.connect(
+        there.endpoint,
+        module="seer",
+        resources=["head"],
+        description=SEER.description,
+        provides=[Provides("smoke.seen", "boolean")],
+    ):
+        until(present.changed, lambda: "seer" in {m.name for m in present.modules if m.present})
+        assert names(drawing)[0] == "seer"
+        window.modules.add("seer")
+        assert "seer" in {m.name for m in drawing.session.document(SCRIPT).modules}
+        assert "smoke.seen" in {o.tag for o in drawing.session.document(SCRIPT).observe}
+        information = drawing.session.document("modules.xml")
+        assert information.modules[-1].description == SEER.description
+    until(present.changed, lambda: not any(m.name == "seer" and m.present for m in present.modules))
+    window.disconnect_robot()
+    assert present.modules == ()
