@@ -18,12 +18,13 @@ from pathlib import Path
 import msgspec
 import runtime_texts
 
-from situ_studio import actions, kinds
+from situ_studio import actions, kinds, shortcuts
 from situ_studio.kinds import said
 from situ_studio.language import LANGUAGES
 from situ_studio.panels import conditions
 from situ_studio.panels.pairs import PAIRS
 from situ_studio.runtime_words import GLUE
+from situ_studio.screens import keyboard
 
 ROOT = Path(__file__).resolve().parent.parent
 STUDIO = ROOT / "app" / "situ_studio"
@@ -51,6 +52,10 @@ def gathered() -> Iterator[tuple[str, str]]:
     for command in actions.COMMANDS:
         for text in (*_shown(command), *command.menu.split("/")):
             yield "actions", text
+    for keys in (shortcuts.CANVAS, keyboard.KEYS):
+        for pair in keys:
+            for text in pair:
+                yield "actions", text
 
 
 def _shown(value: msgspec.Struct) -> Iterator[str]:

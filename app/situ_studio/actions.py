@@ -28,7 +28,8 @@ class Command(Struct, frozen=True, kw_only=True):
     rule: a line stands before it in its menu.
     argument: given to the handler, if not None.
     contexts: where it is in the context menu, divided by blanks: ``ground``, ``state`` (one),
-        ``states`` (several), ``exit`` (a transition), ``always``, ``thing`` (anything else).
+        ``states`` (several), ``exit`` (a transition), ``always``, ``component`` (one or several),
+        ``screen`` (its ground), ``thing`` (anything else).
     also: another shortcut.
     """
 
@@ -78,7 +79,7 @@ _INSERT = tuple(
         argument=kind.name,
         rule=index == 0 and part != "application",
         tip=kind.help,
-        contexts=_CONTEXTS.get(kind.name, ""),
+        contexts="screen" if part == "screen" else _CONTEXTS.get(kind.name, ""),
     )
     for part in ("application", "action", "screen", "drawing", "script", "modules")
     for index, kind in enumerate(k for k in kinds.KINDS if k.palette == part)
@@ -218,18 +219,17 @@ COMMANDS: tuple[Command, ...] = (
         menu="Edit",
         when="can_copy",
         rule=True,
-        contexts="state states",
+        contexts="state states component",
     ),
     _c(
         "copy",
         "Copy",
-        "on_view",
+        "copy",
         icon="copy",
-        argument="copy",
         shortcut="Ctrl+C",
         menu="Edit",
         when="can_copy",
-        contexts="state states",
+        contexts="state states component",
     ),
     _c(
         "paste",
@@ -239,18 +239,17 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+V",
         menu="Edit",
         when="can_paste",
-        contexts="ground",
+        contexts="ground component screen",
     ),
     _c(
         "duplicate",
         "Duplicate",
-        "on_view",
+        "duplicate",
         icon="duplicate",
-        argument="duplicate",
         shortcut="Ctrl+D",
         menu="Edit",
         when="can_copy",
-        contexts="state states",
+        contexts="state states component",
     ),
     _c(
         "delete",
@@ -260,7 +259,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Del",
         menu="Edit",
         when="has_selection",
-        contexts="state states exit always thing",
+        contexts="state states exit always thing component",
     ),
     _c(
         "rename",
@@ -270,7 +269,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="F2",
         menu="Edit",
         when="has_selection",
-        contexts="state thing",
+        contexts="state thing component",
     ),
     _c(
         "rename_everywhere",
@@ -680,7 +679,7 @@ COMMANDS: tuple[Command, ...] = (
             toolbar="left" if edge == "left" else "",
             when="can_align",
             rule=edge in ("left", "top"),
-            contexts="states",
+            contexts="states component",
         )
         for edge, text in (
             ("left", "Left edges"),
@@ -701,7 +700,7 @@ COMMANDS: tuple[Command, ...] = (
         toolbar="left",
         when="can_space",
         rule=True,
-        contexts="states",
+        contexts="states component",
     ),
     _c(
         "distribute.down",
@@ -711,7 +710,26 @@ COMMANDS: tuple[Command, ...] = (
         argument="down",
         menu="Arrange/Align",
         when="can_space",
-        contexts="states",
+        contexts="states component",
+    ),
+    *(
+        _c(
+            f"order.{way}",
+            text,
+            "order",
+            argument=way,
+            icon=f"to_{way}",
+            shortcut=key,
+            menu="Arrange/Order",
+            when="can_order",
+            contexts="component",
+        )
+        for way, text, key in (
+            ("front", "Bring to the front", "Ctrl+Shift+]"),
+            ("forward", "Bring forward", "Ctrl+]"),
+            ("backward", "Send backward", "Ctrl+["),
+            ("back", "Send to the back", "Ctrl+Shift+["),
+        )
     ),
     _c(
         "snap",
@@ -809,6 +827,7 @@ SUBMENU_ICONS = {
     "View/Colours": "theme",
     "View/Language": "language",
     "Arrange/Align": "align_left",
+    "Arrange/Order": "layers",
     "Insert": "plus",
 }
 """Of submenus, and of a menu that is one in a context menu."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QApplication
 
@@ -12,6 +13,7 @@ from situ.document.spds import Spds
 from situ.document.words import listed
 from situ_studio import kinds, places, recent
 from situ_studio.actions import command
+from situ_studio.component_commands import ComponentCommands
 from situ_studio.file_commands import FileCommands
 from situ_studio.find import Find, places_of
 from situ_studio.insert import NotHere, insert
@@ -21,11 +23,19 @@ from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
 from situ_studio.preferences import Preferences
 from situ_studio.reasons import reasons
+from situ_studio.screens import ordering
 from situ_studio.shortcuts import Shortcuts
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
 
 
 class Commands(FileCommands):
     """The handlers of one window."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self.components = ComponentCommands(window)
 
     # -- when ------------------------------------------------------------------------
 
@@ -65,8 +75,11 @@ class Commands(FileCommands):
         return self._window.finding.can_rename()
 
     def can_copy(self) -> bool:
-        """States, notes and frames; not for a component, whose state would be taken instead."""
-        return self.has_selection() and self.is_application() and not self._are_components()
+        """States, notes and frames, or components of a screen."""
+        return self.has_selection() and self.is_application()
+
+    def can_order(self) -> bool:
+        return bool(self.components.chosen)
 
     def can_paste(self) -> bool:
         return self.is_application()
@@ -167,11 +180,29 @@ class Commands(FileCommands):
         if view is not None:
             view.call(method)
 
+    def copy(self) -> None:
+        if self.components.chosen:
+            self.components.copy()
+        else:
+            self.on_view("copy")
+
     def cut(self) -> None:
-        self._unless_in_form("cut")
+        if not self.components.chosen:
+            self._unless_in_form("cut")
+        elif not self._in_form():
+            self.components.cut()
+
+    def duplicate(self) -> None:
+        if self.components.chosen:
+            self.components.duplicate()
+        else:
+            self.on_view("duplicate")
 
     def paste(self) -> None:
         """Says too what the pasted states need and this project does not have."""
+        if self.components.can_paste:
+            self.components.paste()
+            return
         view, before = self._window.current_view, self._window.current_document
         if view is None:
             return
@@ -189,26 +220,18 @@ class Commands(FileCommands):
 
     def delete(self) -> None:
         """Components of a screen alone where they are what is selected, not their state."""
-        view, document = self._window.current_view, self._window.current_document
-        chosen = view.selected if view is not None else ()
-        if document is None or not self._are_components():
+        if not self.components.chosen:
             self._unless_in_form("delete_selection")
         elif not self._in_form():
-            for place in chosen:
-                document = places.put(document, place, None)
-            self._window.commit(
-                document, self.tr("Delete {0}").format(", ".join(p[-1] for p in chosen))
-            )
-            self._window.select(chosen[0][:-2])
-
-    def _are_components(self) -> bool:
-        """Whether what is selected are components of a screen."""
-        view = self._window.current_view
-        chosen = view.selected if view is not None else ()
-        return bool(chosen) and all(p[-2:-1] == ("screen",) for p in chosen)
+            self.components.delete(self.tr("Delete {0}"))
 
     def rename(self) -> None:
-        self.on_view("rename")
+        """Of a component on a sheet, its text."""
+        if not self.components.write():
+            self.on_view("rename")
+
+    def order(self, way: ordering.Way) -> None:
+        self.components.order(way)
 
     def _unless_in_form(self, method: str) -> None:
         """What takes a thing away is not meant by somebody who is in its form."""

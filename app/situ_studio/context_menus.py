@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, QPoint, QTimer
 from PySide6.QtWidgets import QMenu
 
+from situ_studio import places
 from situ_studio.edit import Place
 
 if TYPE_CHECKING:
@@ -17,6 +18,8 @@ def context_of(selected: tuple[Place, ...]) -> str:
     """The context of a selection, as ``actions.Command.contexts`` names it."""
     if not selected:
         return "ground"
+    if all(places.is_component(place) for place in selected):
+        return "component"
     if len(selected) > 1:
         return (
             "states" if all(context_of((p,)) in ("state", "always") for p in selected) else "thing"
@@ -39,10 +42,15 @@ class ContextMenus(QObject):
         self.shown: QMenu | None = None
 
     def open(self, place: Place, at: QPoint) -> None:
-        """About what was pressed; () is the ground. What is selected with it stays so."""
+        """About what was pressed; () is the ground, and a screen's place that of the screen. What
+        is selected with it stays so.
+        """
         window = self._window
         view = window.current_view
         if view is None:
+            return
+        if place[-1:] == ("screen",):
+            self._pop_up("screen", at)
             return
         if place and place not in view.selected:
             window.select(place)
@@ -51,10 +59,15 @@ class ContextMenus(QObject):
     def open_at_selection(self) -> None:
         """About what is selected, beside it."""
         view = self._window.current_view
-        if view is not None:
-            shown = view.current_view()
-            corner = view.call("menu_corner") or shown.mapToGlobal(shown.rect().center())
-            self._pop_up(context_of(view.selected), corner)
+        if view is None:
+            return
+        sheet, chosen = self._window.commands.components.sheet, context_of(view.selected)
+        if sheet is not None and (chosen == "component" or sheet.hasFocus()):
+            self._pop_up(chosen if chosen == "component" else "screen", sheet.menu_corner())
+            return
+        shown = view.current_view()
+        corner = view.call("menu_corner") or shown.mapToGlobal(shown.rect().center())
+        self._pop_up(chosen, corner)
 
     def _pop_up(self, context: str, at: QPoint) -> None:
         if self.shown is not None:

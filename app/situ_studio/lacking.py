@@ -17,11 +17,11 @@ def lacking(
 
     media: the files that the project has, as ``vocabulary`` lists them.
     """
-    roots = set(pasted)
+    roots = tuple(pasted)
     known = {("part", file) for file in project.flows} | {("media", file) for file in media}
     found: dict[str, None] = {}
     for mention in mentions.mentions(document):
-        if mention.place[:2] in roots:
+        if any(mention.place[: len(root)] == root for root in roots):
             for role, name in mention.names:
                 if role in ("part", "media") and (role, name) not in known:
                     found[name] = None

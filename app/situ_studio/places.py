@@ -229,3 +229,9 @@ def shift(document: D, place: Place, by: int) -> tuple[D, Place]:
 def root(place: Place) -> Place:
     """The card that a place belongs to: ``("state", "5")`` for an event of state 5."""
     return place[:1] if place[:1] == ("always",) else place[:2]
+
+
+def is_component(place: Place) -> bool:
+    """Whether it names a component of a state's screen, or of that of Always."""
+    rest = place[len(root(place)) :]
+    return len(rest) == 2 and rest[0] == "screen"

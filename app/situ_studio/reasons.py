@@ -29,6 +29,7 @@ def reasons() -> dict[str, str]:
         "can_insert_script": tr("only in a script"),
         "can_leave_part": tr("you are in no part"),
         "can_make_part": card,
+        "can_order": tr("select a component first"),
         "can_paste": application,
         "can_redo": tr("nothing was undone"),
         "can_rename_everywhere": tr("select an event, tag or module first"),

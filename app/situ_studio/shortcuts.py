@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog, QLineEdit, QTreeWidget, QTreeWidgetItem, 
 from situ_studio.actions import COMMANDS
 from situ_studio.keys import headed, written
 from situ_studio.menus import told, translated
+from situ_studio.screens.keyboard import KEYS
 from situ_studio.theme import font
 
 CANVAS: tuple[tuple[str, str], ...] = (
@@ -34,6 +35,9 @@ def rows(keys_of: Mapping[str, list[QKeySequence]]) -> Iterator[tuple[str, str, 
     for keys, text in CANVAS:
         canvas = QCoreApplication.translate("actions", "On the canvas")
         yield canvas, translated(keys), translated(text)
+    for keys, text in KEYS:
+        screen = QCoreApplication.translate("actions", "On the screen of a state")
+        yield screen, translated(keys), translated(text)
 
 
 class Shortcuts(QDialog):

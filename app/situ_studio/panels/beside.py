@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document import rbd
@@ -34,6 +34,8 @@ class ScreenBeside(QScrollArea):
     """What was asked for can not be done: why, in one line."""
     filled_in = Signal(tuple)
     """The place of the component that is to be filled in."""
+    menu_requested = Signal(tuple, QPoint)
+    """A context menu is wanted: of a component, or of the screen, and where on the desktop."""
 
     def __init__(
         self, theme: Theme, media: Callable[[], Path | None], parent: QWidget | None = None
@@ -61,6 +63,7 @@ class ScreenBeside(QScrollArea):
         self.sheet.edited.connect(self._on_edited)
         self.sheet.dropped.connect(self._on_dropped)
         self.sheet.opened.connect(lambda id: self.filled_in.emit((*self._place, "screen", id)))
+        self.sheet.menu_asked.connect(self._on_menu)
         column.addWidget(self.sheet)
         self._speech = QVBoxLayout()
         self._speech.setSpacing(4)
@@ -140,6 +143,9 @@ class ScreenBeside(QScrollArea):
     def _on_chosen(self, ids: tuple[str, ...]) -> None:
         places_ = tuple((*self._place, "screen", id) for id in ids)
         self.selection_changed.emit(places_ or (self._place,))
+
+    def _on_menu(self, at: QPoint) -> None:
+        self.menu_requested.emit((*self._place, "screen", *self.sheet.selected[:1]), at)
 
     def _on_edited(self, screen: rbd.Screen, text: str) -> None:
         if self._application is not None:
