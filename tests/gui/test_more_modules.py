@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 from tests.gui.live.conftest import DEADLINE, Running, robot, until
 
 import situ
+from situ.blackboard.protocol import ModuleState, Offer
 from situ.document.folder import load
 from situ.document.modules import Module, Modules, Provides, Requires
 from situ_studio.kinds import MODULE_MIME
@@ -42,18 +43,19 @@ def conversation(project: Callable[[str], Path]) -> Any:
 def test_an_added_module_is_declared_and_what_it_provides_observed(project: Any) -> None:
     found = conversation(project)
     changed, text = added(found, found.spds, SCRIPT, Known(SEER))
-    after = changed[SCRIPT]
+    after: Any = changed[SCRIPT]
     assert after.modules[-1].resources == ("head",)
     assert [o.tag for o in after.observe[len(found.spds.observe) :]] == ["smoke.seen"]
     assert after.situations == found.spds.situations
-    assert changed["modules.xml"].modules[-1] == SEER
+    information: Any = changed["modules.xml"]
+    assert information.modules[-1] == SEER
     assert text == "Add seer to the script"
 
 
 def test_in_a_situation_it_takes_nothing_from_the_others(project: Any) -> None:
     found = conversation(project)
     changed, _ = added(found, found.spds, SCRIPT, Known(SEER), "sound")
-    script = changed[SCRIPT]
+    script: Any = changed[SCRIPT]
     before = found.spds.priorities(found.spds.situation("sound"))
     now = script.priorities(script.situation("sound"))
     assert now.pop("seer") < min(before.values())
@@ -63,8 +65,6 @@ def test_in_a_situation_it_takes_nothing_from_the_others(project: Any) -> None:
 
 
 def test_what_a_file_says_of_a_module_counts_before_what_it_says_itself(project: Any) -> None:
-    from situ.blackboard.protocol import ModuleState
-
     found = replace(conversation(project), modules=Modules((SEER,)))
     told = ModuleState("seer", False, True, True, ("base",), (), "Other words.", (), ())
     every = known(found, (told,))
@@ -161,7 +161,7 @@ def test_a_module_that_connects_to_the_robot_tells_of_itself_here(
         module="seer",
         resources=["head"],
         description=SEER.description,
-        provides=[Provides("smoke.seen", "boolean")],
+        provides=[Offer("smoke.seen", "boolean")],
     ):
         until(present.changed, lambda: "seer" in {m.name for m in present.modules if m.present})
         assert names(drawing)[0] == "seer"
