@@ -201,6 +201,17 @@ def test_damage_is_an_error_before_the_heading_and_an_end_behind_it(
         assert list(recorded.read(file)) == [Heading(), Torn()]
 
 
+def test_messages_that_stand_in_no_chunk_are_read_too(file: Path) -> None:
+    with open(file, "wb") as stream:
+        writer: Any = Writer(stream, use_chunking=False)
+        writer.start()
+        writer.add_metadata("situ", {"heading": "{}"})
+        channel = writer.register_channel("/trace", "json", 0)
+        writer.add_message(channel, 7, b'{"seq":1}', 7)
+        writer.finish()
+    assert list(recorded.read(file)) == [Heading(), Line(b'{"seq":1}', 7)]
+
+
 def test_why_reads_a_recording(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     run = Recorded(LAB, recorder(file))
     run.recorder.close()
