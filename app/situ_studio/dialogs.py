@@ -121,6 +121,17 @@ class Dialogs(QObject):
         finally:
             dialog.deleteLater()
 
+    def media_file(self, endings: tuple[str, ...]) -> str | None:
+        """A picture or movie for a screen; None: nothing was chosen."""
+        pattern = " ".join(f"*{ending}" for ending in endings)
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._window,
+            self.tr("Choose a file"),
+            "",
+            self.tr("Pictures and movies ({0})").format(pattern),
+        )
+        return chosen or None
+
     def export(self, name: str, areas: Mapping[What, QRectF]) -> Export | None:
         """What of a drawing goes into the file of that name; None: it shall not be written."""
         dialog = ExportDialog(name, areas, self._window)

@@ -29,7 +29,7 @@ from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.keys import Keys
 from situ_studio.menus import Actions
 from situ_studio.panels.fields import Choice, Flag
-from situ_studio.panels.header import PanelHeader
+from situ_studio.panels.header import PanelHeader, TitleBar
 from situ_studio.panels.inspector import Inspector
 from situ_studio.panels.notice import Notice
 from situ_studio.panels.outline import Outline
@@ -160,6 +160,15 @@ class Frame(QMainWindow):
         )
         for name, widget in sides:
             self.docking.add(name, headers[name].title.text(), widget, headers[name], left)
+        self.designer_stack = QStackedWidget()
+        self.docking.add(
+            "designer",
+            self.tr("What is on the screen"),
+            self.designer_stack,
+            TitleBar(0),
+            left,
+        )
+        self.docks["designer"].hide()
         self.docking.add(
             "inspector", self.tr("Inspector"), self.inspector, self.inspector.header, right
         )
@@ -231,6 +240,7 @@ class Frame(QMainWindow):
         return (
             self.toolbar,
             *left,
+            self.designer_stack,
             self.welcome,
             self.tabs,
             *(self.recovered, self.incomplete, self.notice),

@@ -79,6 +79,14 @@ QPushButton[role="palette"]:focus {{ border: 2px solid {accent}; padding: 0 6px;
   min-height: 24px; max-height: 24px; }}
 QPushButton[role="palette"][dense="true"]:focus {{ min-height: 20px; max-height: 20px; }}
 
+QToolButton[role="cell"] {{ border: 1px solid {line}; border-radius: 6px; background: {panel}; }}
+QToolButton[role="cell"]:hover {{ border-color: {line_strong}; background: {hover}; }}
+QToolButton[role="cell"]:checked {{ border-color: {accent_line}; background: {accent_soft}; }}
+QToolButton[role="cell"]:focus {{ border: 2px solid {accent}; }}
+QPushButton[role="answer"] {{ border-color: {line}; text-align: left; padding: 0 8px;
+  min-height: 28px; font-size: 12px; }}
+QPushButton[role="answer"]:focus {{ border: 2px solid {accent}; padding: 0 7px; min-height: 26px; }}
+
 QLabel {{ background: transparent; }}
 QLabel[role="heading"] {{ font-size: 12px; font-weight: 600; }}
 QLabel[role="subject"] {{ font-size: 13px; font-weight: 600; }}

@@ -89,6 +89,15 @@ VIEWS: tuple[View, ...] = (
         tip="The graph, and beside it the screen of the selected state",
     ),
     View(
+        name="screen",
+        icon="screen",
+        text="Screen",
+        key="Ctrl+4",
+        kinds=(Application,),
+        pieces=("designer",),
+        tip="The screen of the selected state, drawn to scale",
+    ),
+    View(
         name="outline",
         icon="table",
         text="Outline",
@@ -128,9 +137,16 @@ def _screen(setting: Setting) -> Any:
     return ScreenBeside(setting.theme, setting.media, setting.parent)
 
 
+def _designer(setting: Setting) -> Any:
+    from situ_studio.screens.designer import Designer
+
+    return Designer(setting.theme, setting.project, setting.media, setting.parent)
+
+
 PIECES: dict[str, Callable[[Setting], Any]] = {
     "graph": _graph,
     "outline": _outline,
     "screen": _screen,
+    "designer": _designer,
 }
 """By name, what makes the pieces of which the views are made. In a view they lie in this order."""

@@ -18,6 +18,7 @@ from situ_studio.checking import CheckWork
 from situ_studio.claim import Claim
 from situ_studio.commands import Commands
 from situ_studio.context_menus import ContextMenus
+from situ_studio.designing import DesigningSide
 from situ_studio.dialogs import Dialogs
 from situ_studio.disk import DiskSide
 from situ_studio.document_view import DocumentView
@@ -82,6 +83,7 @@ class MainWindow(Frame):
         self.robot = RobotSide(self, link)
         self.disk = DiskSide(self)
         CheckWork(session.checker, self.status.work)
+        self.designing = DesigningSide(self)
         self.parts = PartsSide(self)
         self.finding = FindingSide(self)
         self.exporting = ExportingSide(self)
@@ -291,6 +293,7 @@ class MainWindow(Frame):
         project = self.session.project
         self.welcome.show_back(project.name if project is not None else None)
         self.stack.setCurrentIndex(0)
+        self.designing.leave()
         self.docking.hide()
         self.toolbar.hide()
         self.current_file = None
@@ -333,7 +336,14 @@ class MainWindow(Frame):
             view.set_mode(mode)
             self.tabs.views.show_choice(view.shown_as)
             view.current_view().setFocus()
+            self.designing.settle()
             self.actions_.refresh()
+
+    def reset_layout(self) -> None:
+        """A designer that is shown keeps its panel."""
+        self.designing.leave()
+        super().reset_layout()
+        self.designing.settle()
 
     def say(self, text: str) -> None:
         """A passing message in the status bar."""
@@ -574,7 +584,7 @@ class MainWindow(Frame):
             view.selected,
             self._lexicon.vocabulary(project, document),
             tuple(self._problems_of(view.file)),
-            media,
+            project,
         )
         sheet = self.commands.components.sheet
         if sheet is not None:
@@ -582,6 +592,7 @@ class MainWindow(Frame):
         self.inspector.usages.setVisible(self.commands.can_find_usages())
         self.outline.select(view.selected)
         self.status.show_selection(view.selected)
+        self.designing.settle()
         self.actions_.refresh()
 
     def _refresh_tree(self) -> None:
@@ -635,6 +646,7 @@ class MainWindow(Frame):
         if not self.asked and not self.may_leave():
             event.ignore()
             return
+        self.designing.leave()
         self.keep()
         self.recovery.forget()
         self.claim.release()

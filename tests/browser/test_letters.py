@@ -50,7 +50,7 @@ def test_what_fits_is_never_larger_on_the_page_than_the_lint_says(
         told = 0
         for one in made:
             pixels, is_cut = sizes[one.id]
-            most, _ = largest(search, one)
+            most, _ = largest(search.project, one)
             # What fits at no size is shown in part, in the smallest letters that there are.
             assert is_cut or pixels / (KIOSK_HEIGHT / 100) <= most + 0.05, one
             told += most < SIZE and not is_cut

@@ -64,11 +64,13 @@ class Field(Struct, frozen=True, kw_only=True):
 
 
 class Section(Struct, frozen=True, kw_only=True):
-    """A part of a form under a heading: a list of members, or more fields in two columns."""
+    """A part of a form under a heading: a list of members, more fields in two columns, or what is
+    told of a component (panels/component_sections.py).
+    """
 
     title: str
     attribute: str = ""
-    editor: List | Literal["fields"] = "fields"
+    editor: List | Literal["fields", "align", "fit", "touched"] = "fields"
     hint: str = ""
     help: str = ""
     fields: tuple[Field, ...] = ()

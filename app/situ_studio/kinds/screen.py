@@ -25,6 +25,19 @@ _PLACE = Section(
         Field(attribute="height", label="H", editor="number", unit="%", fixed=True),
     ),
 )
+_ALIGN = Section(title="Align", editor="align", hint="on the screen")
+_FIT = Section(
+    title="Fit for touch and sight",
+    editor="fit",
+    hint="at 10 inches",
+    help="What old fingers and eyes need, on a screen of 10 inches.",
+)
+_TOUCHED = Section(
+    title="When touched", editor="touched", help="The event that it raises, and where that leads."
+)
+_ENDED = Section(
+    title="When done", editor="touched", help="The event at its end, and where that leads."
+)
 _LOOKS = Section(
     title="Looks",
     fields=(
@@ -65,7 +78,7 @@ TEXT = Kind(
     title="Text",
     icon="text",
     fields=(_SHOWN, _ID),
-    sections=(_PLACE, _LOOKS),
+    sections=(_PLACE, _ALIGN, _FIT, _LOOKS),
     make=lambda name: rbd.Text(id=name, text="Text", size=8, **_box(10, 10, 80, 20)),
     summary=lambda v: str(v.text),
     palette="screen",
@@ -88,7 +101,7 @@ BUTTON = Kind(
         ),
         Field(attribute="value", label="To", help="The value that the tag gets."),
     ),
-    sections=(_PLACE, _LOOKS),
+    sections=(_PLACE, _ALIGN, _FIT, _TOUCHED, _LOOKS),
     make=lambda name: rbd.Button(
         id=name, text="OK", event=f"click{name[:1].upper()}{name[1:]}", **_box(35, 75, 30, 15)
     ),
@@ -101,7 +114,7 @@ IMAGE = Kind(
     title="Image",
     icon="image",
     fields=(Field(attribute="src", label="File", editor="media", empty=""), _ID),
-    sections=(_PLACE, _LOOKS),
+    sections=(_PLACE, _ALIGN, _LOOKS),
     make=lambda name: rbd.Image(id=name, src="picture.png", **_box(60, 30, 30, 40)),
     summary=lambda v: str(v.src),
     palette="screen",
@@ -116,7 +129,7 @@ MOVIE = Kind(
         _ID,
         Field(attribute="done", label="When done", editor="event"),
     ),
-    sections=(_PLACE, _LOOKS),
+    sections=(_PLACE, _ALIGN, _ENDED, _LOOKS),
     make=lambda name: rbd.Movie(id=name, src="movie.webm", **_box(10, 30, 45, 40)),
     summary=lambda v: str(v.src),
     palette="screen",
@@ -155,7 +168,7 @@ INPUT = Kind(
             help="The event at Enter, or when it is full.",
         ),
     ),
-    sections=(_PLACE, _LOOKS),
+    sections=(_PLACE, _ALIGN, _FIT, _TOUCHED, _LOOKS),
     make=lambda name: rbd.Input(id=name, tag="user.input", **_box(10, 50, 40, 12)),
     summary=lambda v: f"→ {v.tag}",
     palette="screen",
@@ -185,7 +198,7 @@ LIST = Kind(
         ),
         Field(attribute="event", label="Sends", editor="event"),
     ),
-    sections=(_PLACE, _LOOKS),
+    sections=(_PLACE, _ALIGN, _FIT, _TOUCHED, _LOOKS),
     make=lambda name: rbd.List(id=name, items="entries", **_box(10, 30, 80, 40)),
     summary=lambda v: f"{v.items} → {v.tag}" if v.tag else str(v.items),
     palette="screen",

@@ -19,9 +19,11 @@ from PySide6.QtWidgets import (
 
 from situ.document import rbd
 from situ_studio import changes, places, words
+from situ_studio.icon_widgets import IconButton
 from situ_studio.kinds import Field, Kind, Section
 from situ_studio.language import translated
 from situ_studio.layouts import rule
+from situ_studio.panels.component_sections import SECTIONS, ComponentSection
 from situ_studio.panels.fields import (
     FieldWidget,
     Flag,
@@ -43,6 +45,8 @@ class Form(QWidget):
     """The new document, the step's name, the place at which the value stands now."""
     place_asked = Signal(tuple)
     added = Signal(tuple)
+    file_asked = Signal(tuple, str)
+    """A file is wanted: for which place, and for which attribute of what stands there."""
     refused = Signal(str)
     """Why what was typed is not taken."""
 
@@ -53,6 +57,7 @@ class Form(QWidget):
         self._subject: Subject | None = None
         self._fields: list[tuple[Field, FieldWidget, QWidget]] = []
         self._sections: list[SectionEditor] = []
+        self._told: list[ComponentSection] = []
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 8, 0, 12)
         column.setSpacing(0)
@@ -71,6 +76,12 @@ class Form(QWidget):
             editor: QWidget
             if section.editor == "fields":
                 editor = self._fields_section(section)
+            elif section.editor in SECTIONS:
+                told = SECTIONS[section.editor](section, theme, self)
+                told.edited.connect(self.edited)
+                told.place_asked.connect(self.place_asked)
+                self._told.append(told)
+                editor = told
             else:
                 made = SectionEditor(section, theme, self)
                 made.changed.connect(self._on_section)
@@ -91,6 +102,8 @@ class Form(QWidget):
             self._timeout.show_value(subject.value.timeout, subject.vocabulary)
         for section in self._sections:
             section.show_subject(subject)
+        for told in self._told:
+            told.show_subject(subject)
 
     def minimumSizeHint(self) -> QSize:
         # Never wider than the panel: what is too long in it is shortened with ….
@@ -161,8 +174,16 @@ class Form(QWidget):
             label.setContentsMargins(0, 6, 0, 0)
         line.addWidget(label)
         line.addWidget(widget, 1)
+        if field.editor == "media":
+            choose = IconButton(self._theme, "folder", self.tr("Choose a file…"), "text3", 16)
+            choose.clicked.connect(lambda: self._ask_for_file(field.attribute))
+            line.addWidget(choose)
         self._fields.append((field, widget, holder))
         return holder
+
+    def _ask_for_file(self, attribute: str) -> None:
+        if self._subject is not None:
+            self.file_asked.emit(self._subject.place, attribute)
 
     def _fields_section(self, section: Section) -> QWidget:
         holder = QWidget()

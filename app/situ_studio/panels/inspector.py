@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
-    QScrollArea,
-    QScrollBar,
     QVBoxLayout,
     QWidget,
 )
 
 from situ.document.problem import Problem
+from situ.document.project import Project
 from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
@@ -24,40 +20,11 @@ from situ_studio.language import translated
 from situ_studio.layouts import rule
 from situ_studio.panels.form import Form
 from situ_studio.panels.header import TitleBar
+from situ_studio.panels.over_scroll import OverScroll
 from situ_studio.panels.subject import Subject
 from situ_studio.panels.told import Told
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
-
-
-class _Scroll(QScrollArea):
-    """Its bar lies over the form's right margin: where it comes, nothing moves.
-
-    The area's own bar would make the form narrower, and a picture in it lower, so that the bar
-    is not needed any more.
-    """
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        own = self.verticalScrollBar()
-        self._bar = QScrollBar(Qt.Orientation.Vertical, self)
-        self._bar.hide()
-        own.rangeChanged.connect(self._on_range)
-        own.valueChanged.connect(self._bar.setValue)
-        self._bar.valueChanged.connect(own.setValue)
-
-    def _on_range(self, low: int, high: int) -> None:
-        self._bar.setRange(low, high)
-        self._bar.setPageStep(self.viewport().height())
-        self._bar.setSingleStep(self.verticalScrollBar().singleStep())
-        self._bar.setVisible(high > low)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        width = self._bar.sizeHint().width()
-        self._bar.setGeometry(self.width() - width, 0, width, self.height())
-        self._bar.setPageStep(self.viewport().height())
 
 
 class Inspector(QWidget):
@@ -69,6 +36,8 @@ class Inspector(QWidget):
     added = Signal(tuple)
     """A new thing's place: shown, then typed into at once."""
     refused = Signal(str)
+    file_asked = Signal(tuple, str)
+    """As ``Form.file_asked``."""
     usages_asked = Signal()
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -112,7 +81,7 @@ class Inspector(QWidget):
         self._words.setWordWrap(True)
         self._words.setContentsMargins(12, 12, 12, 12)
         column.addWidget(self._words)
-        self._scroll = _Scroll()
+        self._scroll = OverScroll()
         self._scroll.setWidgetResizable(True)
         self._scroll.setFrameShape(QFrame.Shape.NoFrame)
         self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -148,7 +117,7 @@ class Inspector(QWidget):
         selected: tuple[Place, ...],
         vocabulary: Vocabulary,
         problems: tuple[Problem, ...] = (),
-        media: Path | None = None,
+        project: Project | None = None,
     ) -> None:
         """Shows what is selected in ``document``; nothing selected is the document itself."""
         if len(selected) > 1:
@@ -175,6 +144,7 @@ class Inspector(QWidget):
             form.place_asked.connect(self.place_asked)
             form.added.connect(self.added)
             form.refused.connect(self.refused)
+            form.file_asked.connect(self.file_asked)
             self._scroll.setWidget(form)
             # setWidget makes it paint the application's grey.
             form.setAutoFillBackground(False)
@@ -203,7 +173,7 @@ class Inspector(QWidget):
                 theme=self._theme,
                 vocabulary=vocabulary,
                 problems=problems,
-                media=media,
+                project=project,
             )
         )
 

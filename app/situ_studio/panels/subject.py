@@ -8,6 +8,7 @@ from typing import Any
 from msgspec import Struct
 
 from situ.document.problem import Problem
+from situ.document.project import Project
 from situ_studio.edit import Document, Place
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
@@ -25,4 +26,11 @@ class Subject(Struct, frozen=True, kw_only=True):
     theme: Theme
     vocabulary: Vocabulary = Vocabulary()
     problems: tuple[Problem, ...] = ()
-    media: Path | None = None
+    project: Project | None = None
+
+    @property
+    def media(self) -> Path | None:
+        """The folder of the project's pictures."""
+        if self.project is None or self.project.media is None:
+            return None
+        return Path(self.project.root) / self.project.media

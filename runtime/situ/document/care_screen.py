@@ -17,6 +17,7 @@ from situ.document.care_mend import puts
 from situ.document.care_speech import literal
 from situ.document.colours import Colour, colour, contrast, luminance
 from situ.document.finding import Place
+from situ.document.project import Project
 from situ.document.rbd import (
     Application,
     Button,
@@ -40,6 +41,9 @@ SIZE = 4.0
 (``CAPITAL``): from an arm's length of 600 mm 23 minutes of arc, where ISO 9241-303 recommends 20
 to 22 for reading with ease. It is also the 15 to 16 point of large print.
 """
+
+CAPITAL = 0.727
+"""Height of a capital beside the size of its letters, in the page's fonts."""
 
 SIZES = {Text: 6.0, Button: 6.0, Input: 7.0}
 """What the page takes where there is no ``size`` (resources/screen/components.js, input.js)."""
@@ -143,7 +147,7 @@ def small_texts(search: Search, file: str, application: Application) -> None:
             mend = puts(search, file, place, component, f"Make the size {SIZE:g}", size=SIZE)
             search.warn(file, "small-text", message, component.aside, place, mend)
         elif isinstance(component, (Text, Button)):
-            most, said = largest(search, component)
+            most, said = largest(search.project, component)
             if most < SIZE:
                 message = (
                     f"So that {words.quoted(said)} fits into it, the letters become "
@@ -153,7 +157,7 @@ def small_texts(search: Search, file: str, application: Application) -> None:
                 search.warn(file, "small-text", message, component.aside, place)
 
 
-def largest(search: Search, component: Text | Button) -> tuple[float, str]:
+def largest(project: Project, component: Text | Button) -> tuple[float, str]:
     """The largest size of letters that can lie in a component, and the text that needs it."""
     line = LINE[type(component)]
     high = max(component.height, 0) + PIXEL
@@ -161,7 +165,7 @@ def largest(search: Search, component: Text | Button) -> tuple[float, str]:
     told = component.text
     room = (max(component.width, 0) + PIXEL) * STAGE * high
     # No letter is wider than its size: most texts need no counting.
-    for texts in ({}, *search.project.texts.values()):
+    for texts in ({}, *project.texts.values()):
         text = texts.get(component.text, component.text)
         if room < len(text) * SIZE * SIZE * line:
             covered = _width(literal(text)) * (line if isinstance(component, Text) else 1.15)
@@ -191,29 +195,14 @@ def low_contrast(search: Search, file: str, application: Application) -> None:
     component, nor of colours that ``situ.document.colours`` does not know. Where there is no
     color, the page's own counts.
     """
-    above = application.always.screen if application.always is not None else None
     for screen, place in screens(application):
-        for number, component in enumerate(screen.components):
-            given = _colours(component)
-            if given is None:
-                continue
-            ink, behind = given
-            best = _best(ink, behind or GROUND)
+        for component in screen.components:
+            best = contrast_of(search.project, file, application, screen, component)
             if best is None or best >= CONTRAST:
                 continue
-            if not behind:
-                if not _is_plain(search, file, application, screen):
-                    continue
-                below = list(screen.components[:number])
-                if screen is above:
-                    below += [
-                        one
-                        for state in application.states
-                        if state.screen is not None
-                        for one in state.screen.components
-                    ]
-                if any(_hides(one, component) for one in below):
-                    continue
+            given = colours_of(component)
+            assert given is not None
+            ink, behind = given
             message = (
                 f"The color {ink} on {behind[0] if behind else 'the page'} is hard to read: their "
                 f"contrast is {math.floor(best * 10) / 10:g}, and {CONTRAST:g} is needed; choose a "
@@ -225,7 +214,38 @@ def low_contrast(search: Search, file: str, application: Application) -> None:
             search.warn(file, "low-contrast", message, component.aside, at, mend)
 
 
-def _colours(component: Component) -> tuple[str, tuple[str, ...]] | None:
+def contrast_of(
+    project: Project, file: str, application: Application, screen: Screen, component: Component
+) -> float | None:
+    """The contrast of a component's letters with what is behind them; None where it has none, or
+    where it is not known, as ``low_contrast`` says.
+    """
+    given = colours_of(component)
+    if given is None:
+        return None
+    ink, behind = given
+    best = _best(ink, behind or GROUND)
+    if best is None or behind:
+        return best
+    if not _is_plain(project, file, application, screen):
+        return None
+    below = list(screen.components[: _position(screen, component)])
+    above = application.always.screen if application.always is not None else None
+    if screen is above:
+        below += [
+            one
+            for state in application.states
+            if state.screen is not None
+            for one in state.screen.components
+        ]
+    return None if any(_hides(one, component) for one in below) else best
+
+
+def _position(screen: Screen, component: Component) -> int:
+    return next(at for at, one in enumerate(screen.components) if one is component)
+
+
+def colours_of(component: Component) -> tuple[str, tuple[str, ...]] | None:
     """The colour of the letters and those behind them (none: the page's); None: nothing to say."""
     white = ("#ffffff",)
     fill = (component.fill,) if component.fill else ()
@@ -243,7 +263,7 @@ def _colours(component: Component) -> tuple[str, tuple[str, ...]] | None:
     return None
 
 
-def _is_plain(search: Search, file: str, application: Application, screen: Screen) -> bool:
+def _is_plain(project: Project, file: str, application: Application, screen: Screen) -> bool:
     """Whether nothing but the page's ground is behind a screen's components.
 
     ``always`` lies above every state, and in a part above those of others; its background, if it
@@ -252,8 +272,8 @@ def _is_plain(search: Search, file: str, application: Application, screen: Scree
     above = application.always.screen if application.always is not None else None
     if screen.background is not None or (above is not None and above.background is not None):
         return False
-    if file in search.project.parts:
-        around = search.project.flows.values()
+    if file in project.parts:
+        around = project.flows.values()
         shared = [one.always.screen for one in around if one.always is not None]
         if any(one is not None and one.background is not None for one in shared):
             return False

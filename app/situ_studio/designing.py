@@ -1,0 +1,101 @@
+"""The window's part of the screen designer: its panel at the left, and files from a dialog."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt
+
+from situ.errors import UsageError
+from situ_studio import places, words
+from situ_studio.edit import Place
+from situ_studio.screens import media_import
+
+if TYPE_CHECKING:
+    from situ_studio.screens.designer import Designer
+    from situ_studio.window import MainWindow
+
+PANEL = "designer"
+"""The dock of what can be put on a screen."""
+AWAY = ("project", "outline", "palette")
+"""Docks that make room for it."""
+
+
+class DesigningSide(QObject):
+    """While a screen is designed, its panel stands where project, outline and palette stood."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._away: tuple[str, ...] | None = None
+        self._unfolds = False
+        window.docks[PANEL].toggleViewAction().setVisible(False)
+        window.inspector.file_asked.connect(self.choose_file)
+
+    @property
+    def designer(self) -> Designer | None:
+        """The designer of the current document, while it is shown."""
+        view = self._window.current_view
+        shown: Designer | None = None
+        if view is not None and view.mode == PANEL:
+            shown = view.piece(PANEL)
+        return shown
+
+    def settle(self) -> None:
+        """Shows the panel of the designer that is shown, or what stood there before."""
+        designer, stack = self.designer, self._window.designer_stack
+        if designer is None:
+            self.leave()
+            return
+        if stack.indexOf(designer.side) < 0:
+            stack.addWidget(designer.side)
+            designer.view_asked.connect(self._show)
+        stack.setCurrentWidget(designer.side)
+        docks = self._window.docks
+        if self._away is None:
+            self._away = tuple(name for name in AWAY if not docks[name].isHidden())
+            wide = max((docks[name].width() for name in self._away), default=0)
+            for name in self._away:
+                docks[name].hide()
+            # The screen gets the room; a person opens the panel again where it is wanted.
+            self._unfolds = not self._window.bottom.is_folded
+            self._window.bottom.set_folded(True)
+            docks[PANEL].show()
+            if wide:
+                self._window.resizeDocks([docks[PANEL]], [wide], Qt.Orientation.Horizontal)
+
+    def leave(self) -> None:
+        """The panels are where they are without a designer."""
+        if self._away is not None:
+            docks, away = self._window.docks, self._away
+            self._away = None
+            docks[PANEL].hide()
+            for name in away:
+                docks[name].show()
+            if self._unfolds:
+                self._window.bottom.set_folded(False)
+
+    def _show(self, mode: str, place: Place) -> None:
+        self._window.show_mode(mode)
+        self._window.select(place)
+
+    def choose_file(self, place: Place, attribute: str) -> None:
+        """Asks for a picture or movie, brings it into the project, and names it at ``place``."""
+        window, document = self._window, self._window.current_document
+        project = window.session.project
+        if document is None or project is None:
+            return
+        value = places.get(document, place)
+        movie = getattr(value, "element", "") == "movie"
+        endings = media_import.MOVIES if movie else media_import.PICTURES
+        chosen = window.dialogs.media_file(endings)
+        if chosen is None:
+            return
+        try:
+            src = media_import.bring(project, Path(chosen))
+        except UsageError as error:
+            window.say(str(error))
+            return
+        after = places.change(document, place, **{attribute: src})
+        window.commit(after, words.change_words(document, place, attribute, self.tr("File")))

@@ -1,0 +1,315 @@
+"""The screen designer: one state's screen in the whole middle, to scale, in its device.
+
+It is the piece ``designer`` of the view *Screen* (``situ_studio.views``). What is at the left of
+it, ``side``, the window shows in a panel of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QBuffer, QIODevice, QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QImage, QKeyEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from situ.document import rbd
+from situ.document.problem import Problem
+from situ.document.project import Project
+from situ.errors import UsageError
+from situ_studio import places, words
+from situ_studio.breadcrumbs import Breadcrumbs
+from situ_studio.edit import Place
+from situ_studio.layouts import rule
+from situ_studio.screens import media_import, templates
+from situ_studio.screens.designer_bar import DesignerBar
+from situ_studio.screens.designer_sheet import DesignerSheet, files_in
+from situ_studio.screens.designer_side import DesignerSide
+from situ_studio.screens.device_ground import DeviceGround
+from situ_studio.screens.devices import USUAL, Device
+from situ_studio.screens.own_device import ask_device
+from situ_studio.screens.preview_window import PreviewWindow
+from situ_studio.screens.sampling import Sampling
+from situ_studio.screens.state_screen import StateScreen
+from situ_studio.screens.strip import StateStrip
+from situ_studio.theme import Theme
+
+
+class Designer(QWidget):
+    """project: as it is at the time of the call. The device and the sample values belong to this
+    widget: they are no part of a document.
+    """
+
+    edited = Signal(object, str)
+    selection_changed = Signal(tuple)
+    status = Signal(str)
+    filled_in = Signal(tuple)
+    menu_requested = Signal(tuple, QPoint)
+    view_asked = Signal(str, tuple)
+    """Another view of the document is wanted, at a place."""
+
+    def __init__(
+        self,
+        theme: Theme,
+        project: Callable[[], Project | None],
+        media: Callable[[], Path | None],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setAccessibleName(self.tr("Screen designer"))
+        self._theme = theme
+        self._project = project
+        self.device = USUAL
+        self.side = DesignerSide(theme, self)
+        self.side.hide()
+        self.destroyed.connect(self.side.deleteLater)
+        self.bar = DesignerBar(theme)
+        self.sheet = DesignerSheet(theme)
+        self.setFocusProxy(self.sheet)
+        self.ground = DeviceGround(theme, self.sheet)
+        self.strip = StateStrip(theme)
+        self.shown = StateScreen(self.sheet, theme, media, self)
+        self.sampling = Sampling(self.bar, theme, project, self)
+        self.crumbs = _BareCrumbs(theme, self.ground)
+        self.preview: PreviewWindow | None = None
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        for part, stretch in (
+            (self.bar, 0),
+            (rule(), 0),
+            (self.ground, 1),
+            (rule(), 0),
+            (self.strip, 0),
+        ):
+            column.addWidget(part, stretch)
+        self._wire()
+        self.show_device(USUAL)
+
+    def _wire(self) -> None:
+        shown, side, bar, sheet = self.shown, self.side, self.bar, self.sheet
+        shown.edited.connect(self.edited)
+        shown.selection_changed.connect(self.selection_changed)
+        shown.status.connect(self.status)
+        shown.filled_in.connect(self.filled_in)
+        shown.menu_requested.connect(self.menu_requested)
+        sheet.tag_dropped.connect(self._on_tag_dropped)
+        sheet.files_dropped.connect(self._on_files)
+        sheet.unshown_dropped.connect(lambda file: self._bring(Path(file)))
+        self.ground.pressed.connect(lambda: sheet.choose(()))
+        self.crumbs.asked.connect(self._on_crumb)
+        self.strip.chosen.connect(self.go_to)
+        side.components.pressed.connect(lambda name: shown.add(name, 50, 50))
+        side.templates.chosen.connect(self._on_template)
+        side.layers.chosen.connect(sheet.choose)
+        side.layers.moved.connect(self._on_layer_moved)
+        side.layers.opened.connect(lambda id: self.filled_in.emit((*shown.place, "screen", id)))
+        side.tags.pressed.connect(self.write_tag)
+        bar.device_chosen.connect(self.show_device)
+        bar.own_asked.connect(self._ask_device)
+        bar.always_shown.connect(sheet.show_always)
+        bar.preview_asked.connect(self.open_preview)
+        self.sampling.changed.connect(self._show_values)
+
+    # -- a piece of a view ---------------------------------------------------------------
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        for one in (self.side, self.ground, self.strip, self.crumbs, self.shown, self.sampling):
+            one.set_theme(theme)
+
+    def show_document(self, application: rbd.Application, problems: list[Problem]) -> None:
+        """Takes a new value, of which ``select`` says what is shown."""
+        self.shown.show_document(application)
+
+    def select(self, selected: tuple[Place, ...]) -> None:
+        """Shows the screen of the first of these that has one, as it is now."""
+        self.shown.select(selected)
+        self._settle()
+
+    @property
+    def selected_count(self) -> int:
+        """How many components are selected on the screen, while it is shown."""
+        return len(self.sheet.selected) if not self.isHidden() else 0
+
+    def align(self, edge: str) -> None:
+        """edge: as ``placing.aligned`` has it; a single component is aligned with the screen."""
+        self.sheet.align(edge)
+
+    def select_all(self) -> None:
+        self.sheet.select_all()
+
+    # -- bringing it up to date ----------------------------------------------------------
+
+    def _settle(self) -> None:
+        application, place = self.shown.application, self.shown.place
+        if application is None:
+            return
+        here = words.state_words(application, place[1]) if len(place) > 1 else ""
+        here = here or self.tr("In every state")
+        self.crumbs.show_way((application.name, here, self.tr("Screen")))
+        self.crumbs.setGeometry(0, 0, self.ground.width(), self.crumbs.height())
+        self.strip.show_state(application, place)
+        self.side.layers.show_screen(self.shown.screen, self.sheet.selected)
+        tags = self.sampling.tags()
+        self.side.tags.show_tags(tags)
+        self.sheet.offer_tags(tags)
+        self._show_values()
+
+    def _show_values(self) -> None:
+        screen, above = self.shown.screen, self.shown.above
+        self.shown.values = self.sampling.values(screen, above)
+        self.shown.show()
+
+    def show_device(self, device: Device) -> None:
+        """The screen as it is on that device."""
+        self.device = device
+        self.sheet.show_device(QSize(device.wide, device.high))
+        self.ground.show_device(device)
+        self.bar.show_device(device)
+
+    def _ask_device(self) -> None:
+        device = ask_device(self.device, self)
+        if device is not None:
+            self.show_device(device)
+
+    def open_preview(self) -> None:
+        """The screen as a person sees it, in a window of its own."""
+        screen, above = self.shown.screen, self.shown.above
+        values = self.sampling.values(screen, above) or {}
+        self.preview = PreviewWindow(self._theme, self.device, self)
+        self.preview.screen_.show_screen(
+            self._theme, screen or rbd.Screen(), above, self.shown.media, values
+        )
+        self.preview.finished.connect(self._on_preview_closed)
+        self.preview.open()
+
+    def _on_preview_closed(self) -> None:
+        self.preview = None
+
+    # -- going to another state ----------------------------------------------------------
+
+    def go_to(self, place: Place) -> None:
+        """Selects a state, of which the screen is shown then."""
+        self.selection_changed.emit((place,))
+        self.select((place,))
+
+    def _on_crumb(self, level: int) -> None:
+        self.view_asked.emit("graph", self.shown.place if level else ())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        ways = {Qt.Key.Key_PageUp: -1, Qt.Key.Key_PageDown: 1}
+        by = ways.get(Qt.Key(event.key()))
+        if by is not None and event.modifiers() == Qt.KeyboardModifier.NoModifier:
+            self.strip.step(by)
+        else:
+            super().keyPressEvent(event)
+
+    # -- what the side tells -------------------------------------------------------------
+
+    def _on_template(self, name: str) -> None:
+        application, place = self.shown.application, self.shown.place
+        if application is None or self.shown.part is None:
+            return
+        after = templates.applied(application, place, name)
+        where = words.place_words(application, place)
+        said = self.tr("Template {0} for {1}").format(templates.title(name), where)
+        self.edited.emit(after, said)
+        self.go_to(place)
+
+    def _on_layer_moved(self, id: str, to: int) -> None:
+        screen = self.shown.screen
+        if self.shown.application is None or screen is None:
+            return
+        start = next(i for i, one in enumerate(screen.components) if one.id == id)
+        within = (*self.shown.place, "screen")
+        after = places.move(self.shown.application, within, "components", start, to)
+        self.edited.emit(after, self.tr("Reorder {0}").format(id))
+        self.sheet.choose((id,))
+
+    # -- tags ----------------------------------------------------------------------------
+
+    def write_tag(self, tag: str) -> None:
+        """Puts a reference at the end of the selected text, or makes a text of it."""
+        chosen = self.sheet.selected
+        self._write_tag(tag, chosen[0] if len(chosen) == 1 else None, 50, 50)
+
+    def _on_tag_dropped(self, tag: str, x: float, y: float) -> None:
+        boxes = self.sheet.own()
+        under = [
+            id
+            for id, b in reversed(boxes.items())
+            if b.x <= x <= b.right and b.y <= y <= b.bottom and self._takes_text(id)
+        ]
+        self._write_tag(tag, under[0] if under else None, x, y)
+
+    def _takes_text(self, id: str) -> bool:
+        return isinstance(self.sheet.component(id), rbd.Text | rbd.Button)
+
+    def _write_tag(self, tag: str, id: str | None, x: float, y: float) -> None:
+        if self.shown.application is None:
+            return
+        component = self.sheet.component(id) if id is not None else None
+        if id is None or not isinstance(component, rbd.Text | rbd.Button):
+            self.shown.add("text", x, y, text=f"{{{tag}}}")
+            return
+        gap = "" if not component.text or component.text[-1].isspace() else " "
+        place = (*self.shown.place, "screen", id)
+        after = places.change(self.shown.application, place, text=f"{component.text}{gap}{{{tag}}}")
+        self.edited.emit(after, self.tr("Put {0} into {1}").format(tag, id))
+        self.sheet.choose((id,))
+
+    # -- pictures and movies -------------------------------------------------------------
+
+    def paste(self) -> bool:
+        """Puts the picture or the files of the clipboard onto the screen; whether it had some."""
+        data = QGuiApplication.clipboard().mimeData()
+        files = files_in(data)
+        if files:
+            self._on_files(files, 50, 50)
+            return True
+        picture = data.imageData() if data.hasImage() else None
+        if not isinstance(picture, QImage) or picture.isNull():
+            return False
+        self._place("image", lambda project: _brought(project, picture), 50, 50)
+        return True
+
+    def _on_files(self, files: tuple[Path, ...], x: float, y: float) -> None:
+        for at, file in enumerate(files):
+            kind = media_import.kind_of(file) or "image"
+            bring = partial(media_import.bring, source=file)
+            self._place(kind, bring, x + 4 * at, y + 4 * at)
+
+    def _bring(self, file: Path) -> None:
+        self._on_files((file,), 50, 50)
+
+    def _place(self, kind: str, bring: Callable[[Project], str], x: float, y: float) -> None:
+        """A new picture or movie of a file that is brought into the project."""
+        project = self._project()
+        if project is None or self.shown.part is None:
+            return
+        try:
+            src = bring(project)
+        except UsageError as error:
+            self.status.emit(str(error))
+            return
+        self.shown.add(kind, x, y, src=src)
+
+
+class _BareCrumbs(Breadcrumbs):
+    """On the ground, which is seen behind it."""
+
+    def set_theme(self, theme: Theme) -> None:
+        super().set_theme(theme)
+        bare = "Breadcrumbs, _BareCrumbs { background: transparent; border: none; }"
+        self.setStyleSheet(self.styleSheet() + bare)
+
+
+def _brought(project: Project, picture: QImage) -> str:
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    picture.save(buffer, "PNG")  # type: ignore[call-overload]
+    data: Any = buffer.data()
+    return media_import.bring_bytes(project, bytes(data.data()), "pasted.png")

@@ -1,0 +1,65 @@
+"""The screens on which a designer looks at what is drawn: their sizes in px and in millimetres."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from situ_studio.language import tr
+
+INCH = 25.4
+"""Millimetres."""
+SMALLEST, LARGEST = 240, 7680
+"""Px that a side of an own size has."""
+
+
+class Device(Struct, frozen=True):
+    """A screen, seen lying. inches: its diagonal. wide, high: px."""
+
+    key: str
+    inches: float
+    wide: int
+    high: int
+
+    @property
+    def is_upright(self) -> bool:
+        return self.high > self.wide
+
+    @property
+    def words(self) -> str:
+        """``10 inch, 1280 × 800``."""
+        size = f"{self.wide} × {self.high}"
+        if self.key == "phone":
+            return tr("Phone, {0}").format(size)
+        return tr("{0} inch, {1}").format(f"{self.inches:.0f}", size)
+
+    def turned(self) -> Device:
+        """The same, the other way up."""
+        return replace(self, wide=self.high, high=self.wide)
+
+    def upright(self, upright: bool) -> Device:
+        """The same, upright or lying."""
+        return self if self.is_upright == upright else self.turned()
+
+    def millimetres(self, width: float, height: float) -> tuple[float, float]:
+        """What so many percent of its sides are."""
+        each = self.inches * INCH / hypot(self.wide, self.high)
+        return width / 100 * self.wide * each, height / 100 * self.high * each
+
+
+DEVICES = (
+    Device("ten", 10.1, 1280, 800),
+    Device("seven", 7, 1024, 600),
+    Device("thirteen", 13.3, 1920, 1080),
+    Device("phone", 6.1, 844, 390),
+)
+"""The first one is what sizes are judged on (situ.document.care_screen)."""
+USUAL = DEVICES[0]
+
+
+def own(inches: float, wide: int, high: int) -> Device:
+    """A screen that a person describes; each side between ``SMALLEST`` and ``LARGEST`` px."""
+    wide, high = (min(max(side, SMALLEST), LARGEST) for side in (wide, high))
+    return Device("own", min(max(inches, 2.0), 120.0), wide, high)

@@ -1,0 +1,104 @@
+"""Pictures and movies that come into a project: copied into its media folder, under a safe name."""
+
+from __future__ import annotations
+
+import filecmp
+import re
+import shutil
+import unicodedata
+from pathlib import Path
+
+from situ.document.project import Project
+from situ.errors import UsageError
+
+PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".avif", ".svg")
+MOVIES = (".webm", ".mp4", ".ogv")
+"""What the robot's page shows (situ.engine.screen.server has the same)."""
+LARGEST = 64 * 2**20
+"""Bytes of one file: a robot gets a project over the network, in one piece."""
+FOLDER = "media"
+"""For a project that names no folder of its own."""
+
+
+def kind_of(path: str | Path) -> str:
+    """``image`` or ``movie``; "" where the robot's page can not show such a file."""
+    ending = Path(path).suffix.lower()
+    return "image" if ending in PICTURES else "movie" if ending in MOVIES else ""
+
+
+def bring(project: Project, source: Path) -> str:
+    """Copies a file into the project's media; what an ``image`` or ``movie`` calls it there.
+
+    A file whose bytes are there already is not copied again. Raises UsageError, with one line for
+    the user, where the page could not show it, it is too large or can not be copied.
+    """
+    _judge(source)
+    try:
+        size = source.stat().st_size
+        if size > LARGEST:
+            raise UsageError(
+                f"{source.name}: has {size / 2**20:.0f} MB, and {LARGEST // 2**20} MB is the most: "
+                "make it smaller first"
+            )
+        folder, prefix = _folder(project)
+        folder.mkdir(parents=True, exist_ok=True)
+        name = _twin(folder, source, size)
+        if name is None:
+            name = free_name(folder, source.name)
+            shutil.copyfile(source, folder / name)
+    except OSError as error:
+        raise UsageError(f"{source}: {error.strerror or error}") from None
+    return prefix + name
+
+
+def bring_bytes(project: Project, data: bytes, name: str) -> str:
+    """As ``bring``, of a picture that is in no file yet: one from the clipboard."""
+    folder, prefix = _folder(project)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for one in sorted(folder.iterdir()):
+            alike = one.suffix == Path(name).suffix and one.is_file()
+            if alike and one.stat().st_size == len(data) and one.read_bytes() == data:
+                return prefix + one.name
+        name = free_name(folder, name)
+        (folder / name).write_bytes(data)
+    except OSError as error:
+        raise UsageError(f"{folder / name}: {error.strerror or error}") from None
+    return prefix + name
+
+
+def free_name(folder: Path, name: str) -> str:
+    """A name that every system takes, and that nothing has there: ``My Dog.PNG`` is my-dog.png."""
+    stem, _, ending = name.rpartition(".")
+    plain = unicodedata.normalize("NFKD", stem).encode("ascii", "ignore").decode()
+    stem = re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-")[:60] or "picture"
+    ending = f".{ending.lower()}"
+    taken = {one.name.lower() for one in folder.iterdir()} if folder.is_dir() else set()
+    made, number = f"{stem}{ending}", 2
+    while made in taken:
+        made, number = f"{stem}-{number}{ending}", number + 1
+    return made
+
+
+def _judge(source: Path) -> None:
+    if not kind_of(source):
+        every = " ".join((*PICTURES, *MOVIES))
+        raise UsageError(f"{source.name}: the robot's screen shows {every} only")
+    if not source.is_file():
+        raise UsageError(f"{source}: is no file")
+
+
+def _folder(project: Project) -> tuple[Path, str]:
+    """Where media lie, and what stands before their names in a document."""
+    if project.media is not None:
+        return Path(project.root) / project.media, ""
+    return Path(project.root) / FOLDER, f"{FOLDER}/"
+
+
+def _twin(folder: Path, source: Path, size: int) -> str | None:
+    """A file there with the same bytes."""
+    for one in sorted(folder.iterdir()):
+        same = one.suffix.lower() == source.suffix.lower() and one.is_file()
+        if same and one.stat().st_size == size and filecmp.cmp(one, source, shallow=False):
+            return one.name
+    return None

@@ -1,0 +1,121 @@
+"""The values that texts stand for while a screen is designed: chosen or typed, tag by tag."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QStyledItemDelegate,
+    QVBoxLayout,
+    QWidget,
+)
+
+from situ.decide.values import in_text
+from situ.document.values import read
+from situ_studio.icon_widgets import Elided
+from situ_studio.layouts import clear
+from situ_studio.panels.fields import Flag
+from situ_studio.screens import samples
+from situ_studio.theme import Theme
+
+WIDE = 340
+MOST = 14
+"""Tags that are shown."""
+
+
+class SamplePopup(QFrame):
+    """A row a name that the screen shows. What is typed is read as JSON where it is some."""
+
+    picked = Signal(str, object)
+    """A name and its value; None: as the project has it."""
+    shown = Signal(bool)
+    """Whether texts are filled in at all."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent, Qt.WindowType.Popup)
+        self.setProperty("role", "popup")
+        self.setAccessibleName(self.tr("Sample values"))
+        self.setFixedWidth(WIDE)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(12, 8, 12, 12)
+        column.setSpacing(8)
+        self.use: QCheckBox = Flag(theme, self.tr("Fill texts with sample values"), self)
+        self.use.toggled.connect(self.shown)
+        column.addWidget(self.use)
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(8)
+        self._grid.setVerticalSpacing(4)
+        self._grid.setColumnStretch(1, 1)
+        column.addLayout(self._grid)
+        hint = QLabel(self.tr("From the tags at the start and the scenarios; type another one."))
+        hint.setProperty("role", "hint")
+        hint.setWordWrap(True)
+        column.addWidget(hint)
+        self.fields: dict[str, QComboBox] = {}
+
+    def show_values(
+        self,
+        used: bool,
+        names: tuple[str, ...],
+        known: Mapping[str, tuple[Any, ...]],
+        values: Mapping[str, Any],
+    ) -> None:
+        """names: of the rows. known: what is offered; values: what they are now."""
+        self.use.blockSignals(True)
+        self.use.setChecked(used)
+        self.use.blockSignals(False)
+        clear(self._grid)
+        self.fields = {}
+        for row, name in enumerate(names[:MOST]):
+            label = Elided(name, "label")
+            label.setFixedWidth(112)
+            field = QComboBox()
+            field.setEditable(True)
+            field.setItemDelegate(QStyledItemDelegate(field))
+            field.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
+            field.setAccessibleName(name)
+            for value in samples.offered(known, name):
+                field.addItem(in_text(value), value)
+            field.setCurrentText(in_text(samples.value_of(values, name)))
+            field.activated.connect(lambda _, n=name: self._on_chosen(n))
+            line = field.lineEdit()
+            assert line is not None
+            line.setCursorPosition(0)
+            line.editingFinished.connect(lambda n=name: self._on_typed(n))
+            self._grid.addWidget(label, row, 0)
+            self._grid.addWidget(field, row, 1)
+            self.fields[name] = field
+        self.enable(used)
+        if not names:
+            none = QLabel(self.tr("No text of this screen refers to a value."))
+            none.setProperty("role", "dim")
+            self._grid.addWidget(none, 0, 0, 1, 2)
+
+    def enable(self, used: bool) -> None:
+        """Values can be picked while texts are filled in."""
+        for field in self.fields.values():
+            field.setEnabled(used)
+
+    def open_below(self, widget: QWidget) -> None:
+        self.adjustSize()
+        self.move(widget.mapToGlobal(QPoint(0, widget.height() + 4)))
+        self.show()
+
+    def _on_chosen(self, name: str) -> None:
+        self.picked.emit(name, self.fields[name].currentData())
+
+    def _on_typed(self, name: str) -> None:
+        field = self.fields.get(name)
+        if field is None:
+            return
+        text = field.currentText().strip()
+        at = field.findText(text)
+        value = field.itemData(at) if at >= 0 else read(text)
+        self.picked.emit(name, None if text == "" else value)

@@ -1,0 +1,110 @@
+"""Which sample values a designer shows: what the project knows, and what a person picked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from situ.decide.values import in_text
+from situ.document import rbd
+from situ.document.names import is_reserved, is_tag
+from situ.document.project import Project
+from situ_studio.screens import samples
+from situ_studio.screens.designer_bar import DesignerBar
+from situ_studio.screens.sample_popup import SamplePopup
+from situ_studio.screens.shown import Values
+from situ_studio.theme import Theme
+from situ_studio.vocabulary import tags
+
+
+class Sampling(QObject):
+    """What is picked is kept here, never in a document. Scenarios are read once a project."""
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        bar: DesignerBar,
+        theme: Theme,
+        project: Callable[[], Project | None],
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._bar = bar
+        self._theme = theme
+        self._project = project
+        self._used = True
+        self._picked: dict[str, Any] = {}
+        self._names: tuple[str, ...] = ()
+        self._known: dict[str, tuple[Any, ...]] = {}
+        self._of: tuple[str, str | None] | None = None
+        self._tags: tuple[Project | None, tuple[str, ...]] = (None, ())
+        self.popup: SamplePopup | None = None
+        bar.samples_asked.connect(self.open)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+
+    def values(self, screen: rbd.Screen | None, above: tuple[rbd.Component, ...]) -> Values | None:
+        """What this screen is shown with; None where texts stay as they are written."""
+        self._names = samples.wanted(screen, above)
+        self._tell()
+        return samples.filled(self._values(), screen, above) if self._used else None
+
+    def tags(self) -> tuple[str, ...]:
+        """The tags of the project: those it names at the start and those its states mention."""
+        project = self._project()
+        if project is None:
+            return ()
+        if self._tags[0] is not project:
+            found = set(project.tags)
+            for application in project.flows.values():
+                every = (*application.states, application.always)
+                for part in every:
+                    found |= tags(part) if part is not None else set()
+            shown = sorted(tag for tag in found if is_tag(tag) and not is_reserved(tag))
+            self._tags = (project, tuple(shown))
+        return self._tags[1]
+
+    def open(self) -> None:
+        """Shows the values of the screen's names, to be picked or typed."""
+        popup = SamplePopup(self._theme, self._bar)
+        popup.picked.connect(self._on_picked)
+        popup.shown.connect(self._on_used)
+        popup.show_values(self._used, self._names, self._all(), self._values())
+        self.popup = popup
+        popup.open_below(self._bar.samples)
+
+    def _all(self) -> dict[str, tuple[Any, ...]]:
+        project = self._project()
+        if project is not None and self._of != (project.root, project.scenarios):
+            self._of = (project.root, project.scenarios)
+            self._known = samples.gather(project)
+        return self._known
+
+    def _values(self) -> dict[str, Any]:
+        return samples.chosen(self._all(), self._picked)
+
+    def _tell(self) -> None:
+        values = self._values()
+        said = [
+            f"{name} = {in_text(value)}"
+            for name in self._names
+            if (value := samples.value_of(values, name)) is not None
+        ]
+        self._bar.show_samples(said[0] if said and self._used else "")
+
+    def _on_picked(self, name: str, value: object) -> None:
+        if value is None:
+            self._picked.pop(name, None)
+        else:
+            self._picked[name] = value
+        self.changed.emit()
+
+    def _on_used(self, used: bool) -> None:
+        self._used = used
+        if self.popup is not None:
+            self.popup.enable(used)
+        self.changed.emit()

@@ -1,0 +1,142 @@
+"""The screen of one state on a sheet: which state it is, and what is done to its document."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QPoint, Signal
+
+from situ.document import rbd
+from situ_studio import kinds, places
+from situ_studio.edit import Place
+from situ_studio.insert import NotHere, insert
+from situ_studio.screens import placing
+from situ_studio.screens.sheet import Sheet
+from situ_studio.screens.shown import Values
+from situ_studio.theme import Theme
+
+
+class StateScreen(QObject):
+    """Of what is selected in an application: the screen, on a sheet.
+
+    While nothing is selected that has a screen, the one before is shown, at first the start's.
+    media: the folder of the pictures, at the time of the call. It is a piece of a view
+    (``situ_studio.views``) but for the widget.
+    """
+
+    selection_changed = Signal(tuple)
+    """The places of what was clicked on the screen."""
+    edited = Signal(object, str)
+    """Another application, and the name of the step."""
+    status = Signal(str)
+    """What was asked for can not be done: why, in one line."""
+    filled_in = Signal(tuple)
+    """The place of the component that is to be filled in."""
+    menu_requested = Signal(tuple, QPoint)
+    """A context menu is wanted: of a component, or of the screen, and where on the desktop."""
+
+    def __init__(
+        self, sheet: Sheet, theme: Theme, media: Callable[[], Path | None], parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self.sheet = sheet
+        self.place: Place = ()
+        """Of the state, or of Always; () where there is none."""
+        self.application: rbd.Application | None = None
+        self.values: Values | None = None
+        """What references are filled in with at the next ``show``; None: as they are written."""
+        self._theme = theme
+        self._media = media
+        sheet.chosen.connect(self._on_chosen)
+        sheet.edited.connect(self._on_edited)
+        sheet.dropped.connect(self._on_dropped)
+        sheet.opened.connect(lambda id: self.filled_in.emit((*self.place, "screen", id)))
+        sheet.menu_asked.connect(self._on_menu)
+
+    @property
+    def part(self) -> rbd.State | rbd.Always | None:
+        """Whose screen is shown."""
+        if self.application is None or not self.place:
+            return None
+        found = places.get(self.application, self.place)
+        return found if isinstance(found, rbd.State | rbd.Always) else None
+
+    @property
+    def screen(self) -> rbd.Screen | None:
+        return self.part.screen if self.part is not None else None
+
+    @property
+    def above(self) -> tuple[rbd.Component, ...]:
+        """The components that Always adds to the state."""
+        if self.application is None or not isinstance(self.part, rbd.State):
+            return ()
+        always = self.application.always_in(self.part)
+        if always is None or always.screen is None:
+            return ()
+        return always.screen.components
+
+    @property
+    def media(self) -> Path | None:
+        """The folder of the pictures, as it is now."""
+        return self._media()
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self.show()
+
+    def show_document(self, application: rbd.Application) -> None:
+        """Takes a new value, of which ``select`` says what is shown."""
+        self.application = application
+
+    def select(self, selected: tuple[Place, ...]) -> None:
+        """Shows the screen of the first of these that has one, as it is now."""
+        application = self.application
+        if application is None:
+            return
+        for place in (*selected, self.place, ("state", application.start_no or "")):
+            root = places.root(place)
+            if root and isinstance(places.get(application, root), rbd.State | rbd.Always):
+                self.place = root
+                break
+        else:
+            self.place = ()
+        within = (*self.place, "screen")
+        self.sheet.select(tuple(p[-1] for p in selected if p[:-1] == within))
+        self.show()
+
+    def show(self) -> None:
+        """Shows it anew: with another theme, or other values."""
+        if self.application is not None:
+            self.sheet.setVisible(self.part is not None)
+            self.sheet.show_screen(self._theme, self.screen, self.above, self.media, self.values)
+
+    def add(self, name: str, x: float, y: float, **fields: object) -> None:
+        """Puts a new component of a kind there with its middle, as one step, and selects it."""
+        if self.application is None:
+            return
+        try:
+            after, place, text = insert(self.application, kinds.kind(name), self.place)
+        except NotHere as refused:
+            self.status.emit(str(refused))
+            return
+        box = placing.box_of(places.get(after, place))
+        box = box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2))
+        after = places.change(after, place, **placing.inside(box)._asdict(), **fields)
+        self.edited.emit(after, text)
+        self.selection_changed.emit((place,))
+
+    def _on_chosen(self, ids: tuple[str, ...]) -> None:
+        places_ = tuple((*self.place, "screen", id) for id in ids)
+        self.selection_changed.emit(places_ or (self.place,))
+
+    def _on_menu(self, at: QPoint) -> None:
+        self.menu_requested.emit((*self.place, "screen", *self.sheet.selected[:1]), at)
+
+    def _on_edited(self, screen: rbd.Screen, text: str) -> None:
+        if self.application is not None:
+            after = places.change(self.application, self.place, screen=screen)
+            self.edited.emit(after, text)
+
+    def _on_dropped(self, name: str, x: float, y: float) -> None:
+        self.add(name, x, y)

@@ -1,0 +1,184 @@
+"""The states below the designer, each as a small picture of its screen, in document order."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QRectF,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtWidgets import (
+    QListView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QWidget,
+)
+
+from situ.document import rbd
+from situ_studio import places, words
+from situ_studio.canvas import thumbnails
+from situ_studio.canvas.style import Look
+from situ_studio.edit import Place
+from situ_studio.theme import CAPTION, Theme, font
+
+WIDE, HIGH = 104, 84
+"""Px of a state's place."""
+PICTURE = QRectF(10, 9, 84, 52)
+AnyIndex = QModelIndex | QPersistentModelIndex
+NOWHERE = QModelIndex()
+PART = int(Qt.ItemDataRole.UserRole) + 1
+
+
+class _States(QAbstractListModel):
+    """The states, Always first where it has a screen."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.application: rbd.Application | None = None
+        self.places: tuple[Place, ...] = ()
+
+    def show(self, application: rbd.Application) -> None:
+        always: tuple[Place, ...] = (("always",),) if application.always is not None else ()
+        every = (*always, *(("state", state.no) for state in application.states))
+        if every == self.places:
+            self.application = application
+            self.dataChanged.emit(self.index(0), self.index(len(every) - 1))
+            return
+        self.beginResetModel()
+        self.application, self.places = application, every
+        self.endResetModel()
+
+    def rowCount(self, parent: AnyIndex = NOWHERE) -> int:
+        return 0 if parent.isValid() else len(self.places)
+
+    def data(self, index: AnyIndex, role: int = int(Qt.ItemDataRole.DisplayRole)) -> Any:
+        if self.application is None or not index.isValid():
+            return None
+        place = self.places[index.row()]
+        if role == Qt.ItemDataRole.DisplayRole:
+            if place == ("always",):
+                return self.tr("In every state")
+            return words.state_words(self.application, place[1])
+        if role == PART:
+            return places.get(self.application, place)
+        return None
+
+
+class _Pictures(QStyledItemDelegate):
+    """Small pictures as the cards have them; marks are worked out once for each screen."""
+
+    def __init__(self, theme: Theme, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.look = Look(theme)
+        self._marks: dict[int, tuple[rbd.Screen, tuple[thumbnails.Mark, ...]]] = {}
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
+        return QSize(WIDE, HIGH)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        theme = self.look.theme
+        area = PICTURE.translated(option.rect.x(), option.rect.y())
+        selected = bool(option.state & QStyle.StateFlag.State_Selected)
+        part = index.data(PART)
+        screen = part.screen if part is not None else None
+        thumbnails.paint(painter, self._marked(screen), area, self.look)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if selected:
+            painter.setPen(QPen(theme.color("accent"), 2))
+            painter.drawRoundedRect(area.adjusted(-4, -4, 4, 4), 5, 5)
+        elif option.state & QStyle.StateFlag.State_MouseOver:
+            painter.setPen(QPen(theme.color("line_strong"), 1))
+            painter.drawRoundedRect(area.adjusted(-4, -4, 4, 4), 5, 5)
+        if screen is None:
+            painter.setPen(theme.color("text3"))
+            painter.setFont(font(CAPTION))
+            painter.drawText(area, int(Qt.AlignmentFlag.AlignCenter), "–")
+        painter.setFont(font(CAPTION, 600 if selected else 400))
+        painter.setPen(theme.color("text" if selected else "text2"))
+        below = QRectF(option.rect.x() + 4, area.bottom() + 5, WIDE - 8, 16)
+        text = painter.fontMetrics().elidedText(
+            index.data(), Qt.TextElideMode.ElideRight, int(below.width())
+        )
+        painter.drawText(below, int(Qt.AlignmentFlag.AlignCenter), text)
+        painter.restore()
+
+    def _marked(self, screen: rbd.Screen | None) -> tuple[thumbnails.Mark, ...]:
+        if screen is None:
+            return ()
+        kept = self._marks.get(id(screen))
+        if kept is None or kept[0] is not screen:
+            if len(self._marks) > 2000:
+                self._marks.clear()
+            kept = self._marks[id(screen)] = (screen, thumbnails.marks(screen))
+        return kept[1]
+
+
+class StateStrip(QListView):
+    """chosen: the place of the state that a person goes to."""
+
+    chosen = Signal(tuple)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAccessibleName(self.tr("States"))
+        self._states = _States(self)
+        self._pictures = _Pictures(theme, self)
+        self.setModel(self._states)
+        self.setItemDelegate(self._pictures)
+        self.setFlow(QListView.Flow.LeftToRight)
+        self.setWrapping(False)
+        self.setUniformItemSizes(True)
+        self.setMouseTracking(True)
+        self.setFixedHeight(HIGH + 12)
+        self.setHorizontalScrollMode(QListView.ScrollMode.ScrollPerPixel)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
+
+    def set_theme(self, theme: Theme) -> None:
+        self._pictures.look = Look(theme)
+        self.viewport().update()
+
+    def show_state(self, application: rbd.Application, place: Place) -> None:
+        """Shows the states, one of them as the one that is drawn."""
+        self._states.show(application)
+        every = self._states.places
+        row = every.index(place) if place in every else -1
+        index = self._states.index(row) if row >= 0 else QModelIndex()
+        self.setCurrentIndex(index)
+        if index.isValid():
+            self.scrollTo(index, QListView.ScrollHint.EnsureVisible)
+
+    def place_at(self, index: AnyIndex) -> Place:
+        return self._states.places[index.row()]
+
+    def step(self, by: int) -> None:
+        """Goes to the next state (1), or to the one before (-1)."""
+        row = self.currentIndex().row() + by
+        if 0 <= row < len(self._states.places):
+            self.chosen.emit(self._states.places[row])
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        index = self.indexAt(event.position().toPoint())
+        if index.isValid() and event.button() == Qt.MouseButton.LeftButton:
+            self.chosen.emit(self.place_at(index))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        ways = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+        if (by := ways.get(Qt.Key(event.key()))) is not None:
+            self.step(by)
+        elif event.key() in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
+            # Those go from state to state in all of the designer.
+            event.ignore()
+        else:
+            super().keyPressEvent(event)

@@ -1,0 +1,55 @@
+"""Screens to begin with, as ``resources/screens/templates.rbd.xml`` has them."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from msgspec.structs import replace
+
+from situ.document import codec, rbd
+from situ.errors import UsageError
+from situ.resources import resource
+from situ_studio import places
+from situ_studio.edit import Place
+from situ_studio.language import tr
+
+FILE = ("screens", "templates.rbd.xml")
+
+
+@cache
+def templates() -> dict[str, rbd.State]:
+    """Name to template: a state with nothing but a screen and the events that it raises."""
+    path = resource(*FILE)
+    document, problems = codec.read(path.read_bytes(), str(path))
+    if not isinstance(document, rbd.Application) or problems:
+        raise UsageError(f"{path} is damaged: install situ again")
+    return {state.name: state for state in document.states}
+
+
+def title(name: str) -> str:
+    """What a template is called, in the user's language."""
+    return {
+        "two-answers": tr("Two answers"),
+        "list": tr("List"),
+        "entry": tr("Entry"),
+        "pin": tr("PIN"),
+        "video": tr("Video"),
+        "message": tr("Message"),
+        "four-choices": tr("Four choices"),
+        "picture": tr("Picture"),
+    }.get(name, name)
+
+
+def applied(application: rbd.Application, place: Place, name: str) -> rbd.Application:
+    """The application in which the state at ``place`` has the template's components.
+
+    Its background stays. Events that the new screen raises and the state does not expect yet
+    are added, leading nowhere; none is taken away. LookupError where there is no such template.
+    """
+    part = places.get(application, place)
+    wanted = templates()[name]
+    assert wanted.screen is not None
+    screen = replace(part.screen or rbd.Screen(), components=wanted.screen.components)
+    known = {event.name for event in part.events}
+    events = tuple(event for event in wanted.events if event.name not in known)
+    return places.change(application, place, screen=screen, events=(*part.events, *events))

@@ -1,0 +1,89 @@
+"""Files come into a project's media under safe names, once, and only what the page can show."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from situ.document.project import Project
+from situ.engine.screen.server import _MEDIA_TYPES
+from situ.errors import UsageError
+from situ_studio.screens import media_import
+from situ_studio.screens.media_import import bring, free_name
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Project:
+    (tmp_path / "project" / "media").mkdir(parents=True)
+    return Project(root=str(tmp_path / "project"), name="p", media="media")
+
+
+def file(tmp_path: Path, name: str, data: bytes) -> Path:
+    made = tmp_path / "elsewhere" / name
+    made.parent.mkdir(exist_ok=True)
+    made.write_bytes(data)
+    return made
+
+
+def names(project: Project) -> list[str]:
+    return sorted(one.name for one in (Path(project.root) / "media").iterdir())
+
+
+def test_a_file_is_copied_under_a_safe_name_that_is_free(project: Project, tmp_path: Path) -> None:
+    first = bring(project, file(tmp_path, "Mein Hund (1).PNG", b"one"))
+    second = bring(project, file(tmp_path, "mein-hund-1.png", b"two"))
+    assert (first, second) == ("mein-hund-1.png", "mein-hund-1-2.png")
+    assert (Path(project.root) / "media" / second).read_bytes() == b"two"
+
+
+def test_the_same_bytes_are_not_copied_twice(project: Project, tmp_path: Path) -> None:
+    first = bring(project, file(tmp_path, "a.png", b"same"))
+    assert bring(project, file(tmp_path, "b.png", b"same")) == first
+    assert media_import.bring_bytes(project, b"same", "pasted.png") == first
+    assert names(project) == ["a.png"]
+
+
+def test_a_project_without_a_media_folder_gets_one(tmp_path: Path) -> None:
+    bare = Project(root=str(tmp_path / "bare"), name="p")
+    src = bring(bare, file(tmp_path, "a.webm", b"movie"))
+    assert src == "media/a.webm"
+    assert (Path(bare.root) / src).is_file()
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "said"),
+    [
+        ("notes.txt", b"x", "shows .png"),
+        ("gone.png", None, "is no file"),
+        ("large.png", b"x" * 101, "make it smaller"),
+    ],
+)
+def test_what_can_not_come_in_is_refused_in_one_line(
+    name: str,
+    data: bytes | None,
+    said: str,
+    project: Project,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(media_import, "LARGEST", 100)
+    source = file(tmp_path, name, data) if data is not None else tmp_path / name
+    with pytest.raises(UsageError, match=said) as told:
+        bring(project, source)
+    assert "\n" not in str(told.value)
+    assert names(project) == []
+
+
+def test_the_page_serves_all_that_can_be_brought_in() -> None:
+    assert {*media_import.PICTURES, *media_import.MOVIES} <= set(_MEDIA_TYPES)
+
+
+@given(st.text(max_size=80), st.sampled_from(media_import.PICTURES))
+@settings(max_examples=60, deadline=None)
+def test_a_name_is_one_that_every_system_takes(stem: str, ending: str) -> None:
+    made = free_name(Path("no such folder"), stem.replace("/", "").replace("\0", "") + ending)
+    assert re.fullmatch(r"[a-z0-9-]{1,60}\.[a-z0-9]+", made), made

@@ -1,0 +1,44 @@
+"""Templates of screens: large enough, without a problem, and put on a state in one piece."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from situ.document import rbd
+from situ.document.check import check
+from situ.document.project import Project
+from situ_studio.screens.templates import applied, templates, title
+
+# A template waits for its ways, its pictures and the values that it reads.
+WAITS = {"dead-end", "unreachable-state", "missing-media"}
+
+
+def test_no_template_has_a_problem_of_its_own_not_even_for_old_eyes_and_fingers() -> None:
+    for name, state in templates().items():
+        events = tuple(replace(event, next="2") for event in state.events)
+        shown = replace(state, no="1", events=events)
+        application = rbd.Application(name=name, states=(shown, rbd.State(no="2", name="end")))
+        project = Project(root=".", name=name, applications={"a.rbd.xml": application})
+        found = [p for p in check(project) if p.place[:2] == ("state", "1")]
+        assert [p for p in found if p.code not in WAITS] == []
+
+
+def test_every_template_has_a_title_and_fills_the_screen_it_is_put_on() -> None:
+    start = rbd.State(no="1", screen=rbd.Screen(background="lobby.png"), events=(
+        rbd.Event(name="clickYes", next="1"),
+    ))  # fmt: skip
+    application = rbd.Application(name="a", states=(start,))
+    for name, wanted in templates().items():
+        assert title(name) != name
+        after = applied(application, ("state", "1"), name).states[0]
+        assert after.screen is not None
+        assert wanted.screen is not None
+        assert after.screen.background == "lobby.png"
+        assert after.screen.components == wanted.screen.components
+        raised = {
+            getattr(c, "event", None) or getattr(c, "done", None) for c in after.screen.components
+        }
+        assert raised - {None} <= {event.name for event in after.events}
+        # What was there leads where it led.
+        assert after.events[0] == start.events[0]
+        assert len({event.name for event in after.events}) == len(after.events)
