@@ -578,7 +578,6 @@ class MainWindow(Frame):
             self.status.show_selection(())
             self.actions_.refresh()
             return
-        media = Path(project.root) / project.media if project.media is not None else None
         self.inspector.show_selection(
             document,
             view.selected,
