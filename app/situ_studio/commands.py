@@ -92,9 +92,9 @@ class Commands(FileCommands):
         return count > 2 or (count == 0 and self.has_three_cards())
 
     def _components(self) -> int:
-        """How many components are selected on the screen beside the graph."""
-        beside = self._window.beside
-        return beside.selected_count if beside is not None else 0
+        """How many components are selected on the screen that is seen."""
+        sheet = self.components.sheet
+        return len(sheet.selected) if sheet is not None else 0
 
     def can_auto_layout(self) -> bool:
         return self._can("auto_layout", selected=False)
@@ -245,9 +245,9 @@ class Commands(FileCommands):
     def align(self, edge: str) -> None:
         """Of the components selected on the screen, where there are some, else of the cards."""
         view = self._window.current_view
-        beside = self._window.beside
-        if beside is not None and beside.selected_count:
-            beside.align(edge)
+        sheet = self.components.sheet
+        if sheet is not None and sheet.selected:
+            sheet.align(edge)
         elif view is not None:
             view.call("align", edge)
 

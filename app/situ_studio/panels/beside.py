@@ -10,12 +10,11 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document import rbd
 from situ.document.problem import Problem
-from situ_studio import kinds, places, words
+from situ_studio import words
 from situ_studio.edit import Place
-from situ_studio.insert import NotHere, insert
 from situ_studio.layouts import clear
-from situ_studio.screens import placing
 from situ_studio.screens.sheet import Sheet
+from situ_studio.screens.state_screen import StateScreen
 from situ_studio.theme import Theme
 
 
@@ -41,10 +40,6 @@ class ScreenBeside(QScrollArea):
         self, theme: Theme, media: Callable[[], Path | None], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._theme = theme
-        self._application: rbd.Application | None = None
-        self._place: Place = ()
-        self._media = media
         self.setAccessibleName(self.tr("Screen of the selected state"))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -59,11 +54,12 @@ class ScreenBeside(QScrollArea):
         self.title.setProperty("role", "section")
         column.addWidget(self.title)
         self.sheet = Sheet(theme)
-        self.sheet.chosen.connect(self._on_chosen)
-        self.sheet.edited.connect(self._on_edited)
-        self.sheet.dropped.connect(self._on_dropped)
-        self.sheet.opened.connect(lambda id: self.filled_in.emit((*self._place, "screen", id)))
-        self.sheet.menu_asked.connect(self._on_menu)
+        self._shown = StateScreen(self.sheet, theme, media, self)
+        self._shown.selection_changed.connect(self.selection_changed)
+        self._shown.edited.connect(self.edited)
+        self._shown.status.connect(self.status)
+        self._shown.filled_in.connect(self.filled_in)
+        self._shown.menu_requested.connect(self.menu_requested)
         column.addWidget(self.sheet)
         self._speech = QVBoxLayout()
         self._speech.setSpacing(4)
@@ -72,66 +68,22 @@ class ScreenBeside(QScrollArea):
         self.setWidget(page)
 
     def set_theme(self, theme: Theme) -> None:
-        self._theme = theme
-        self._show()
+        self._shown.set_theme(theme)
 
     def show_document(self, application: rbd.Application, problems: list[Problem]) -> None:
         """Takes a new value, of which ``select`` says what is shown."""
-        self._application = application
+        self._shown.show_document(application)
 
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""
-        application = self._application
+        self._shown.select(selected)
+        application, part = self._shown.application, self._shown.part
         if application is None:
             return
-        for place in (*selected, self._place, ("state", application.start_no or "")):
-            root = places.root(place)
-            if root and isinstance(places.get(application, root), rbd.State | rbd.Always):
-                self._place = root
-                break
-        else:
-            self._place = ()
-        within = (*self._place, "screen")
-        self.sheet.select(tuple(p[-1] for p in selected if p[:-1] == within))
-        self._show()
-
-    @property
-    def selected_count(self) -> int:
-        """How many components are selected on the screen, while it is shown."""
-        return len(self.sheet.selected) if not self.isHidden() else 0
-
-    def align(self, edge: str) -> None:
-        """edge: as ``placing.aligned`` has it; a single component is aligned with the screen."""
-        self.sheet.align(edge)
-
-    @property
-    def texts(self) -> list[str]:
-        """What is said there, a line a speech."""
-        part = self._part()
-        actions = part.actions if isinstance(part, rbd.State) else ()
-        return [one.text for one in actions if isinstance(one, rbd.Speech) and one.text]
-
-    def _part(self) -> rbd.State | rbd.Always | None:
-        if self._application is None or not self._place:
-            return None
-        found = places.get(self._application, self._place)
-        return found if isinstance(found, rbd.State | rbd.Always) else None
-
-    def _show(self) -> None:
-        application, part = self._application, self._part()
-        if application is None:
-            return
-        above: tuple[rbd.Component, ...] = ()
         if isinstance(part, rbd.State):
             self.title.setText(words.state_words(application, part.no))
-            always = application.always_in(part)
-            if always is not None and always.screen is not None:
-                above = always.screen.components
         else:
             self.title.setText(self.tr("In every state"))
-        self.sheet.setVisible(part is not None)
-        screen = part.screen if part is not None else None
-        self.sheet.show_screen(self._theme, screen, above, self._media())
         clear(self._speech)
         for text in self.texts:
             said = QLabel(self.tr("“{0}”").format(text))
@@ -140,28 +92,9 @@ class ScreenBeside(QScrollArea):
             said.setWordWrap(True)
             self._speech.addWidget(said)
 
-    def _on_chosen(self, ids: tuple[str, ...]) -> None:
-        places_ = tuple((*self._place, "screen", id) for id in ids)
-        self.selection_changed.emit(places_ or (self._place,))
-
-    def _on_menu(self, at: QPoint) -> None:
-        self.menu_requested.emit((*self._place, "screen", *self.sheet.selected[:1]), at)
-
-    def _on_edited(self, screen: rbd.Screen, text: str) -> None:
-        if self._application is not None:
-            after = places.change(self._application, self._place, screen=screen)
-            self.edited.emit(after, text)
-
-    def _on_dropped(self, name: str, x: float, y: float) -> None:
-        if self._application is None:
-            return
-        try:
-            after, place, text = insert(self._application, kinds.kind(name), self._place)
-        except NotHere as refused:
-            self.status.emit(str(refused))
-            return
-        box = placing.box_of(places.get(after, place))
-        box = box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2))
-        after = places.change(after, place, **placing.inside(box)._asdict())
-        self.edited.emit(after, text)
-        self.selection_changed.emit((place,))
+    @property
+    def texts(self) -> list[str]:
+        """What is said there, a line a speech."""
+        part = self._shown.part
+        actions = part.actions if isinstance(part, rbd.State) else ()
+        return [one.text for one in actions if isinstance(one, rbd.Speech) and one.text]

@@ -129,17 +129,12 @@ class Designer(QWidget):
         self.shown.select(selected)
         self._settle()
 
-    @property
-    def selected_count(self) -> int:
-        """How many components are selected on the screen, while it is shown."""
-        return len(self.sheet.selected) if not self.isHidden() else 0
-
-    def align(self, edge: str) -> None:
-        """edge: as ``placing.aligned`` has it; a single component is aligned with the screen."""
-        self.sheet.align(edge)
-
     def select_all(self) -> None:
         self.sheet.select_all()
+
+    def menu_corner(self) -> QPoint:
+        """Where a context menu of what is selected stands, on the desktop."""
+        return self.sheet.menu_corner()
 
     # -- bringing it up to date ----------------------------------------------------------
 
