@@ -10,10 +10,10 @@ from situ.document.beginning import project_name
 from situ.errors import SituError
 from situ_studio import projects
 from situ_studio.opening import Found, Opening, is_large
-from situ_studio.state_commands import StateCommands
+from situ_studio.situation_commands import SituationCommands
 
 
-class FileCommands(StateCommands):
+class FileCommands(SituationCommands):
     """The handlers of one window that are about files."""
 
     def _home(self) -> str:

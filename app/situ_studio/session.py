@@ -224,7 +224,8 @@ class Session(QObject):
         """Changes several documents as one named step, as ``commit`` does one.
 
         changed: the file in which it was done stands first; an application in a file that the
-        project does not have becomes a new part of it, texts in one that is not there are begun.
+        project does not have becomes a new part of it, a script its script, texts in one that is
+        not there are begun.
         None is changed, and the answer is False, where one of them is incomplete.
         """
         if any(self.is_incomplete(file) for file in changed):
@@ -596,8 +597,13 @@ class Session(QObject):
             return
         project = self._open_project()
         listed = self.document(file) is not None
-        if document is None:
+        if document is None and file == project.spds_file:
+            project = replace(project, spds=None, spds_file=None)
+        elif document is None:
             project = replace(project, parts={f: a for f, a in project.parts.items() if f != file})
+        elif not listed and isinstance(document, Spds):
+            project = replace(project, spds=document, spds_file=file)
+            self.disk.see_new(file)
         elif not listed:
             assert isinstance(document, Application)
             project = replace(project, parts={**project.parts, file: document})

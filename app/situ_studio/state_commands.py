@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 
 from situ.document import rbd
 from situ.document.rbd import Application
+from situ.document.spds import Spds
 from situ_studio import copies, places
 from situ_studio.canvas import gestures
 from situ_studio.canvas.menu import FollowMenu
@@ -67,7 +68,17 @@ class StateCommands(QObject):
         return self.on_graph() and self.has_exit()
 
     def can_step_exit(self) -> bool:
-        return self.on_graph() and self.has_card_or_exit()
+        return self.on_graph() and (self.has_card_or_exit() or self._on_script())
+
+    def _on_script(self) -> bool:
+        """Whether one thing of a script is selected on its graph."""
+        view, document = self._window.current_view, self._window.current_document
+        if view is None or not isinstance(document, Spds):
+            return False
+        return self.on_graph() and len(view.selected) == 1
+
+    def can_lead(self) -> bool:
+        return self.has_card_or_exit() or self._on_script()
 
     def has_exit(self) -> bool:
         view = self._window.current_view
@@ -88,10 +99,12 @@ class StateCommands(QObject):
     def ask_where_to(self) -> None:
         """Asks where the selected transition leads, or a new one of the selected card."""
         view, document = self._window.current_view, self._window.current_document
-        if view is None or not isinstance(document, Application) or not view.selected:
+        if view is None or not view.selected:
             return
         if view.can("ask_where_to"):
             view.call("ask_where_to")
+            return
+        if not isinstance(document, Application):
             return
         place = view.selected[0]
         owner, exit = places.root(place), exit_of(place) or NEW

@@ -14,7 +14,7 @@ from situ_studio.panels.conditions import TestBox
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
-WIDE = 252
+WIDE = 244
 
 
 class TestEditor(QFrame):
@@ -30,6 +30,7 @@ class TestEditor(QFrame):
     def __init__(self, theme: Theme, place: Place, parent: QWidget) -> None:
         super().__init__(parent)
         self.place = place
+        self._drawing = parent
         self._gone = False
         self.setObjectName("testEditor")
         self.setAccessibleName(self.tr("Test"))
@@ -42,8 +43,10 @@ class TestEditor(QFrame):
         self.box = TestBox(theme)
         self.box.changed.connect(lambda test: self.changed.emit(self.place, test))
         self.box.removed.connect(self._on_removed)
+        # As high as its fields need at any time: some tests have no value.
+        layout.setSizeConstraint(QVBoxLayout.SizeConstraint.SetFixedSize)
+        self.box.setFixedWidth(WIDE)
         layout.addWidget(self.box)
-        self.setFixedWidth(WIDE)
 
     def show_test(self, test: Test, tags: tuple[str, ...]) -> None:
         self.box.show_test(test, Vocabulary(tags=tags))
@@ -60,7 +63,7 @@ class TestEditor(QFrame):
             application.focusChanged.connect(self._on_focus)
 
     def settle_at(self, row: QRect) -> None:
-        room = self.parentWidget().rect().adjusted(4, 4, -4, -4)
+        room = self._drawing.rect().adjusted(4, 4, -4, -4)
         self.adjustSize()
         top = row.bottom() + 4
         if top + self.height() > room.bottom():

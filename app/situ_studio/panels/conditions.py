@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from functools import partial
 from typing import Any, Literal
 
@@ -73,7 +74,7 @@ class TestBox(QFrame):
         column.addLayout(third)
         self.tag.committed.connect(lambda v: self._change(tag=v))
         self.test.committed.connect(self._on_test)
-        self.value.committed.connect(lambda v: self._change(value=v))
+        self.value.committed.connect(self._on_value)
         self.within.committed.connect(lambda v: self._change(within=v))
         self.hold.committed.connect(lambda v: self._change(hold=v))
 
@@ -95,23 +96,67 @@ class TestBox(QFrame):
         self.test.show_value(_MISSING if missing else test.test)
         self.value.setVisible(test.test != "exists")
         self._value_gap.setVisible(test.test == "exists")
-        self.value.show_value(test.value)
+        self.value.show_value(listed(test.value) if test.test == "in" else test.value)
         self.within.show_value(test.within)
         self.hold.show_value(test.hold)
 
     def _on_test(self, test: str) -> None:
         if self._test is None:
             return
+        before = self._test
         if test in ("exists", _MISSING):
             self._change(test="exists", value="true" if test == "exists" else "false")
-        elif self._test.test == "exists":
+        elif test == "in":
+            first = "" if before.test == "exists" else before.value
+            self._change(test=test, value=several(first))
+        elif before.test == "exists":
             self._change(test=test, value="true" if test in ("is", "isnot") else "0")
+        elif before.test == "in":
+            self._change(test=test, value=listed(before.value).partition(",")[0])
         else:
             self._change(test=test)
+
+    def _on_value(self, text: str) -> None:
+        if self._test is not None:
+            self._change(value=several(text) if self._test.test == "in" else text)
 
     def _change(self, **fields: Any) -> None:
         if self._test is not None:
             self.changed.emit(replace(self._test, **fields))
+
+
+def several(text: str) -> str:
+    """What somebody typed for *is one of*, divided by commas, as the JSON array of the file.
+
+    What reads as JSON is that value; a whole array may be typed too.
+    """
+    found = _read(text)
+    if isinstance(found, list):
+        return text.strip()
+    parts = [part.strip() for part in text.split(",")]
+    values = [part if (value := _read(part)) is None else value for part in parts if part]
+    return json.dumps(values, ensure_ascii=False)
+
+
+def listed(array: str) -> str:
+    """The JSON array of a file as somebody types it; as it is where commas would not tell."""
+    found = _read(array)
+    if not isinstance(found, list):
+        return array
+    told = [
+        one if isinstance(one, str) and _read(one) is None else json.dumps(one, ensure_ascii=False)
+        for one in found
+    ]
+    text = ", ".join(told)
+    return text if _read(several(text)) == found else array
+
+
+def _read(text: str) -> Any:
+    """The value of a JSON text; None where it is none."""
+    try:
+        return json.loads(text)
+    except ValueError:
+        return None
 
 
 class GroupBox(QFrame):

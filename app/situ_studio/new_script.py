@@ -1,0 +1,58 @@
+"""A script for a project that has none: what happens then is what happened before."""
+
+from __future__ import annotations
+
+import re
+
+from msgspec.structs import replace
+
+from situ.document.beside import Toml
+from situ.document.check_application import used_resources
+from situ.document.check_script import DEFAULT
+from situ.document.folder import PROJECT_FILE
+from situ.document.project import Project
+from situ.document.spds import Declaration, Entry, Situation, Spds
+from situ_studio.edit import Written
+
+END = ".spds.xml"
+USUAL = 1
+"""The priority of an application where there is no script (formats.md, *SPDS*)."""
+_TABLE = re.compile(r"^\[project\][^\n]*\n", re.MULTILINE)
+_NAME = re.compile(r'\Aname[ \t]*=[ \t]*"[^"\n]*"[ \t]*\n')
+
+
+def can_begin(project: Project) -> bool:
+    """Whether there is no script yet, and a project file that can name one."""
+    return project.toml is not None and project.spds_file is None
+
+
+def begun(project: Project, toml: Toml, taken: frozenset[str]) -> dict[str, Written]:
+    """The files that change, each with what is in it then: the script first, and ``situ.toml``.
+
+    Every application is a module of the script, with what it uses, and has in its one situation
+    the priority that it had without a script. taken: files that are there already.
+    """
+    name = re.sub(r"[^a-z0-9-]+", "-", project.name.lower()).strip("-") or "script"
+    file, number = f"{name}{END}", 2
+    while file in taken:
+        file, number = f"{name}-{number}{END}", number + 1
+    every = {a.name: a for a in project.applications.values()}
+    modules = tuple(
+        Declaration(name, tuple(sorted(r for r in used_resources(project, one) if r)))
+        for name, one in every.items()
+        if project.modules is None or all(m.name != name for m in project.modules.modules)
+    )
+    entries = tuple(Entry(name, USUAL) for name in every)
+    script = Spds(project.name, modules=modules, situations=(Situation(DEFAULT, entries=entries),))
+    return {file: script, PROJECT_FILE: named(toml, file)}
+
+
+def named(toml: Toml, file: str) -> Toml:
+    """``situ.toml`` with that file as its script, all else as it is."""
+    table = _TABLE.search(toml.text)
+    if table is None:
+        return replace(toml, text=f'[project]\nspds = "{file}"\n\n{toml.text}')
+    at = table.end()
+    name = _NAME.match(toml.text[at:])
+    at += name.end() if name is not None else 0
+    return replace(toml, text=f'{toml.text[:at]}spds = "{file}"\n{toml.text[at:]}')

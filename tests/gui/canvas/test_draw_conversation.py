@@ -1,0 +1,215 @@
+"""The example of the paper, drawn by mouse and keys from an empty project (issue 9, done-test).
+
+What things are called is asked of the accessible tree; no value of the studio is used.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QFileDialog,
+    QLineEdit,
+)
+from tests.gui.test_newcomer import CONTROL, LEFT, Person
+
+from situ.resources import example
+from situ_studio.canvas.test_editor import TestEditor
+from situ_studio.dialogs import Dialogs
+
+DATA = (
+    ("transfer.phase", "text", ""),
+    ("hand.waving", "", ""),
+    ("person.calling", "", ""),
+    ("person.direction", "number", "deg"),
+    ("sound.slap", "number", "deg"),
+    ("speech.acceptable", "", ""),
+    ("face.visible", "", ""),
+    ("face.direction", "number", "deg"),
+    ("robot.stop", "", ""),
+)
+"""Each with its type, "" where it is the one that data has at first, and its unit."""
+MODULES = ("transfer", "face-caller", "gaze-sound", "nod", "converse", "chase-face")
+
+
+class Draughtsman(Person):
+    """Draws a script; knows where on a card one pulls, and where the ground is free."""
+
+    def drag(self, start: QPoint, end: QPoint) -> None:
+        widget, at = self._at(start)
+        way = QPointF(end - start)
+        QTest.mouseMove(widget, at)
+        QTest.mousePress(widget, LEFT, pos=at)
+        for part in range(1, 6):
+            QTest.mouseMove(widget, at + (way * (part / 5)).toPoint())
+        QTest.mouseRelease(widget, LEFT, pos=at + (end - start))
+        self.settle()
+
+    def out(self, card: str) -> QPoint:
+        """Where a pipe begins: the middle of its right edge."""
+        area = self.drawn(card)
+        return QPoint(area.right(), area.center().y())
+
+    def pull(self, source: str, target: str) -> None:
+        area = self.drawn(target)
+        self.drag(self.out(source), area.topLeft() + QPoint(60, 20))
+
+    def pull_to_ground(self, source: str, above: str, typed: str) -> None:
+        """Between two columns, a little above a situation; what is typed is taken."""
+        spot = self.drawn(above).topLeft() + QPoint(-14, -6)
+        self.drag(self.out(source), spot)
+        self.type(typed)
+
+    def twice(self, spot: QPoint) -> None:
+        widget, at = self._at(spot)
+        QTest.mouseClick(widget, LEFT, pos=at)
+        QTest.mouseDClick(widget, LEFT, pos=at)
+        self.settle()
+
+    def twice_on(self, part: str) -> None:
+        self.twice(self.drawn(part).center())
+
+    def run(self, command: str) -> None:
+        """A command by its name, in the field that finds anything."""
+        self.key(Qt.Key.Key_K, CONTROL)
+        self.type(command)
+
+    def test(self, row: str, test: str = "", **fields: str) -> None:
+        """Writes into the fields of a line of a condition; Enter closes them."""
+        self.twice_on(row)
+        editor = self.widget("Test", TestEditor)
+        if test:
+            box = editor.findChildren(QComboBox)[0]
+            self.click_at(box.mapToGlobal(box.rect().center()))
+            self.choose(test)
+        for name, text in fields.items():
+            inside = editor.findChildren(QLineEdit)
+            field = next(one for one in inside if one.accessibleName().lower() == name)
+            self.click_at(field.mapToGlobal(field.rect().center()))
+            self.key(Qt.Key.Key_A, CONTROL)
+            self.type(text, None)
+        self.key(Qt.Key.Key_Return)
+
+    def choose(self, wanted: str) -> None:
+        """From the list that is open, with the arrow keys."""
+        view = QApplication.focusWidget()
+        assert isinstance(view, QAbstractItemView)
+        self.key(Qt.Key.Key_Home)
+        while view.currentIndex().data() != wanted:
+            self.key(Qt.Key.Key_Down)
+        self.key(Qt.Key.Key_Return)
+
+    def priority(self, situation: str, module: str, number: int) -> None:
+        """The number is typed at once: with its first figure the pill takes it."""
+        self.pull(situation, module)
+        first, rest = str(number)[0], str(number)[1:]
+        self.type(first, None)
+        self.type(rest)
+
+
+def test_the_conversation_is_drawn_by_hand(
+    studio: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = studio().window
+    window.resize(2560, 1440)
+    window.dialogs = Dialogs(window)
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    me = Draughtsman(window)
+    me.answer("conversation")
+    me.click("New project")
+    me.run("Script of situations")
+
+    # What there is to begin with: the application, and a situation that always holds.
+    me.click_card("conversation")
+    me.key(Qt.Key.Key_Delete)
+    me.twice_on("otherwise")
+    me.key(Qt.Key.Key_A, CONTROL)
+    me.type("conversation")
+
+    for tag, kind, unit in DATA:
+        me.click("Data", QAbstractButton)
+        me.type(tag)
+        if kind:
+            me.pick("Type", kind)
+        if unit:
+            me.write_into("Unit", unit)
+    for name in MODULES:
+        me.click("Module", QAbstractButton)
+        me.type(name)
+        if name == "transfer":
+            me.write_into("Resources", "base head")
+    # By hand: one resource is pulled off, two are new.
+    me.click_card("converse")
+    me.key(Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+    me.key(Qt.Key.Key_Delete)
+    for resource in ("speech", "screen"):
+        start = me.out("converse")
+        me.drag(start, start + QPoint(30, 20))
+        me.type(resource)
+
+    # Before all others: the stop button.
+    me.pull_to_ground("robot.stop", "conversation", "stopped")
+
+    # (E) Invited.
+    me.pull_to_ground("person.calling", "conversation", "invited")
+    me.pull("hand.waving", "Condition of invited")
+    me.test("person.calling is true", within="5")
+    me.test("hand.waving is true", within="2")
+    me.pull_to_ground("transfer.phase", "conversation", "invited holds until")
+    me.test("transfer.phase exists", "is one of", value="arrived, failed", within="5")
+    me.pull("robot.stop", "What ends invited")
+    sign = me.drawn("What ends invited")
+    me.twice(QPoint(sign.left() + 12, sign.center().y()))
+    me.type("any")
+    me.click_card("invited")
+    me.run("End after")
+    me.type("90")
+    me.priority("invited", "transfer", 90)
+
+    # (D) Called.
+    me.pull_to_ground("person.calling", "conversation", "called")
+    me.pull("called", "conversation")
+    me.priority("called", "face-caller", 70)
+    me.test("person.calling is true", within="5")
+
+    # (C) A slap.
+    me.pull_to_ground("sound.slap", "conversation", "sound")
+    me.pull("sound", "conversation")
+    me.priority("sound", "gaze-sound", 60)
+    me.test("sound.slap above 0", "exists", within="1")
+    me.click_card("sound")
+    me.run("Stay at least")
+    me.type("1.5")
+
+    # (B) A nod.
+    me.pull_to_ground("speech.acceptable", "conversation", "accepted")
+    me.pull("accepted", "conversation")
+    me.priority("accepted", "nod", 40)
+    me.test("speech.acceptable is true", within="1")
+    me.click_card("accepted")
+    me.run("Stay at least")
+    me.type("1.2")
+
+    # (A) Conversation.
+    me.priority("conversation", "converse", 30)
+    me.priority("conversation", "chase-face", 20)
+
+    me.key(Qt.Key.Key_S, CONTROL)
+    wanted = example("conversation") / "conversation.spds.xml"
+    drawn = tmp_path / "conversation" / "conversation.spds.xml"
+    assert drawn.read_text(encoding="utf-8") == without_comments(wanted)
+
+
+def without_comments(file: Path) -> str:
+    text = file.read_text(encoding="utf-8")
+    return re.sub(r"^ *<!--.*?-->\n", "", text, flags=re.MULTILINE | re.DOTALL)
