@@ -98,6 +98,26 @@ VIEWS: tuple[View, ...] = (
         tip="The screen of the selected state, drawn to scale",
     ),
     View(
+        name="both",
+        icon="both",
+        text="Both",
+        key="Ctrl+5",
+        kinds=(Spds,),
+        pieces=("graph", "matrix"),
+        shares=(1, 1),
+        upright=True,
+        tip="The graph, and below it the priorities as a table",
+    ),
+    View(
+        name="matrix",
+        icon="matrix",
+        text="Matrix",
+        key="Ctrl+6",
+        kinds=(Spds,),
+        pieces=("matrix",),
+        tip="Situations and modules as a table of priorities",
+    ),
+    View(
         name="outline",
         icon="table",
         text="Outline",
@@ -143,8 +163,15 @@ def _designer(setting: Setting) -> Any:
     return Designer(setting.theme, setting.project, setting.media, setting.parent)
 
 
+def _matrix(setting: Setting) -> Any:
+    from situ_studio.matrix.view import MatrixView
+
+    return MatrixView(setting)
+
+
 PIECES: dict[str, Callable[[Setting], Any]] = {
     "graph": _graph,
+    "matrix": _matrix,
     "outline": _outline,
     "screen": _screen,
     "designer": _designer,

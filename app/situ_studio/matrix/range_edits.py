@@ -1,0 +1,157 @@
+"""What is done with a range of cells: typed, cleared, filled, copied, pasted; each is one step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import QMimeData, QObject, Signal
+from PySide6.QtGui import QGuiApplication
+
+from situ_studio.matrix import edits, spreadsheet
+from situ_studio.matrix.edits import Wanted
+from situ_studio.matrix.model import MatrixModel
+from situ_studio.matrix.table import Area, MatrixTable
+
+
+class RangeEdits(QObject):
+    """The edits of one table. Nothing is kept here: the script that follows is told."""
+
+    edited = Signal(object, str)
+    status = Signal(str)
+
+    def __init__(self, model: MatrixModel, table: MatrixTable) -> None:
+        super().__init__(table)
+        self._model, self._table = model, table
+        model.typed.connect(self._on_typed)
+        table.filled.connect(self._on_filled)
+
+    def _put(self, wanted: dict[tuple[int, str], Wanted], text: str) -> None:
+        """One step for all of these cells; none where nothing changes."""
+        assert self._model.grid is not None
+        script = self._model.grid.script
+        after = edits.put(script, wanted)
+        if after is not script:
+            self.edited.emit(after, text)
+
+    def _on_typed(self, row: int, column: int, text: str) -> None:
+        assert self._model.grid is not None
+        try:
+            value = edits.read(text)
+        except ValueError as wrong:
+            self.status.emit(str(wrong))
+            return
+        module = self._model.grid.modules[column]
+        name = self._model.line(row).situation.name
+        said = self.tr("none") if value in (None, "none") else str(value)
+        told = self.tr("Give {0} the priority {1} in {2}").format(module, said, name)
+        self._put({(row, module): value}, told)
+
+    def edit(self) -> None:
+        self._table.edit_current()
+
+    def clear(self) -> None:
+        """The cells of the range say nothing themselves any more."""
+        area = self._table.area
+        if area is None or self._model.grid is None:
+            return
+        wanted: dict[tuple[int, str], Wanted] = {
+            (row, self._model.grid.modules[column]): None for row, column in _cells(area)
+        }
+        before = self._model.grid
+        self._put(wanted, self._named(self.tr("Clear {0}"), area))
+        cell = self._model.cell(area.top, area.left)
+        if self._model.grid is before and cell.source and area.high == area.wide == 1:
+            self.status.emit(
+                self.tr("This is taken over from {0}: type none to take it away here.").format(
+                    cell.source
+                )
+            )
+
+    def copy(self) -> None:
+        """The range to the clipboard, as text and as a table."""
+        area = self._table.area
+        if area is None:
+            return
+        rows = self._texts(area)
+        mime = QMimeData()
+        mime.setText(spreadsheet.to_text(rows))
+        mime.setHtml(spreadsheet.to_html(rows))
+        QGuiApplication.clipboard().setMimeData(mime)
+        self.status.emit(self._named(self.tr("{0} copied"), area))
+
+    def cut(self) -> None:
+        self.copy()
+        self.clear()
+
+    def paste(self) -> None:
+        """What the clipboard holds into the range, all of it or, where it can not be, nothing."""
+        # Where nothing was ever copied it is None, whatever the types of Qt say.
+        there: QMimeData | None = QGuiApplication.clipboard().mimeData()
+        if there is None:
+            return
+        rows = spreadsheet.from_html(there.html()) if there.hasHtml() else []
+        self._fill(
+            rows or spreadsheet.from_text(there.text()), self._table.area, self.tr("Paste {0}")
+        )
+
+    def fill_down(self) -> None:
+        """The first row of the range into the others; into a single row what stands above it."""
+        area = self._table.area
+        if area is None:
+            return
+        if area.high == 1:
+            area = Area(max(0, area.top - 1), area.left, 2 if area.top else 1, area.wide)
+        first = Area(area.top, area.left, 1, area.wide)
+        self._on_filled(first, area)
+
+    def fill_right(self) -> None:
+        """The first column of the range into the others; into a single one what is left of it."""
+        area = self._table.area
+        if area is None:
+            return
+        if area.wide == 1:
+            area = Area(area.top, max(0, area.left - 1), area.high, 2 if area.left else 1)
+        first = Area(area.top, area.left, area.high, 1)
+        self._on_filled(first, area)
+
+    def _on_filled(self, first: Area, whole: Area) -> None:
+        self._fill(self._texts(first), whole, self.tr("Fill {0}"))
+
+    def _fill(self, rows: edits.Texts, area: Area | None, text: str) -> None:
+        grid = self._model.grid
+        if area is None or grid is None:
+            return
+        try:
+            wanted = edits.spread(grid, rows, area.top, area.left, area.high, area.wide)
+        except ValueError as wrong:
+            cell = self._table.visualRect(self._model.index(area.top, area.left))
+            self._table.sentence.say(cell, str(wrong))
+            self.status.emit(str(wrong))
+            return
+        self._table.sentence.hide()
+        high = max(row for row, _ in wanted) - area.top + 1 if wanted else 1
+        whole = Area(area.top, area.left, max(high, area.high), max(len(rows[0]), area.wide))
+        self._put(wanted, self._named(text, whole))
+        self._table.choose(whole)
+
+    def _texts(self, area: Area) -> list[list[str]]:
+        columns = range(area.left, area.right + 1)
+        return [
+            [self._model.cell(row, column).text for column in columns]
+            for row in range(area.top, area.bottom + 1)
+        ]
+
+    def _named(self, text: str, area: Area) -> str:
+        """The name of a step, with what it changes: one priority, or how many."""
+        if area.high * area.wide > 1:
+            many = self.tr("{0} priorities").format(area.high * area.wide)
+            return text.format(many)
+        name = self._model.line(area.top).situation.name
+        one = self.tr("{0} in {1}").format(self._model.modules[area.left], name)
+        return text.format(one)
+
+
+def _cells(area: Area) -> Iterator[tuple[int, int]]:
+    for row in range(area.top, area.bottom + 1):
+        for column in range(area.left, area.right + 1):
+            yield row, column

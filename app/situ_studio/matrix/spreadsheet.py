@@ -1,0 +1,91 @@
+"""Cells as spreadsheets write and read them: text with tabs, and tables of HTML. No Qt."""
+
+from __future__ import annotations
+
+import csv
+import html
+import io
+from collections.abc import Sequence
+from html.parser import HTMLParser
+
+
+def to_text(rows: Sequence[Sequence[str]]) -> str:
+    """One line a row, tabs between the cells, quoted where a cell needs it."""
+    told = io.StringIO()
+    csv.writer(told, dialect="excel-tab", lineterminator="\n").writerows(rows)
+    return told.getvalue()
+
+
+def to_html(rows: Sequence[Sequence[str]]) -> str:
+    lines = ("".join(f"<td>{html.escape(cell)}</td>" for cell in row) for row in rows)
+    return f"<table>{''.join(f'<tr>{line}</tr>' for line in lines)}</table>"
+
+
+def from_text(text: str) -> list[list[str]]:
+    """Rows of cells, all of one length; empty where there is nothing."""
+    return _even(list(csv.reader(io.StringIO(text, newline=""), dialect="excel-tab")))
+
+
+def from_html(text: str) -> list[list[str]]:
+    """The cells of the first table; empty where there is none. A cell that covers several others
+    stands in the first of them.
+    """
+    reader = _Tables()
+    reader.feed(text)
+    reader.close()
+    return _even([[" ".join(cell.split()) for cell in row] for row in reader.rows])
+
+
+def _even(rows: list[list[str]]) -> list[list[str]]:
+    wide = max((len(row) for row in rows), default=0)
+    return [row + [""] * (wide - len(row)) for row in rows] if wide else []
+
+
+class _Tables(HTMLParser):
+    def __init__(self) -> None:
+        super().__init__()
+        self.rows: list[list[str]] = []
+        self._depth = 0
+        self._done = False
+        self._inside = False
+        self._below: dict[tuple[int, int], None] = {}
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag == "table":
+            self._depth += 1
+        if self._depth != 1 or self._done:
+            return
+        if tag == "tr":
+            self.rows.append([])
+            self._inside = False
+        elif tag in ("td", "th") and self.rows:
+            self._begin(dict(attrs))
+        elif tag == "br":
+            self.handle_data(" ")
+
+    def _begin(self, attributes: dict[str, str | None]) -> None:
+        row, at = self.rows[-1], len(self.rows) - 1
+        while (at, len(row)) in self._below:
+            row.append("")
+        self._at, self._inside = len(row), True
+        wide, high = (_span(attributes.get(name)) for name in ("colspan", "rowspan"))
+        row += [""] * wide
+        for down in range(1, high):
+            self._below |= dict.fromkeys((at + down, self._at + across) for across in range(wide))
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag == "table" and self._depth:
+            self._depth -= 1
+            self._done = self._done or not self._depth
+        if tag in ("td", "th", "tr", "table"):
+            self._inside = False
+
+    def handle_data(self, data: str) -> None:
+        if self._inside and self._depth == 1:
+            row = self.rows[-1]
+            row[self._at] += data
+
+
+def _span(text: str | None) -> int:
+    """At most as many as anybody means: what is pasted comes from anywhere."""
+    return min(max(int(text), 1), 1000) if text is not None and text.isdecimal() else 1

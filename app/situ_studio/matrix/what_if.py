@@ -1,0 +1,320 @@
+"""The strip below the matrix: which situation is current and who holds what, for values that
+somebody only supposes.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QMenu,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+    QWidgetAction,
+)
+
+from situ.decide.all_ask import Holding
+from situ.document.spds import Spds
+from situ.rehearse.what_if import Answer, what_if
+from situ_studio.icon_widgets import IconButton, IconLabel, retheme
+from situ_studio.language import tr
+from situ_studio.layouts import rule
+from situ_studio.matrix.chips import Chip, Rows
+from situ_studio.matrix.grid import Asking
+from situ_studio.matrix.presets import presets, short, typed
+from situ_studio.theme import Theme
+
+
+class WhatIf(QWidget):
+    """Supposed values and who asks; nothing of it is in the document.
+
+    answered: whenever the answer is another one; None while nothing is supposed.
+    """
+
+    answered = Signal(object)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._script: Spds | None = None
+        self._asking: Asking = {}
+        self._presets: dict[str, tuple[Any, ...]] = {}
+        self._kinds: dict[str, str | None] = {}
+        self.values: dict[str, Any] = {}
+        """What is supposed, by name; what is not in it is missing."""
+        self.silent: set[str] = set()
+        """The modules that do not ask."""
+        self.answer: Answer | None = None
+        self._chips: dict[str, Chip] = {}
+        self._modules: dict[str, Chip] = {}
+        self.setProperty("role", "panel")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(rule())
+        body = QVBoxLayout()
+        body.setContentsMargins(12, 7, 12, 8)
+        body.setSpacing(6)
+        column.addLayout(body)
+        self._lines = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._lines.setSpacing(6)
+        body.addLayout(self._lines)
+        self._lines.addLayout(self._suppositions(), 0)
+        self._lines.addLayout(self._result(), 1)
+        self.who = Rows(2)
+        self.who.setAccessibleName(self.tr("Modules that ask"))
+        self.who.hide()
+        body.addWidget(self.who)
+
+    def _suppositions(self) -> QHBoxLayout:
+        line = QHBoxLayout()
+        line.setSpacing(8)
+        title = QLabel(self.tr("What if"))
+        title.setProperty("role", "heading")
+        title.setToolTip(
+            self.tr(
+                "Suppose values: each counts as set just now, and as having lasted long enough. "
+                "What keeps a situation for a while is not counted. Nothing of this is saved.\n"
+                "A right click or the down key gives other values."
+            )
+        )
+        title.setFixedHeight(26)
+        line.addWidget(title, 0, Qt.AlignmentFlag.AlignTop)
+        self.data = Rows(2)
+        self.data.setAccessibleName(self.tr("Supposed values"))
+        line.addWidget(self.data, 1, Qt.AlignmentFlag.AlignTop)
+        return line
+
+    def _result(self) -> QHBoxLayout:
+        line = QHBoxLayout()
+        line.setSpacing(6)
+        head = QWidget()
+        head.setFixedHeight(26)
+        head.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        inside = QHBoxLayout(head)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.setSpacing(6)
+        self._then = IconLabel(self._theme, "right", "text3", 14)
+        inside.addWidget(self._then)
+        inside.addWidget(IconLabel(self._theme, "situation", "situation", 15))
+        self.situation = QLabel()
+        self.situation.setProperty("role", "strong")
+        inside.addWidget(self.situation)
+        inside.addWidget(IconLabel(self._theme, "right", "text3", 14))
+        line.addWidget(head, 0, Qt.AlignmentFlag.AlignTop)
+        self.holders = QLabel()
+        self.holders.setTextFormat(Qt.TextFormat.RichText)
+        self.holders.setWordWrap(True)
+        self.holders.setMinimumHeight(26)
+        policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.holders.setSizePolicy(policy)
+        line.addWidget(self.holders, 1)
+        top = Qt.AlignmentFlag.AlignTop
+        self.asks = Chip(self._theme, "", folds=True)
+        self.asks.clicked.connect(lambda on: self.who.setVisible(on))
+        line.addWidget(self.asks, 0, top)
+        self.reset = IconButton(self._theme, "clear", self.tr("Suppose nothing"), "text3", 14)
+        self.reset.clicked.connect(self.suppose_nothing)
+        line.addWidget(self.reset, 0, top)
+        return line
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        for chip in (self.asks, *self._chips.values(), *self._modules.values()):
+            chip.set_theme(theme)
+        retheme(self, theme)
+
+    # -- what is asked ----------------------------------------------------------------
+
+    def show_script(self, script: Spds, asking: Asking) -> None:
+        """Judges another script, for the same suppositions where they are still about it."""
+        if script is self._script and asking == self._asking:
+            return
+        self._script, self._asking = script, dict(asking)
+        self._kinds = {observed.tag: observed.type for observed in script.observe}
+        self._presets = presets(script)
+        self.values = {n: v for n, v in self.values.items() if n in self._presets}
+        self.silent &= set(asking)
+        self._make_chips()
+        self._judge()
+
+    def suppose(self, name: str, value: Any) -> None:
+        """The value of one name; None: it is missing."""
+        if value is None:
+            self.values.pop(name, None)
+        else:
+            self.values[name] = value
+        self._judge()
+
+    def suppose_nothing(self) -> None:
+        """As it was: everything is missing, all modules ask."""
+        self.values, self.silent = {}, set()
+        self._judge()
+
+    def _make_chips(self) -> None:
+        if list(self._chips) != list(self._presets):
+            self._chips = {name: self._datum(name) for name in self._presets}
+            self.data.show_widgets(list(self._chips.values()))
+        if list(self._modules) != list(self._asking):
+            self._modules = {name: self._asker(name) for name in self._asking}
+            self.who.show_widgets(list(self._modules.values()))
+
+    def _datum(self, name: str) -> Chip:
+        chip = Chip(self._theme, name, more=set(self._presets[name]) != {True, False})
+        chip.clicked.connect(lambda: self._on_datum(name))
+        chip.menu_asked.connect(lambda: self._open_menu(name))
+        return chip
+
+    def _on_datum(self, name: str) -> None:
+        """A click: the first value, and nothing again."""
+        self.suppose(name, None if name in self.values else self._presets[name][0])
+
+    def _asker(self, name: str) -> Chip:
+        chip = Chip(self._theme, name)
+        chip.clicked.connect(lambda: self._on_asker(name))
+        return chip
+
+    def _on_asker(self, name: str) -> None:
+        self.silent ^= {name}
+        self._judge()
+
+    def _open_menu(self, name: str) -> None:
+        """All values that a name may have, and a line for any other."""
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        now = self.values.get(name)
+        for value in (None, *self._presets[name]):
+            action = menu.addAction(value_words(value))
+            action.setCheckable(True)
+            action.setChecked(type(value) is type(now) and value == now)
+            action.triggered.connect(lambda _=False, v=value: self.suppose(name, v))
+        if self._kinds.get(name) != "boolean":
+            menu.addSeparator()
+            menu.addAction(self._own_value(menu, name))
+        chip = self._chips[name]
+        menu.popup(chip.mapToGlobal(QPoint(0, chip.height() + 2)))
+
+    def _own_value(self, menu: QMenu, name: str) -> QWidgetAction:
+        line = QLineEdit()
+        line.setPlaceholderText(self.tr("another value"))
+        line.setAccessibleName(self.tr("Another value of {0}").format(name))
+        line.setMinimumWidth(140)
+
+        def take() -> None:
+            self.suppose(name, typed(line.text(), self._kinds.get(name)))
+            menu.close()
+
+        line.returnPressed.connect(take)
+        holder = QWidget()
+        inside = QHBoxLayout(holder)
+        inside.setContentsMargins(6, 2, 6, 4)
+        inside.addWidget(line)
+        action = QWidgetAction(menu)
+        action.setDefaultWidget(holder)
+        return action
+
+    # -- what is answered ----------------------------------------------------------------
+
+    def _judge(self) -> None:
+        if self._script is None:
+            return
+        asking = {m: r for m, r in self._asking.items() if m not in self.silent}
+        self.answer = what_if(self._script, self.values, asking)
+        self._show()
+        self.answered.emit(self.answer if self.supposes else None)
+
+    @property
+    def supposes(self) -> bool:
+        """Whether anything is supposed."""
+        return bool(self.values or self.silent)
+
+    def _show(self) -> None:
+        for name, chip in self._chips.items():
+            value = self.values.get(name)
+            only = len(self._presets[name]) == 1 and value == self._presets[name][0]
+            chip.show_state(value is not None, "" if value is None or only else short(value))
+        for name, chip in self._modules.items():
+            chip.show_state(name not in self.silent, "")
+        told = len(self._modules) - len(self.silent)
+        self.asks.name = (
+            self.tr("{0} of {1} ask").format(told, len(self._modules))
+            if self.silent
+            else self.tr("all ask")
+        )
+        self.asks.show_state(self.asks.isChecked(), "")
+        self.asks.setToolTip(self.tr("Which modules ask for what they can use"))
+        self.reset.setEnabled(self.supposes)
+        answer = self.answer
+        assert answer is not None
+        self.situation.setText(answer.situation or self.tr("no situation"))
+        self.holders.setText(holders_words(answer.holdings))
+        self.data.row.place()
+        self.who.row.place()
+        self._settle()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._settle()
+
+    def _settle(self) -> None:
+        """The answer stands behind the suppositions where there is room, else below them."""
+        words = self.fontMetrics().horizontalAdvance(_plain(self.holders.text()))
+        result = self.situation.sizeHint().width() + words + 90
+        asked = self.data.row.wide + self.asks.sizeHint().width() + 140
+        beside = asked + result <= self.width()
+        ways = QBoxLayout.Direction
+        self._lines.setDirection(ways.LeftToRight if beside else ways.TopToBottom)
+        self._then.setVisible(beside)
+        self.data.setMinimumWidth(self.data.row.wide + 2 if beside else 0)
+        self.data.settle()
+        self.who.settle()
+
+
+def value_words(value: Any) -> str:
+    """A value in a list of choices."""
+    if value is None:
+        return tr("not set")
+    if isinstance(value, bool):
+        return tr("yes") if value else tr("no")
+    return short(value)
+
+
+def holders_words(holdings: dict[str, Holding]) -> str:
+    """Who holds each resource, as rich text: ``head: nod, speech and screen: converse``."""
+    by_holder: dict[str, list[str]] = {}
+    # What somebody holds comes first.
+    for resource, held in sorted(holdings.items(), key=lambda pair: pair[1].module is None):
+        several = [_bold(name) for name in (held.module, *held.rivals) if name]
+        who = tr(" or ").join(several) if several else tr("nobody")
+        if held.rivals:
+            who = tr("a tie, {0}").format(who)
+        by_holder.setdefault(who, []).append(_escaped(resource))
+    if not by_holder:
+        return tr("nobody asks")
+    parts = [tr("{0}: {1}").format(_listed(resources), who) for who, resources in by_holder.items()]
+    return tr(", ").join(parts)
+
+
+def _listed(names: list[str]) -> str:
+    if len(names) < 2:
+        return "".join(names)
+    return tr("{0} and {1}").format(tr(", ").join(names[:-1]), names[-1])
+
+
+def _bold(text: str) -> str:
+    return f"<b>{_escaped(text)}</b>"
+
+
+def _escaped(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;")
+
+
+def _plain(text: str) -> str:
+    return text.replace("<b>", "").replace("</b>", "")

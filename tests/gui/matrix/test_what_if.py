@@ -1,0 +1,149 @@
+"""*What if*: values and requests that somebody supposes, and what follows at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
+from tests.gui.matrix.conftest import TIED, Desk, read
+
+from situ_studio.matrix.chips import Chip
+
+Make = Callable[..., Desk]
+DOWN = Qt.Orientation.Vertical
+HEARD = Qt.ItemDataRole.AccessibleTextRole
+
+
+def chip(used: Desk, name: str) -> Chip:
+    return next(c for c in used.view.what_if.findChildren(Chip) if c.name == name)
+
+
+def press(used: Desk, name: str) -> None:
+    QTest.mouseClick(chip(used, name), Qt.MouseButton.LeftButton, pos=QPoint(12, 12))
+    used.settle()
+
+
+def answer(used: Desk) -> tuple[str, str]:
+    strip = used.view.what_if
+    plain = strip.holders.text().replace("<b>", "").replace("</b>", "")
+    return strip.situation.text(), plain
+
+
+def marked(used: Desk) -> list[Any]:
+    """The situations that are marked as current, or as holding."""
+    model = used.view.model
+    heard = [model.headerData(row, DOWN, HEARD) for row in range(model.rowCount())]
+    return [text for text in heard if "current" in text or "holds" in text]
+
+
+def open_menu(used: Desk, name: str) -> QMenu:
+    """By keys, as who has no mouse does it."""
+    chip(used, name).setFocus()
+    QTest.keyClick(chip(used, name), Qt.Key.Key_Down)
+    used.settle()
+    menu = QApplication.activePopupWidget()
+    assert isinstance(menu, QMenu)
+    return menu
+
+
+def test_a_supposed_value_says_the_situation_and_who_holds_what_at_once(desk: Make) -> None:
+    used = desk()
+    assert answer(used)[0] == "conversation"
+    assert marked(used) == [], "nothing is supposed"
+    press(used, "sound.slap")
+    assert answer(used) == (
+        "sound",
+        "head: gaze-sound, speech and screen: converse, base: nobody",
+    )
+    assert marked(used) == [
+        "4 sound, current, its condition holds",
+        "6 conversation, its condition holds",
+    ]
+    press(used, "person.calling")
+    assert answer(used)[0] == "called"
+    press(used, "hand.waving")
+    assert answer(used) == ("invited", "base and head: transfer, speech and screen: nobody")
+    press(used, "robot.stop")
+    assert answer(used)[0] == "stopped"
+    press(used, "robot.stop")
+    assert answer(used)[0] == "invited"
+    assert used.steps == [], "nothing of it is in the document"
+
+
+def test_a_change_of_the_script_is_judged_with_what_is_supposed(desk: Make) -> None:
+    used = desk()
+    press(used, "sound.slap")
+    used.click("sound", "nod")
+    used.type("99")
+    used.key(Qt.Key.Key_Return)
+    assert answer(used)[1].startswith("head: nod")
+    used.undo()
+    assert answer(used)[1].startswith("head: gaze-sound")
+
+
+def test_modules_that_do_not_ask_hold_nothing(desk: Make) -> None:
+    used = desk()
+    press(used, "sound.slap")
+    asks = used.view.what_if.asks
+    QTest.mouseClick(asks, Qt.MouseButton.LeftButton)
+    used.settle()
+    press(used, "gaze-sound")
+    assert answer(used)[1].startswith("head: chase-face")
+    assert asks.shown == "5 of 6 ask"
+    press(used, "chase-face")
+    assert answer(used)[1] == "speech and screen: converse, base and head: nobody"
+    QTest.mouseClick(used.view.what_if.reset, Qt.MouseButton.LeftButton)
+    used.settle()
+    assert (asks.shown, answer(used)[0]) == ("all ask", "conversation")
+
+
+def test_a_tie_is_told_with_those_between_whom_the_order_decides(desk: Make) -> None:
+    used = desk(TIED)
+    press(used, "asked")
+    assert answer(used) == ("asked", "head: a tie, nod or chase, base: nobody")
+
+
+def test_other_values_are_chosen_from_the_menu_or_typed(desk: Make) -> None:
+    used = desk(
+        read(
+            '<spds name="s"><observe><data tag="near" type="number"/>'
+            '<data tag="on" type="boolean"/></observe><situation name="close">'
+            '<condition><data tag="near" below="1.5" for="2"/>'
+            '</condition></situation><situation name="off"><condition><data tag="on" is="false"/>'
+            '</condition></situation><situation name="else"/></spds>'
+        )
+    )
+    menu = open_menu(used, "near")
+    texts = [a.text() for a in menu.actions() if a.text()]
+    assert texts == ["not set", "1.35", "1.65"]
+    for _ in range(2):
+        QTest.keyClick(menu, Qt.Key.Key_Down)
+    QTest.keyClick(menu, Qt.Key.Key_Return)
+    used.settle()
+    assert chip(used, "near").shown == "near: 1.35"
+    assert answer(used)[0] == "close"
+    menu = open_menu(used, "near")
+    line = menu.findChild(QLineEdit)
+    assert isinstance(line, QLineEdit)
+    line.setFocus()
+    QTest.keyClicks(line, "7")
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    used.settle()
+    assert chip(used, "near").accessibleName() == "near: 7"
+    assert answer(used)[0] == "else"
+    press(used, "on")
+    assert chip(used, "on").shown == "on: false"
+    assert answer(used)[0] == "off"
+
+
+def test_what_is_supposed_of_data_that_nobody_looks_at_any_more_is_forgotten(desk: Make) -> None:
+    used = desk(TIED)
+    press(used, "asked")
+    last = TIED.situations[-1]
+    used.open(read('<spds name="s"><situation name="all"/></spds>'))
+    assert used.view.what_if.values == {}
+    assert answer(used) == ("all", "nobody asks")
+    assert last.name == "all"
