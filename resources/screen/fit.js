@@ -38,7 +38,8 @@ export function write(inner, parts, parted = false) {
     for (const one of parted ? part : [part.join("")]) {
       const whole = element("span", "whole");
       whole.textContent = one;
-      nodes.push(element("wbr"), whole);
+      if (nodes.at(-1)?.className === "whole") nodes.push(element("wbr"));
+      nodes.push(whole);
     }
   }
   inner.replaceChildren(...nodes);
@@ -54,7 +55,7 @@ export function fit(box, inner, wanted, parts) {
     const style = getComputedStyle(box);
     const width = parseFloat(style.width) - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
     const height = parseFloat(style.height) - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom);
-    return inner.scrollWidth <= width + 1 && inner.scrollHeight <= height + 1;
+    return inner.scrollWidth <= width + 1 && parseFloat(getComputedStyle(inner).height) <= height + 1;
   };
   const largest = () => {
     if (fits(wanted)) return wanted;
@@ -84,14 +85,14 @@ export function fit(box, inner, wanted, parts) {
 // Evens out the lines of a text: as narrow as it can be without one more.
 export function balance(box, inner) {
   inner.style.width = "";
-  const high = inner.scrollHeight;
+  const high = inner.clientHeight;
   if (box.dataset.cut || high < parseFloat(getComputedStyle(inner).lineHeight) * 1.5) return;
   const most = Math.ceil(parseFloat(getComputedStyle(inner).width));
   let [low, least] = [0, most];
   while (least - low > 1) {
     const middle = Math.floor((low + least) / 2);
     inner.style.width = `${middle}px`;
-    if (inner.scrollHeight > high || inner.scrollWidth > middle) low = middle;
+    if (inner.clientHeight > high || inner.scrollWidth > middle) low = middle;
     else least = middle;
   }
   inner.style.width = least < most ? `${least}px` : "";

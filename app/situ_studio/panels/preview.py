@@ -9,7 +9,7 @@ from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from situ.document import rbd
-from situ_studio.screens.painting import DEVICE, paint_screen
+from situ_studio.screens.painting import DEVICE, layer, paint_screen
 from situ_studio.screens.shown import Values
 from situ_studio.theme import Theme
 
@@ -57,7 +57,8 @@ class ScreenPreview(QWidget):
         return self._device
 
     def _height(self, width: int) -> int:
-        return width * self._device.height() // self._device.width()
+        size = layer(self._device)
+        return int(width * size.height() / size.width())
 
     @property
     def components(self) -> tuple[rbd.Component, ...]:

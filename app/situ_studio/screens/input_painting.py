@@ -1,0 +1,104 @@
+"""What people type into, as the robot's page shows it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPen
+
+from situ.decide.screens import Shown
+from situ.decide.values import in_text
+from situ_studio.screens.component_painting import Stage, draw_line, edge, rounded
+from situ_studio.screens.css_colours import css_colour
+from situ_studio.screens.lettering import Fitted, Style, extent, set_lines
+from situ_studio.screens.measures import measures
+
+_WIDE = 1e6
+_PIN = Style(500, 1.25, 0.18, True)
+_TYPED = Style(500, 1.25, 0.0, True)
+_DATE = "MM/DD/YYYY"
+
+
+def paint_input(painter: QPainter, stage: Stage, one: Shown) -> None:
+    """Paints an input, with its button where the page has one."""
+    known = measures()
+    box = stage.box(one)
+    alone = sum(other["type"] == "input" for other in stage.content.components) == 1
+    if alone:
+        ring = known["focus-ring"]
+        edge(
+            painter,
+            box.adjusted(-ring, -ring, ring, ring),
+            stage.corner + ring,
+            ring,
+            known.colour("focus"),
+        )
+    fill = css_colour(one.get("fill"))
+    rounded(painter, box, stage.corner, fill if fill is not None else known.colour("paper"))
+    if alone:
+        # Where there is one thing to type, the page begins there.
+        edge(painter, box, stage.corner, known["focus-edge"], known.colour("accent"))
+    else:
+        edge(painter, box, stage.corner, known["input-edge"], known.colour("line"))
+    text = in_text(one.get("value"))
+    room, button = rooms(stage, one, text)
+    if button is not None:
+        _enter(painter, button)
+    ink = css_colour(one.get("color")) or known.colour("ink")
+    if one["kind"] == "pin":
+        text = "\u2022" * len(text)
+    elif one["kind"] == "date" and not text:
+        text, ink = _DATE, known.colour("hint")
+    if not text:
+        return
+    size = letters(stage, one, room)
+    style = _PIN if one["kind"] == "pin" else _TYPED
+    painter.save()
+    painter.setClipRect(room, Qt.ClipOperation.IntersectClip)
+    above, under = extent(style)
+    below = room.center().y() + (above - under) / 2 * size
+    for line in set_lines(text, style, Fitted(size), _WIDE, False):
+        draw_line(painter, line, size, room, below, ink, one.get("align", "left"))
+    painter.restore()
+
+
+def rooms(stage: Stage, one: Shown, text: str) -> tuple[QRectF, QRectF | None]:
+    """Where it is typed, and where the button lies; None where there is none."""
+    known, box, unit = measures(), stage.box(one), stage.unit
+    if box.width() < known["input-slim"]:
+        wide = known["input-slim-wide"]
+        return box.adjusted(wide, 0, -wide, 0), None
+    wide = known.least("input-wide", unit)
+    if not text or not one.get("event") or one.get("max") == 1:
+        return box.adjusted(wide, 0, -wide, 0), None
+    across = min(known["enter-most"], known["enter-share"] * stage.size.width())
+    side = known.least("enter-side", unit)
+    high = min(across, known["enter-high"] * box.height())
+    button = QRectF(box.right() - side - across, box.center().y() - high / 2, across, high)
+    gap = known.least("enter-gap", unit)
+    return box.adjusted(wide, 0, -(side + across + gap), 0), button
+
+
+def letters(stage: Stage, one: Shown, room: QRectF) -> float:
+    """The px of what is typed."""
+    known, box = measures(), stage.box(one)
+    seen = int(known["input-letters"])
+    count = seen if one["kind"] == "date" else min(one.get("max") or 1, seen)
+    most = min(box.height() * known["input-share"], room.width() / (count * known["input-letter"]))
+    share: float = one.get("size", known["input-size"])
+    return max(known["least"], min(most, share * stage.unit))
+
+
+def _enter(painter: QPainter, at: QRectF) -> None:
+    known = measures()
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(known.colour("accent"))
+    painter.drawEllipse(at)
+    painter.setPen(QPen(known.colour("paper"), 3, Qt.PenStyle.SolidLine, Qt.PenCapStyle.SquareCap))
+    middle, side = at.center(), at.width()
+    painter.drawPolyline(
+        [
+            middle + QPointF(-0.17 * side, 0.02 * side),
+            middle + QPointF(-0.04 * side, 0.15 * side),
+            middle + QPointF(0.19 * side, -0.14 * side),
+        ]
+    )
