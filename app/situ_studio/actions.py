@@ -385,6 +385,16 @@ COMMANDS: tuple[Command, ...] = (
     ),
     *_VIEWS,
     _c(
+        "open_beside",
+        "Open beside",
+        "open_beside",
+        icon="beside",
+        shortcut="Ctrl+\\",
+        menu="View",
+        when="has_document",
+        tip="This document in a second group of tabs, beside the first.",
+    ),
+    _c(
         "zoom_in",
         "Zoom in",
         "zoom_by",

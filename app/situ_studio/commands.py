@@ -25,6 +25,7 @@ from situ_studio.preferences import Preferences
 from situ_studio.reasons import reasons
 from situ_studio.screens import ordering
 from situ_studio.shortcuts import Shortcuts
+from situ_studio.showing import show_beside
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -296,6 +297,11 @@ class Commands(FileCommands):
 
     def show_view(self, mode: str) -> None:
         self._window.show_mode(mode)
+
+    def open_beside(self) -> None:
+        file = self._window.tabs.chosen_file
+        if file is not None:
+            show_beside(self._window, file)
 
     def zoom_by(self, factor: float) -> None:
         view = self._window.current_view

@@ -18,34 +18,62 @@ from situ_studio.views import VIEWS
 
 READABLE = 168
 """Px that a tab has at least, if its name wants them."""
+NARROW = 560
+"""Px of the strip below which the views have no words."""
+OUT = 24
+"""Px outside of the strip from which on a tab is dragged to another place of the window."""
 
 
 class DocumentBar(QTabBar):
-    """Tabs that are dragged to another place; the middle button closes one."""
+    """Tabs that are dragged to another place, or out of the strip; the middle button closes one."""
 
     close_asked = Signal(int)
     menu_asked = Signal(int, QPoint)
     resized = Signal()
+    pulled = Signal(QPoint)
+    """The chosen tab is dragged: to where on the screen."""
+    let_go = Signal(str, QPoint)
+    """A file's tab was let go outside of the strip: where on the screen."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._pressed = -1
+        self._dragged = False
+        self._out = False
         self.setMovable(True)
         self.setUsesScrollButtons(True)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.MiddleButton:
             self._pressed = self.tabAt(event.position().toPoint())
-        else:
-            super().mousePressEvent(event)
+            return
+        self._dragged = (
+            event.button() == Qt.MouseButton.LeftButton
+            and self.tabAt(event.position().toPoint()) >= 0
+        )
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not self._dragged:
+            super().mouseMoveEvent(event)
+            return
+        at = event.position().toPoint()
+        self._out = not self.rect().adjusted(-OUT, -OUT, OUT, OUT).contains(at)
+        self.pulled.emit(event.globalPosition().toPoint())
+        if not self._out:
+            super().mouseMoveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.MiddleButton:
             if self._pressed >= 0 and self.tabAt(event.position().toPoint()) == self._pressed:
                 self.close_asked.emit(self._pressed)
             self._pressed = -1
-        else:
-            super().mouseReleaseEvent(event)
+            return
+        super().mouseReleaseEvent(event)
+        out, self._out, self._dragged = self._out, False, False
+        if out:
+            file = self.tabData(self.currentIndex())
+            self.let_go.emit(file, event.globalPosition().toPoint())
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         index = self.tabAt(event.pos())
@@ -76,12 +104,14 @@ class DocumentTabs(QFrame):
     that closes it, each a menu; where not all have room, a list names them all. What is not saved
     has a dot behind its name. At the right, what views the document has.
 
-    The last tab can not be closed.
+    The last tab can not be closed while the strip is the only one.
     """
 
     chosen = Signal(str)
     closed = Signal(str)
     view_chosen = Signal(str)
+    beside_asked = Signal(str)
+    """A document shall be shown beside this group of tabs."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -91,6 +121,7 @@ class DocumentTabs(QFrame):
         self._looks: dict[str, tuple[str, str]] = {}
         self._words: dict[str, str] = {}
         self._gone: list[tuple[str, int]] = []
+        self._only = True
         line = QHBoxLayout(self)
         line.setContentsMargins(0, 0, 8, 0)
         line.setSpacing(8)
@@ -119,6 +150,22 @@ class DocumentTabs(QFrame):
         self.views.chosen.connect(self.view_chosen)
         line.addWidget(self.views)
 
+    def set_only(self, only: bool) -> None:
+        """Whether the window has no other strip."""
+        self._only = only
+        self._settle_close()
+
+    def set_aside(self, aside: bool) -> None:
+        """Whether commands go to another strip's document."""
+        if self.bar.property("aside") != aside:
+            self.bar.setProperty("aside", aside)
+            self.bar.style().polish(self.bar)
+            self.bar.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.views.set_narrow(self.width() < NARROW)
+
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
         for index in range(self.bar.count()):
@@ -138,6 +185,7 @@ class DocumentTabs(QFrame):
         index = self.files().index(file)
         self._gone.append((file, index))
         self.bar.removeTab(index)
+        self._settle_close()
 
     def last_closed(self) -> tuple[str, int] | None:
         """The file whose tab was closed last and its place, which are forgotten by this."""
@@ -192,8 +240,13 @@ class DocumentTabs(QFrame):
         self.bar.blockSignals(False)
         self._on_current(index)
 
+    @property
+    def may_close(self) -> bool:
+        """Whether a tab can be closed."""
+        return self.bar.count() > (1 if self._only else 0)
+
     def _ask_to_close(self, file: str) -> None:
-        if self.bar.count() > 1:
+        if self.may_close:
             self.closed.emit(file)
 
     def _ask_to_close_all(self, files: list[str]) -> None:
@@ -208,8 +261,11 @@ class DocumentTabs(QFrame):
         one.triggered.connect(lambda: self._ask_to_close(file))
         rest = menu.addAction(self.tr("Close the others"))
         rest.triggered.connect(partial(self._ask_to_close_all, others))
-        for action in (one, rest):
-            action.setEnabled(bool(others))
+        one.setEnabled(self.may_close)
+        rest.setEnabled(bool(others))
+        menu.addSeparator()
+        beside = menu.addAction(self.tr("Open beside"))
+        beside.triggered.connect(lambda: self.beside_asked.emit(file))
         menu.popup(at)
 
     def _show_all(self) -> None:
@@ -230,17 +286,23 @@ class DocumentTabs(QFrame):
         self.all.setVisible(self.bar.overflows)
 
     def _on_current(self, index: int) -> None:
-        side = QTabBar.ButtonPosition.RightSide
+        self._settle_close()
+        if index >= 0:
+            self.chosen.emit(self.bar.tabData(index))
+
+    def _settle_close(self) -> None:
+        """Only the chosen tab has a button that closes it, if it can be closed."""
+        side, index = QTabBar.ButtonPosition.RightSide, self.bar.currentIndex()
         for other in range(self.bar.count()):
-            if other != index and self.bar.tabButton(other, side) is not None:
+            unwanted = other != index or not self.may_close
+            if unwanted and self.bar.tabButton(other, side) is not None:
                 self.bar.setTabButton(other, side, None)
-        if index < 0:
+        if index < 0 or not self.may_close:
             return
         file = self.bar.tabData(index)
-        if self.bar.tabButton(index, side) is None and self.bar.count() > 1:
+        if self.bar.tabButton(index, side) is None:
             close = IconButton(self._theme, "close", self.tr("Close"), "text3", 12)
             close.setFixedSize(22, 18)
             close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             close.clicked.connect(lambda: self.closed.emit(file))
             self.bar.setTabButton(index, side, close)
-        self.chosen.emit(file)

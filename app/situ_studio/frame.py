@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
@@ -36,6 +37,7 @@ from situ_studio.panels.outline import Outline
 from situ_studio.panels.palette import Palette, PaletteRoom
 from situ_studio.panels.problems import Problems
 from situ_studio.panels.project_tree import ProjectTree
+from situ_studio.sides import Sides
 from situ_studio.status import Status
 from situ_studio.tabs import BottomPanels
 from situ_studio.theme import DARK, LIGHT, Theme
@@ -102,6 +104,26 @@ class Frame(QMainWindow):
         """The panels' docks by name."""
         return self.docking.docks
 
+    @property
+    def tabs(self) -> DocumentTabs:
+        """Of the current group."""
+        return self.sides.current.tabs
+
+    @property
+    def crumbs(self) -> Breadcrumbs:
+        """Of the current group."""
+        return self.sides.current.crumbs
+
+    @property
+    def documents(self) -> QStackedWidget:
+        """Of the current group."""
+        return self.sides.current.documents
+
+    @property
+    def incomplete(self) -> Notice:
+        """Of the current group."""
+        return self.sides.current.incomplete
+
     # -- building ------------------------------------------------------------------
 
     def _build_centre(self) -> None:
@@ -112,24 +134,10 @@ class Frame(QMainWindow):
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        self.tabs = DocumentTabs(self.theme)
-        column.addWidget(self.tabs)
-        self.crumbs = Breadcrumbs(self.theme)
-        column.addWidget(self.crumbs)
         self.recovered = Notice(self.theme)
-        self.incomplete = Notice(self.theme)
         self.notice = Notice(self.theme)
-        for strip in (self.recovered, self.incomplete, self.notice):
-            column.addWidget(strip)
-        self.documents = QStackedWidget()
-        self.no_document = QLabel(
-            self.tr("This project has no document that can be shown. The problems below say why.")
-        )
-        self.no_document.setProperty("role", "dim")
-        self.no_document.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.no_document.setWordWrap(True)
-        self.documents.addWidget(self.no_document)
-        column.addWidget(self.documents, 1)
+        self.sides = Sides(self.theme, (self.recovered, self.notice))
+        column.addWidget(self.sides)
         self.stack.addWidget(centre)
         self.setCentralWidget(self.stack)
 
@@ -242,13 +250,18 @@ class Frame(QMainWindow):
             *left,
             self.designer_stack,
             self.welcome,
-            self.tabs,
-            *(self.recovered, self.incomplete, self.notice),
-            self.documents,
+            *self._middle_in_order(),
             *(self.inspector.header, self.inspector),
             *(self.bottom.strip, self.bottom),
             self.status,
         )
+
+    def _middle_in_order(self) -> Iterator[QWidget]:
+        for group in self.sides.groups:
+            yield group.tabs
+            if group is self.sides.groups[0]:
+                yield from (self.recovered, self.notice)
+            yield from (group.incomplete, group.documents)
 
     def focusNextPrevChild(self, next: bool) -> bool:
         return tab_order.next_stop(self.panels_in_order, self.documents, 1 if next else -1)
@@ -293,8 +306,7 @@ class Frame(QMainWindow):
             self.palette_,
             self.inspector,
             self.problems,
-            self.tabs,
-            self.crumbs,
+            self.sides,
             self.bottom,
             self.welcome,
             self.finder,

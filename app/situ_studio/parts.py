@@ -23,6 +23,7 @@ from situ_studio.looking import scenarios_with
 from situ_studio.panels.project_tree import stem
 
 if TYPE_CHECKING:
+    from situ_studio.sides import Group
     from situ_studio.window import MainWindow
 
 
@@ -33,11 +34,8 @@ class PartsSide(QObject):
         super().__init__(window)
         self._window = window
         self._session = window.session
-        # A tab's file to the files on the way to what it shows, the tab's own first.
-        self._ways: dict[str, tuple[str, ...]] = {}
-        window.tabs.chosen.connect(self._on_tab)
-        window.crumbs.asked.connect(self._on_asked)
-        window.session.opened.connect(self._ways.clear)
+        window.sides.chosen.connect(self._on_tab)
+        window.sides.level_asked.connect(self._on_asked)
 
     def is_part(self, file: str) -> bool:
         """Whether the project has that file only as a part of others."""
@@ -47,14 +45,22 @@ class PartsSide(QObject):
     # -- the way in and back ----------------------------------------------------------
 
     @property
+    def _ways(self) -> dict[str, tuple[str, ...]]:
+        """Of the current group of tabs."""
+        return self._window.sides.current.ways
+
+    @property
     def way(self) -> tuple[str, ...]:
         """The files from the tab's own to the one that is shown."""
         tab = self._window.tabs.chosen_file
         return self._ways.get(tab, (tab,)) if tab is not None else ()
 
-    def way_of(self, tab: str) -> tuple[str, ...]:
-        """The files from that tab's own to the one that is shown in it."""
-        way = self._ways.get(tab, (tab,))
+    def way_of(self, tab: str, group: Group | None = None) -> tuple[str, ...]:
+        """The files from that tab's own to the one that is shown in it.
+
+        group: of tabs, in place of the current one.
+        """
+        way = (group.ways if group is not None else self._ways).get(tab, (tab,))
         while len(way) > 1 and self._session.document(way[-1]) is None:
             way = way[:-1]
         return way

@@ -87,8 +87,7 @@ class RobotSide(QObject):
         return {file: document for file, document in found.items() if document is not None}
 
     def show_live(self, file: str, live: LiveView | LiveScript | None) -> None:
-        view = self._window.views.get(file)
-        if view is not None:
+        for view in self._window.sides.views_of(file):
             view.set_live(live)
 
     def show_link(self, kind: str, words: str) -> None:

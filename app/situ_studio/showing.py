@@ -7,35 +7,49 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from situ_studio import places
-from situ_studio.edit import Place
+from situ_studio.edit import Document, Place
 from situ_studio.session import Looking
 
 if TYPE_CHECKING:
+    from situ_studio.document_view import DocumentView
+    from situ_studio.sides import Group
     from situ_studio.window import MainWindow
 
 
 class Shown(Struct, frozen=True):
-    """How one document is shown: as what, what is selected, where the canvas looks.
+    """How one document is shown: as which view, what is selected, where the canvas looks.
 
-    mode: ``graph``, ``split`` or ``outline``.
+    shares: how a person has divided the room, by view.
     """
 
     mode: str
     selected: tuple[Place, ...] = ()
     looking: Looking | None = None
+    shares: dict[str, list[int]] = {}
 
 
-class Showing(Struct, frozen=True):
-    """Everything that is open.
+class Open(Struct, frozen=True):
+    """One group of tabs.
 
     ways: of each tab the files from its own to the part that is shown in it. tab: the chosen
-    one. documents: by file, those that have been shown. panel: at the bottom; welcome: the
-    welcome page is shown.
+    one. documents: by file, those that have been shown.
     """
 
     ways: tuple[tuple[str, ...], ...] = ()
     tab: str | None = None
     documents: dict[str, Shown] = {}
+
+
+class Showing(Struct, frozen=True):
+    """Everything that is open.
+
+    groups: from the left, one or two. current: which of them has the focus. widths: of them, in
+    px. panel: at the bottom; welcome: the welcome page is shown.
+    """
+
+    groups: tuple[Open, ...] = ()
+    current: int = 0
+    widths: tuple[int, ...] = ()
     panel: str = "problems"
     folded: bool = False
     welcome: bool = False
@@ -43,51 +57,94 @@ class Showing(Struct, frozen=True):
 
 def showing(window: MainWindow) -> Showing:
     """What ``window`` shows now."""
+    sides = window.sides
     return Showing(
-        tuple(window.parts.way_of(file) for file in window.tabs.files()),
-        window.tabs.chosen_file,
-        {
-            file: Shown(view.shown_as, view.selected, view.call("looking"))
-            for file, view in window.views.items()
-        },
+        tuple(_open(window, group) for group in sides.groups),
+        sides.groups.index(sides.current),
+        sides.sizes(),
         window.bottom.current,
         window.bottom.is_folded,
         window.stack.currentIndex() == 0,
     )
 
 
+def _open(window: MainWindow, group: Group) -> Open:
+    return Open(
+        tuple(window.parts.way_of(file, group) for file in group.tabs.files()),
+        group.tabs.chosen_file,
+        group.waiting | {file: shown(view) for file, view in group.views.items()},
+    )
+
+
+def shown(view: DocumentView) -> Shown:
+    """How the document of ``view`` is shown now."""
+    return Shown(view.shown_as, view.selected, view.call("looking"), view.shares)
+
+
+def show_as(view: DocumentView, document: Document, how: Shown) -> None:
+    """Shows the document of ``view`` as it was shown, as far as what was selected is there."""
+    view.set_shares(how.shares)
+    view.set_mode(how.mode)
+    view.select(tuple(p for p in how.selected if places.get(document, p) is not None))
+    if how.looking is not None:
+        view.call("look_at", how.looking)
+
+
 def show_again(window: MainWindow, wanted: Showing) -> None:
     """Shows in ``window`` what is there of ``wanted``; its project is open already."""
-    session = window.session
+    session, sides = window.session, window.sides
+    there = [one for one in wanted.groups if any(session.document(w[0]) for w in one.ways)]
+    for at, one in enumerate(there):
+        sides.enter(sides.groups[at] if at < len(sides.groups) else sides.add())
+        _show_group(window, one)
+    sides.set_sizes(wanted.widths)
+    if wanted.current < len(sides.groups):
+        sides.enter(sides.groups[wanted.current])
+    window.bottom.choose(wanted.panel)
+    window.bottom.set_folded(wanted.folded)
+    if wanted.welcome:
+        window.show_welcome()
+    elif window.current_view is not None:
+        window.current_view.current_view().setFocus()
+
+
+def _show_group(window: MainWindow, wanted: Open) -> None:
+    session, group = window.session, window.sides.current
+    for file in list(group.views):
+        group.drop_view(file)
+    # A document is shown as it was once it is shown: not all of them at the start.
+    group.waiting = dict(wanted.documents)
+    group.current_file = None
     for way in wanted.ways:
         if session.document(way[0]) is not None:
-            window.open_file(way[0])
+            window.add_tab(way[0])
     for place, way in enumerate(wanted.ways):
         if way[0] in window.tabs.files():
             window.tabs.put(way[0], place)
     for file in window.tabs.files():
         if file not in {way[0] for way in wanted.ways}:
             window.close_file(file)
-    last = [way for way in wanted.ways if way[0] == wanted.tab]
-    for way in (*(way for way in wanted.ways if way[0] != wanted.tab), *last):
-        if session.document(way[0]) is not None:
-            window.tabs.choose(way[0])
-            for depth in range(1, len(way) + 1):
-                _show_document(window, way[:depth], wanted.documents.get(way[depth - 1]))
-    window.bottom.choose(wanted.panel)
-    window.bottom.set_folded(wanted.folded)
-    if wanted.welcome:
-        window.show_welcome()
+    group.ways = {way[0]: way for way in wanted.ways}
+    chosen = wanted.tab if wanted.tab in window.tabs.files() else window.tabs.files()[0]
+    window.tabs.choose(chosen)
 
 
-def _show_document(window: MainWindow, way: tuple[str, ...], how: Shown | None) -> None:
-    if window.session.document(way[-1]) is None:
-        return
-    window.parts.show_way(way)
-    view, document = window.current_view, window.current_document
-    if how is None or view is None or document is None:
-        return
-    window.show_mode(how.mode)
-    window.select_all(tuple(p for p in how.selected if places.get(document, p) is not None))
-    if how.looking is not None:
-        view.call("look_at", how.looking)
+def show_beside(window: MainWindow, file: str, moved: bool = False) -> None:
+    """Shows a tab of the current group in the other one too, as it is shown here.
+
+    moved: it goes there, unless it is the only one of the window.
+    """
+    here = window.sides.current
+    way = window.parts.way_of(file)
+    documents = _open(window, here).documents
+    moved = moved and (len(here.tabs.files()) > 1 or len(window.sides.groups) > 1)
+    there = window.sides.other or window.sides.add()
+    if moved:
+        window.close_file(file)
+    window.sides.enter(there)
+    window.add_tab(way[0])
+    there.ways[way[0]] = way
+    there.waiting |= {f: how for f, how in documents.items() if f in way and f not in there.views}
+    window.tabs.choose(way[0])
+    if window.current_view is not None:
+        window.current_view.current_view().setFocus()

@@ -62,6 +62,14 @@ class Segments(QFrame):
         for name, button in self._buttons.items():
             button.setVisible(name in names)
 
+    def set_narrow(self, narrow: bool) -> None:
+        """Only the icons, with the words as tooltips."""
+        for button in self._buttons.values():
+            words = button.accessibleName()
+            if bool(button.text()) == narrow:
+                button.setText("" if narrow else words)
+                button.setToolTip(words if narrow else "")
+
     def button(self, name: str) -> QPushButton:
         return self._buttons[name]
 

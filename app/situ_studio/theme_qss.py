@@ -181,6 +181,7 @@ QTabBar[role="documents"]::tab {{ height: 35px; padding: 0 12px; background: {wi
   border-bottom: 1px solid {line}; }}
 QTabBar[role="documents"]::tab:selected {{ background: {panel}; color: {text};
   border-top-color: {accent}; border-bottom-color: {panel}; }}
+QTabBar[role="documents"][aside="true"]::tab:selected {{ border-top-color: {line_strong}; }}
 QTabBar[role="documents"]::tab:hover:!selected {{ background: {hover}; }}
 QSplitter::handle {{ background: {line}; }}
 QSplitter::handle:hover {{ background: {accent}; }}

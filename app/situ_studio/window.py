@@ -36,6 +36,7 @@ from situ_studio.parts import PartsSide
 from situ_studio.recovery import Recovery
 from situ_studio.robot import RobotSide
 from situ_studio.session import Looking, Session
+from situ_studio.showing import show_as, show_beside
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Lexicon
 from situ_studio.welcome import Example
@@ -73,8 +74,6 @@ class MainWindow(Frame):
         self._list_examples = examples
         self._lexicon = Lexicon()
         self.dialogs: Dialogs = Dialogs(self)
-        self.views: dict[str, DocumentView] = {}
-        self.current_file: str | None = None
         self._before_welcome: str | None = None
         home = Path(settings.fileName()).parent / "recovery"
         self.recovery = Recovery(session, home, self.recovered)
@@ -104,8 +103,10 @@ class MainWindow(Frame):
         session.selected.connect(self._on_undone)
         session.stack_changed.connect(self._on_stack)
         session.problems_changed.connect(self._on_problems)
-        self.tabs.closed.connect(self.close_file)
-        self.tabs.view_chosen.connect(self.show_mode)
+        self.sides.entered.connect(self._settle_shown)
+        self.sides.closed.connect(self.close_file)
+        self.sides.view_chosen.connect(self.show_mode)
+        self.sides.beside_asked.connect(lambda file, moved: show_beside(self, file, moved))
         self.project_tree.file_asked.connect(self.open_file)
         self.outline.selected.connect(self._on_outline)
         self.outline.activated.connect(self._on_outline_activated)
@@ -172,20 +173,14 @@ class MainWindow(Frame):
     def _on_opened(self) -> None:
         project = self.session.project
         assert project is not None
-        for view in self.views.values():
-            self.documents.removeWidget(view)
-            view.deleteLater()
-        self.views = {}
-        self.tabs.clear()
-        self.current_file = None
+        self.sides.reset()
         self.notice.hide()
-        self.incomplete.hide()
         self.project_tree.show_project(project, self.session.files)
         self.docking.show()
         self.stack.setCurrentIndex(1)
         shown = [f for f in self.session.files if f != project.modules_file]
         for file in shown or self.session.files:
-            self._add_tab(file)
+            self.add_tab(file)
         self._refresh_tree()
         if self.tabs.files():
             self.tabs.choose(self.tabs.files()[0])
@@ -206,9 +201,10 @@ class MainWindow(Frame):
         self.robot.follower.compare()
         self.robot.settle()
 
-    def _add_tab(self, file: str) -> None:
+    def add_tab(self, file: str) -> None:
+        """A tab for a document, unless the current group has one; it is not chosen."""
         document = self.session.document(file)
-        if document is not None:
+        if document is not None and file not in self.tabs.files():
             icon, token, _ = look(document, self.parts.is_part(file))
             self.tabs.add(file, stem(file), icon, token)
 
@@ -216,27 +212,33 @@ class MainWindow(Frame):
         """Shows a document: where it is on the way into a part, else in its tab, new if need be."""
         if self.parts.reach(file):
             return
-        if file not in self.tabs.files():
-            self._add_tab(file)
+        self.add_tab(file)
         self.parts.forget(file)
         self.tabs.choose(file)
 
     def show_file(self, file: str) -> None:
         """Shows a document in the chosen tab."""
-        document = self.session.document(file)
-        self.current_file = file if document is not None else None
+        document, group = self.session.document(file), self.sides.current
+        group.current_file = file if document is not None else None
         if document is not None:
-            view = self.views.get(file)
+            view = group.views.get(file)
             if view is None:
                 view = self._make_view(file)
-            self.documents.setCurrentWidget(view)
+            group.documents.setCurrentWidget(view)
             view.show_document(document, self._problems_of(file))
-            self.tabs.views.set_offered(view.ways_to_show)
-            self.tabs.views.setVisible(len(view.ways_to_show) > 1)
-            self.tabs.views.show_choice(view.shown_as)
+            how = group.waiting.pop(file, None)
+            if how is not None:
+                show_as(view, document, how)
+            group.tabs.views.set_offered(view.ways_to_show)
+            group.tabs.views.setVisible(len(view.ways_to_show) > 1)
+            group.tabs.views.show_choice(view.shown_as)
         else:
-            self.documents.setCurrentWidget(self.no_document)
-            self.tabs.views.hide()
+            group.documents.setCurrentWidget(group.no_document)
+            group.tabs.views.hide()
+        self._settle_shown()
+
+    def _settle_shown(self) -> None:
+        """Another document is shown, or another group of tabs is the current one."""
         self._settle_title()
         self._settle_problems()
         self.disk.settle()
@@ -244,8 +246,11 @@ class MainWindow(Frame):
         self._settle_document()
 
     def _make_view(self, file: str) -> DocumentView:
+        group = self.sides.current
         view = DocumentView(self.theme, file, project=lambda: self.session.project)
         view.origin = str((self.session.root / file).resolve())
+        # Something may be dropped where the focus is not.
+        view.edited.connect(lambda *_: self.sides.enter(group))
         view.edited.connect(lambda after, text: self.commit(after, text, file))
         view.selection_changed.connect(self._on_selection)
         view.activated.connect(self._on_activated)
@@ -253,23 +258,24 @@ class MainWindow(Frame):
         view.filled_in.connect(self.fill_in)
         view.part_asked.connect(self.parts.insert)
         view.menu_requested.connect(self.context_menus.open)
-        self.views[file] = view
-        self.documents.addWidget(view)
+        group.add_view(view)
         return view
 
     def close_file(self, file: str) -> None:
-        """Closes a tab; the document stays in the project, with its changes."""
+        """Closes a tab of the current group, and the group with the last of one of two; the
+        document stays in the project, with its changes."""
+        group = self.sides.current
         self.parts.forget(file)
-        self.tabs.remove(file)
-        # Another tab may be at this part now.
-        view = self.views.pop(file, None) if file != self.current_file else None
-        if view is not None:
-            self.documents.removeWidget(view)
-            view.deleteLater()
+        group.tabs.remove(file)
+        if not group.tabs.files() and self.sides.other is not None:
+            self.sides.remove(group)
+        elif file != group.current_file:
+            # Else another tab is at this part now.
+            group.drop_view(file)
 
     def close_tab(self) -> None:
         file = self.tabs.chosen_file
-        if file is not None and len(self.tabs.files()) > 1:
+        if file is not None and self.tabs.may_close:
             self.close_file(file)
 
     def reopen_tab(self) -> None:
@@ -296,7 +302,7 @@ class MainWindow(Frame):
         self.designing.leave()
         self.docking.hide()
         self.toolbar.hide()
-        self.current_file = None
+        self.sides.current.current_file = None
         self.setWindowTitle(self.tr("Situ Studio"))
         self._settle_document()
 
@@ -316,8 +322,18 @@ class MainWindow(Frame):
     # -- what is shown ------------------------------------------------------------------
 
     @property
+    def views(self) -> dict[str, DocumentView]:
+        """Those of the current group, by file."""
+        return self.sides.current.views
+
+    @property
+    def current_file(self) -> str | None:
+        """What the current group shows."""
+        return self.sides.current.current_file
+
+    @property
     def current_view(self) -> DocumentView | None:
-        return self.views.get(self.current_file or "")
+        return self.sides.current.current_view
 
     @property
     def beside(self) -> ScreenBeside | None:
@@ -425,19 +441,20 @@ class MainWindow(Frame):
         project = self.session.project
         assert project is not None
         self.project_tree.show_project(project, self.session.files)
-        for file in self.tabs.files():
-            if self.session.document(file) is None:
-                self.close_file(file)
+        for group in reversed(self.sides.groups):
+            self.sides.enter(group)
+            for file in group.tabs.files():
+                if self.session.document(file) is None:
+                    self.close_file(file)
         if self.current_file is not None and self.current_document is None:
             self.parts.leave()
         self.project_tree.show_current(self.current_file)
 
     def _on_changed(self, file: str) -> None:
         document = self.session.document(file)
-        view = self.views.get(file)
         if document is None:
             return
-        if view is not None:
+        for view in self.sides.views_of(file):
             view.selected = tuple(p for p in view.selected if places.get(document, p) is not None)
             view.show_document(document, self._problems_of(file))
         if file == self.current_file:
@@ -445,7 +462,10 @@ class MainWindow(Frame):
         self._refresh_tree()
 
     def _on_undone(self, file: str, selected: tuple[Place, ...], looking: Looking | None) -> None:
-        if file != self.current_file:
+        other = self.sides.other
+        if other is not None and file == other.current_file and file != self.current_file:
+            self.sides.enter(other)
+        elif file != self.current_file:
             self.open_file(file)
         view = self.current_view
         document = self.current_document
@@ -524,10 +544,10 @@ class MainWindow(Frame):
 
     def _on_problems(self) -> None:
         self._settle_problems()
-        for file, view in self.views.items():
-            document = self.session.document(file)
-            if document is not None and view.problems != self._problems_of(file):
-                view.show_document(document, self._problems_of(file))
+        for view in self.sides.views():
+            document, found = self.session.document(view.file), self._problems_of(view.file)
+            if document is not None and view.problems != found:
+                view.show_document(document, found)
         self._refresh_tree()
         self._settle_outline()
         self._settle_selection()
@@ -604,7 +624,8 @@ class MainWindow(Frame):
             marks = tuple(m for m in ("error", "warning") if m in found)[:1]
             part = self.parts.is_part(file)
             self.project_tree.show_document(file, document, part, file in dirty, marks)
-        self.tabs.show_unsaved(dirty)
+        for group in self.sides.groups:
+            group.tabs.show_unsaved(dirty)
 
     def _settle_title(self) -> None:
         project = self.session.project
@@ -619,7 +640,7 @@ class MainWindow(Frame):
         super().set_theme(theme)
         self.robot.set_theme(theme)
         self.finding.set_theme(theme)
-        for view in self.views.values():
+        for view in self.sides.views():
             view.set_theme(theme)
         self._settle_selection()
 

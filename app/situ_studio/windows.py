@@ -22,7 +22,7 @@ ASIDE = QPoint(32, 32)
 """How far a new window lies from where the last one was."""
 
 
-class Open(Struct, frozen=True):
+class Kept(Struct, frozen=True):
     """One window with a project, as the settings keep it for the next start."""
 
     root: str
@@ -164,7 +164,7 @@ class Windows(QObject):
         if self._quitting:
             return
         every = [
-            Open(
+            Kept(
                 str(window.session.root.resolve()),
                 bytes(window.saveGeometry().toBase64().data()).decode(),
                 showing(window),
@@ -178,7 +178,7 @@ class Windows(QObject):
         """Opens and shows what was open at the end, the first window of it; None where nothing
         was, or nothing of it is there any more."""
         try:
-            every = msgspec.json.decode(str(self._settings.value("open", "[]")), type=list[Open])
+            every = msgspec.json.decode(str(self._settings.value("open", "[]")), type=list[Kept])
         except msgspec.MsgspecError:
             return None
         missing = []
