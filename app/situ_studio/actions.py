@@ -248,7 +248,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="duplicate",
         shortcut="Ctrl+D",
         menu="Edit",
-        when="can_copy",
+        when="can_duplicate",
         contexts="state states component",
     ),
     _c(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtWidgets import QApplication
 
@@ -76,14 +76,27 @@ class Commands(FileCommands):
         return self._window.finding.can_rename()
 
     def can_copy(self) -> bool:
-        """States, notes and frames, or components of a screen."""
+        """States, notes and frames, components of a screen, or cells of the matrix."""
+        return self.can_duplicate() or self.cells is not None
+
+    def can_duplicate(self) -> bool:
         return self.has_selection() and self.is_application()
 
     def can_order(self) -> bool:
         return bool(self.components.chosen)
 
     def can_paste(self) -> bool:
-        return self.is_application()
+        return self.is_application() or self.cells is not None
+
+    @property
+    def cells(self) -> Any:
+        """The matrix of a script, where it is what somebody works in; None elsewhere."""
+        view, focus = self._window.current_view, QApplication.focusWidget()
+        matrix = view.piece("matrix") if view is not None else None
+        if view is None or matrix is None or not matrix.isVisible():
+            return None
+        within = focus is not None and matrix.isAncestorOf(focus)
+        return matrix if within or view.mode == "matrix" else None
 
     def can_align(self) -> bool:
         return self._components() > 0 or self.has_two_cards()
@@ -184,11 +197,15 @@ class Commands(FileCommands):
     def copy(self) -> None:
         if self.components.chosen:
             self.components.copy()
+        elif self.cells is not None:
+            self.cells.copy()
         else:
             self.on_view("copy")
 
     def cut(self) -> None:
-        if not self.components.chosen:
+        if self.cells is not None and not self._in_form():
+            self.cells.cut()
+        elif not self.components.chosen:
             self._unless_in_form("cut")
         elif not self._in_form():
             self.components.cut()
@@ -201,6 +218,9 @@ class Commands(FileCommands):
 
     def paste(self) -> None:
         """Says too what the pasted states need and this project does not have."""
+        if self.cells is not None:
+            self.cells.paste()
+            return
         if self.components.can_paste:
             self.components.paste()
             return
