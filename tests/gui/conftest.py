@@ -112,6 +112,9 @@ class Answers:
     def picture_file(self, usual: str) -> Any:
         return self._take("picture_file")
 
+    def media_file(self, endings: tuple[str, ...]) -> Any:
+        return self._take("media_file")
+
     def export(self, name: str, areas: Any) -> Any:
         """What was put in: what of the drawing, and the scale."""
         what, scale = self._take("export")

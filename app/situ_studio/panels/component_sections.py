@@ -31,6 +31,7 @@ class ComponentSection(QWidget):
 
     def __init__(self, section: Section, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.section = section
         self.theme = theme
         self.subject: Subject | None = None
         column = QVBoxLayout(self)

@@ -135,6 +135,13 @@ class Form(QWidget):
                 return section
         raise LookupError(attribute)
 
+    def told(self, editor: str) -> ComponentSection:
+        """What is told of a component under that editor's name; LookupError where it is not."""
+        for told in self._told:
+            if told.section.editor == editor:
+                return told
+        raise LookupError(editor)
+
     # -- building ----------------------------------------------------------------
 
     def _empty(self, field: Field) -> str:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QPointF, Qt, Signal
-from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent
+from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent, QPainter, QPaintEvent
 
+from situ.document import rbd
+from situ_studio.screens import placing
 from situ_studio.screens.media_import import kind_of
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.tag_chips import TAG
+from situ_studio.theme import CAPTION, font
 
 
 class DesignerSheet(Sheet):
@@ -54,6 +57,36 @@ class DesignerSheet(Sheet):
             self.files_dropped.emit(shown, *at)
         else:
             self.unshown_dropped.emit(str(files[0]))
+
+    # -- what is not there ---------------------------------------------------------------
+
+    def missing(self) -> dict[str, str]:
+        """The pictures and movies of the screen whose files are not there: id to file."""
+        found = {}
+        for one in self.components:
+            src = one.src if isinstance(one, rbd.Image | rbd.Movie) else ""
+            if src and "{" not in src and "://" not in src and not self._is_there(src):
+                found[one.id] = src
+        return found
+
+    def _is_there(self, src: str) -> bool:
+        return self._media is not None and (self._media / src).is_file()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        missing = self.missing()
+        if not missing:
+            return
+        painter = QPainter(self)
+        painter.setFont(font(CAPTION, 500))
+        painter.setPen(self._theme.color("error" if self._theme.name == "light" else "error_soft"))
+        for one in self.components:
+            if one.id in missing:
+                area = self.area(placing.box_of(one)).adjusted(4, 4, -4, -4)
+                said = self.tr("{0} is not there").format(missing[one.id])
+                below = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
+                painter.drawText(area, int(below) | int(Qt.TextFlag.TextWrapAnywhere), said)
+        painter.end()
 
     def _percent(self, at: QPointF) -> tuple[float, float]:
         return at.x() / self.width() * 100, at.y() / self.height() * 100

@@ -31,7 +31,7 @@ class DesignerSide(OverScroll):
         page = QWidget()
         page.setProperty("role", "panel")
         self._column = QVBoxLayout(page)
-        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setContentsMargins(0, 0, 4, 0)
         self._column.setSpacing(0)
         self.components = ComponentTiles(theme)
         self._section(self.tr("Components"), self.tr("drag onto the screen"), self.components)

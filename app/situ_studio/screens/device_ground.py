@@ -12,6 +12,8 @@ from situ_studio.theme import Theme
 
 AROUND, ABOVE = 24, 36
 """Px of ground beside and below the frame, and above it, where the names stand."""
+MOST = 1.5
+"""Px of the window for one of the device."""
 STEP = 16
 """Px between two dots of the ground."""
 BEZEL = "#2B313C"
@@ -19,7 +21,7 @@ BEZEL = "#2B313C"
 
 
 class DeviceGround(QWidget):
-    """Holds the sheet: as large as there is room, no larger than the device's own px."""
+    """Holds the sheet: as large as there is room, at most ``MOST`` of the device's own px."""
 
     pressed = Signal()
     """The ground beside the device was clicked."""
@@ -60,7 +62,7 @@ class DeviceGround(QWidget):
         room_wide, room_high = self.width() - 2 * AROUND, self.height() - AROUND - ABOVE
         # The frame takes its share of the room too.
         scale = min(room_wide / self._device.wide, room_high / self._device.high) * 0.962
-        wide = max(80, min(round(self._device.wide * scale), self._device.wide))
+        wide = max(80, round(self._device.wide * min(scale, MOST)))
         high = wide * self._device.high // self._device.wide
         left = (self.width() - wide) // 2
         top = ABOVE + max(0, (room_high - high) // 2)

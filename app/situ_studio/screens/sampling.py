@@ -90,11 +90,16 @@ class Sampling(QObject):
     def _tell(self) -> None:
         values = self._values()
         said = [
-            f"{name} = {in_text(value)}"
+            f"{name} = {self._said(value)}"
             for name in self._names
             if (value := samples.value_of(values, name)) is not None
         ]
         self._bar.show_samples(said[0] if said and self._used else "")
+
+    def _said(self, value: Any) -> str:
+        if isinstance(value, list):
+            return self.tr("{0} entries").format(len(value))
+        return in_text(value)
 
     def _on_picked(self, name: str, value: object) -> None:
         if value is None:

@@ -155,8 +155,10 @@ class StateStrip(QListView):
         row = every.index(place) if place in every else -1
         index = self._states.index(row) if row >= 0 else QModelIndex()
         self.setCurrentIndex(index)
-        if index.isValid():
-            self.scrollTo(index, QListView.ScrollHint.EnsureVisible)
+        # Its neighbours are seen too: there it goes on.
+        for near in (row + 1, row - 1, row):
+            if 0 <= near < len(every):
+                self.scrollTo(self._states.index(near), QListView.ScrollHint.EnsureVisible)
 
     def place_at(self, index: AnyIndex) -> Place:
         return self._states.places[index.row()]
