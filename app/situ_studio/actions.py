@@ -993,6 +993,8 @@ SUBMENU_ICONS = {
     "View/Language": "language",
     "Arrange/Align": "align_left",
     "Arrange/Order": "layers",
+    "Insert/Situation": "situation",
+    "Insert/Tests": "condition",
     "Insert": "plus",
 }
 """Of submenus, and of a menu that is one in a context menu."""
@@ -1004,5 +1006,3 @@ def command(id: str) -> Command:
         if one.id == id:
             return one
     raise KeyError(id)
-    "Insert/Situation": "situation",
-    "Insert/Tests": "condition",

@@ -82,6 +82,12 @@ class Group(QWidget):
         """Nothing is open in it."""
         for file in list(self.views):
             self.drop_view(file)
+        while self.documents.count() > 1:
+            # A page is the window's, and only shown here.
+            page = self.documents.widget(1)
+            self.documents.removeWidget(page)
+            page.setParent(self.window())
+            page.hide()
         self.tabs.clear()
         self.ways.clear()
         self.waiting.clear()
