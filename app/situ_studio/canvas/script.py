@@ -9,10 +9,8 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QResizeEvent, Qt
 from PySide6.QtWidgets import QWidget
 
-from situ.document.condition import Group
 from situ.document.problem import Problem
 from situ.document.spds import Spds
-from situ_studio import places
 from situ_studio.canvas import headings, script_piping, script_spoken, spoken
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.base import BAR, READABLE
@@ -26,11 +24,10 @@ from situ_studio.canvas.script_laws import Laws
 from situ_studio.canvas.script_nodes import ScriptItem
 from situ_studio.canvas.script_priorities import Priorities
 from situ_studio.canvas.script_projection import picture
+from situ_studio.canvas.script_rows import Shapes
 from situ_studio.edit import Place
 from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
-
-_CONDITIONS = (("condition",), ("until",))
 
 
 class ScriptCanvas(ScriptCommands):
@@ -40,11 +37,13 @@ class ScriptCanvas(ScriptCommands):
         super().__init__(theme, parent)
         self.document = Spds(name="")
         self._picture = ScriptPicture({}, {}, {})
+        self._shapes = Shapes()
         self._laws = Laws()
         self.priorities = Priorities(self, self._prioritise, self.status.emit)
         self.menu = self.test_editor = self.seconds_editor = None
         self._drop: tuple[Any, Any, QPointF] | None = None
         self._why_not: tuple[ScriptNode, ScriptNode] | None = None
+        self._fresh: list[tuple[str, ...]] = []
         self._on_way: set[tuple[str, ...]] = set()
         self._groups: tuple[Place, ...] = ()
         self._lines: tuple[Place, ...] = ()
@@ -71,22 +70,20 @@ class ScriptCanvas(ScriptCommands):
 
     def render_document(self) -> None:
         old = self._picture
-        new = self._picture = picture(self.document, self._problems)
+        new = self._picture = picture(self.document, self._problems, self._shapes)
         # What did not change keeps its identity, so that it is not built again.
         for key, node in new.cards.items():
             if old.cards.get(key) == node:
                 new.cards[key] = old.cards[key]
-        fresh = []
+        self._fresh = []
         for id, link in new.links.items():
             if old.links.get(id) == link:
                 new.links[id] = old.links[id]
             else:
-                fresh.append(id)
+                self._fresh.append(id)
         for id in old.links.keys() - new.links.keys():
             self.priorities.forget(id)
         self._show(new.cards, new.links)
-        if len(new.links) > self.few:
-            self._curve(fresh)
         self._on_chosen()
         self._follow_test()
 
@@ -96,7 +93,8 @@ class ScriptCanvas(ScriptCommands):
             self._curve(self.graph.links)
         else:
             links = (id for key in moved for id in self.graph.links_at(key))
-            self._curve(dict.fromkeys(links))
+            self._curve(dict.fromkeys((*self._fresh, *links)))
+        self._fresh = []
         self._show_taken_over()
 
     def _curve(self, ids: Iterable[tuple[str, ...]]) -> None:
@@ -340,6 +338,8 @@ class ScriptCanvas(ScriptCommands):
             self.priorities.override(over)
             return
         several = bool(self.viewer.held & Qt.KeyboardModifier.ControlModifier)
+        if item is None and self._groups and not several:
+            self.clear_selection()
         if isinstance(item, ScriptItem) and item.face.kind == "condition":
             self._on_row(item, item.mapFromScene(spot), several)
             return
@@ -389,74 +389,7 @@ class ScriptCanvas(ScriptCommands):
         else:
             self.edit_name(card.uid)
 
-    # -- selection ----------------------------------------------------------------------------
-
-    def selection(self) -> tuple[Place, ...]:
-        """Groups of tests too, to which no pipe leads."""
-        groups = (g for g in self._groups if places.get(self.document, g) is not None)
-        return (*super().selection(), *groups)
-
-    def select(self, chosen: Iterable[Place]) -> None:
-        every = list(chosen)
-        self._groups = tuple(p for p in every if self._is_group(p))
-        self._choosing = True
-        try:
-            super().select(p for p in every if p not in self._groups)
-        finally:
-            self._choosing = False
-        self._lines = tuple(p for p in self.selection() if p[2:3] in _CONDITIONS and len(p) > 3)
-
-    def clear_selection(self) -> None:
-        self._groups = ()
-        super().clear_selection()
-        self._on_selection()
-
-    def _show(self, cards: dict[str, Any], links: dict[tuple[str, ...], Any]) -> None:
-        self._choosing = True
-        try:
-            super()._show(cards, links)
-        finally:
-            self._choosing = False
-
-    def _on_selection(self) -> None:
-        if not self._quiet and not self._choosing:
-            # A hand chose something else.
-            self._groups = ()
-            if any(self._picture.cards[key].kind != "condition" for key in self.selected_uids()):
-                self._lines = ()
-        super()._on_selection()
-
-    def _is_group(self, place: Place) -> bool:
-        if place[2:3] not in _CONDITIONS or len(place) < 4:
-            return False
-        return isinstance(places.get(self.document, place), Group)
-
     # -- for screen readers -------------------------------------------------------------------
 
     def spoken(self, uid: str) -> spoken.Spoken:
         return script_spoken.node(self.document, self._picture, self._picture.cards[uid])
-
-    # -- places ----------------------------------------------------------------------------------
-
-    def _place(self, uid: str, exit: str | None = None) -> Place:
-        place = self._picture.cards[uid].place
-        row = next((r for r in self._picture.cards[uid].rows if r.path == exit), None)
-        return (*place, *row.tail) if row is not None else place
-
-    def link_place(self, id: tuple[str, ...]) -> Place:
-        link = self._picture.links.get(id)
-        if link is None:
-            return ()
-        return link.place or self._picture.cards[link.target].place
-
-    def _find(self, place: Place) -> tuple[str | None, str | None]:
-        for end in range(len(place), 0, -1):
-            found = self._picture.uids.get(place[:end])
-            if found is not None:
-                rest = place[end:]
-                node = self._picture.cards[found]
-                if node.kind == "condition":
-                    row = next((r for r in node.rows if r.tail == rest), None)
-                    return found, row.path if row is not None else None
-                return found, ("out" if rest else None)
-        return None, None

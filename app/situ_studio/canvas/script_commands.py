@@ -2,255 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
-
-from PySide6.QtCore import QPointF, QRect, QRectF
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QKeyEvent, Qt
 
 from situ.document.condition import Group, GroupName, Test
-from situ.document.datatypes import write_number
-from situ.document.spds import Spds
 from situ_studio import places
 from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas import script_piping as piping
-from situ_studio.canvas.base import Canvas
-from situ_studio.canvas.curves import CurvedPipe
 from situ_studio.canvas.gestures import Follow
-from situ_studio.canvas.menu import FollowMenu
-from situ_studio.canvas.overlay import InPlace, priority_editor
-from situ_studio.canvas.script_faces import LINE, STRIP, ScriptNode, ScriptPicture
-from situ_studio.canvas.script_laws import Laws
-from situ_studio.canvas.script_priorities import Priorities
+from situ_studio.canvas.script_asking import ScriptAsking
 from situ_studio.canvas.test_editor import TestEditor
 from situ_studio.edit import Place
-from situ_studio.kinds import GROUPS, TYPES
+from situ_studio.kinds import GROUPS
 from situ_studio.language import translated
 
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2)
 
 
-class ScriptCommands(Canvas):
-    """Knows the script as a picture; how it is drawn and dragged is ``ScriptCanvas``'s."""
+class ScriptCommands(ScriptAsking):
+    """Changes what is selected."""
 
-    document: Spds
-    _picture: ScriptPicture
-    _laws: Laws
-    priorities: Priorities
-    menu: FollowMenu | None
     test_editor: TestEditor | None
-    seconds_editor: InPlace | None
-
-    def _edit(self, after: Spds, text: str, then: Place = ()) -> bool:
-        """One step, unless it breaks a law; then: what is selected after it."""
-        if not text:
-            return False
-        breach = self._laws.breach(self.document, after)
-        if breach:
-            self.status.emit(breach)
-            return False
-        self.edited.emit(after, text)
-        if then:
-            self.select([then])
-        return True
-
-    # -- what is selected ------------------------------------------------------------------
-
-    def _one_node(self) -> ScriptNode | None:
-        """The node that is selected, or the one in which what is selected stands."""
-        chosen = self.selection()
-        found = self._find(chosen[0])[0] if len(chosen) == 1 else None
-        return self._picture.cards.get(found) if found is not None else None
-
-    def _one_situation(self) -> str:
-        """The name of the situation that is selected, or of which something is; "" for none."""
-        chosen = self.selection()
-        named = {place[1] for place in chosen if place[0] == "situation"}
-        if len(named) == 1 and all(place[0] == "situation" for place in chosen):
-            return named.pop()
-        self.status.emit(self.tr("Select one situation"))
-        return ""
-
-    def _tests(self) -> list[Place]:
-        """Tests and groups that are selected; where a whole condition is, all that is in it."""
-        found: list[Place] = []
-        for place in self.selection():
-            value = places.get(self.document, place)
-            if isinstance(value, Test | Group):
-                found.append(place)
-        return found
-
-    def _stops(self, node: ScriptNode) -> list[Place]:
-        """What can be selected of a node, from top to bottom."""
-        if node.kind == "condition":
-            return [(*node.place, *row.tail) for row in node.rows]
-        ends = (
-            link.target if node.kind == "resource" else link.source
-            for link in self._picture.links.values()
-        )
-        every = zip(self._picture.links.values(), ends, strict=True)
-        return [link.place for link, end in every if end == node.uid and link.place]
-
-    def next_exit(self) -> None:
-        """From pipe to pipe of the selected node, and from line to line of a condition."""
-        self._step_exit(1)
-
-    def previous_exit(self) -> None:
-        self._step_exit(-1)
-
-    def _step_exit(self, by: int) -> None:
-        node = self._one_node()
-        stops = self._stops(node) if node is not None else []
-        if not stops or node is None:
-            self.status.emit(self.tr("Select something from which a pipe leads"))
-            return
-        now = self.selection()[0]
-        first = 0 if by > 0 else len(stops) - 1
-        self.select([stops[(stops.index(now) + by) % len(stops) if now in stops else first]])
-        self.bring_into_view([node.place])
-
-    # -- asking ----------------------------------------------------------------------------
-
-    def ask(
-        self,
-        choices: Sequence[Follow],
-        asked: str,
-        then: Callable[[str], None],
-        at: QPointF,
-        new: tuple[str, str, str] | None = None,
-    ) -> None:
-        """A menu over the drawing. new: key, words and icon of what is called as is typed."""
-        menu = FollowMenu(choices, self.look.theme, self, asked)
-        menu.chosen.connect(then)
-        if new is not None:
-            key, words, icon = new
-            menu.offer_name(words, icon)
-            menu.named.connect(lambda name: then(f"{key} {name}"))
-        menu.closed.connect(self._menu_closed)
-        self.menu = menu
-        menu.popup(self.viewer.viewport().mapToGlobal(self.viewer.mapFromScene(at)))
-
-    def _menu_closed(self) -> None:
-        self.menu = None
-        self.viewer.setFocus()
-
-    def ask_where_to(self) -> None:
-        """Asks what the selected node shall lead to."""
-        node = self._one_node()
-        if node is None or not piping.choices(self.document, node):
-            self.status.emit(self.tr("Select data, a situation or a module"))
-            return
-        self.viewer.reveal(self.card_area(node.uid))
-        self._ask_from(node, self.port_at(node.uid, "out"))
-
-    def _ask_from(self, node: ScriptNode, at: QPointF, index: int | None = None) -> None:
-        """index: which place among the situations a new one gets."""
-        words = piping.new_words(node.kind)
-        icon = {"data": "situation", "situation": "module"}.get(node.kind, "resource")
-        self.ask(
-            piping.choices(self.document, node),
-            self.tr("What does it lead to?"),
-            lambda key: self._follow(node.uid, key, index),
-            at,
-            (piping.NEW[node.kind], words, icon) if words else None,
-        )
-
-    def _follow(self, key: str, chosen: str, index: int | None) -> None:
-        node = self._picture.cards.get(key)
-        if node is not None:
-            after, text, then = piping.follow(self.document, node, chosen, index)
-            self._edit(after, text, then)
-
-    # -- situations -------------------------------------------------------------------------
-
-    def ask_extends(self) -> None:
-        """From which situation the selected one takes over."""
-        name = self._one_situation()
-        if name:
-            choices = piping.extensions(self.document, name)
-            if not choices:
-                self.status.emit(self.tr("There is no other situation to take over from"))
-                return
-            node = self._picture.cards[self._picture.uids["situation", name]]
-            self.ask(
-                choices,
-                self.tr("Take over from which?"),
-                lambda key: self._follow(node.uid, key, None),
-                self._below(node.uid),
-            )
-
-    def ask_until(self) -> None:
-        """Which data shall end the selected situation."""
-        self._ask_data("until", self.tr("Until what?"))
-
-    def ask_condition(self) -> None:
-        """At which data the selected situation shall look."""
-        self._ask_data("condition", self.tr("When what?"))
-
-    def _ask_data(self, word: str, asked: str) -> None:
-        name = self._one_situation()
-        tags = [c for c in self._picture.cards.values() if c.kind == "data"]
-        if name and not tags:
-            self.status.emit(self.tr("There is no data yet: add some first"))
-        elif name:
-            key = self._picture.uids["situation", name]
-            self.ask(
-                [Follow(f"{word} {c.name}", c.name, "data", c.detail) for c in tags],
-                asked,
-                lambda chosen: self._observe(("situation", name, word), chosen),
-                self._below(key),
-            )
-
-    def _observe(self, place: Place, chosen: str) -> None:
-        after, text = conditions.observe(self.document, chosen.partition(" ")[2], place)
-        latest = conditions.latest(after, place)
-        if self._edit(after, text, latest):
-            self.edit_test(latest)
-
-    def edit_dwell(self) -> None:
-        """How long the selected situation stays at least."""
-        self._edit_seconds("dwell", self.tr("Stays at least, in seconds"))
-
-    def edit_limit(self) -> None:
-        """When the selected situation ends at the latest."""
-        self._edit_seconds("limit", self.tr("Ends after, in seconds"))
-
-    def _edit_seconds(self, which: str, asked: str) -> None:
-        name = self._one_situation()
-        if not name:
-            return
-        key = self._picture.uids["situation", name]
-        now = getattr(self.document.situation(name), which)
-        self.viewer.reveal(self.card_area(key))
-        text = write_number(now) if now is not None else ""
-        editor = priority_editor((name, which), text, self.look, self.viewer.viewport())
-        editor.setAccessibleName(asked)
-        editor.setPlaceholderText(asked)
-        editor.finished.connect(self._on_seconds)
-        self.seconds_editor = editor
-        area = self.viewer.mapFromScene(self.card_area(key)).boundingRect()
-        editor.open_at(QRect(area.left(), area.bottom() - 12, max(area.width(), 190), 26))
-
-    def _on_seconds(self, key: tuple[str, str], text: str | None, _: int) -> None:
-        self.seconds_editor = None
-        self.viewer.setFocus()
-        if text is None:
-            return
-        text = text.strip().removesuffix("s").strip().replace(",", ".")
-        try:
-            seconds = float(text) if text else None
-        except ValueError:
-            seconds = 0.0
-        if seconds is not None and not 0 < seconds < float("inf"):
-            self.status.emit(self.tr("Write seconds above 0, or nothing, not {0}").format(text))
-            return
-        name, which = key
-        self._edit(*gestures.set_seconds(self.document, name, which, seconds))
-
-    def _below(self, key: str) -> QPointF:
-        area = self.card_area(key)
-        return QPointF(area.left() + STRIP, area.bottom() + 4)
 
     # -- conditions -------------------------------------------------------------------------
 
@@ -295,16 +68,6 @@ class ScriptCommands(Canvas):
             editor.settle_at(self.viewer.mapFromScene(row).boundingRect())
         else:
             editor.close_editor()
-
-    def row_area(self, place: Place) -> QRectF | None:
-        """Where the line of a test or a group is, in the scene."""
-        key = self._picture.uids.get(place[:3])
-        node = self._picture.cards.get(key) if key is not None else None
-        for index, row in enumerate(node.rows if node is not None else ()):
-            if row.tail == place[3:] and node is not None:
-                top = node.y + node.line_at(index) - LINE / 2
-                return QRectF(node.x + STRIP, top, node.width - STRIP, LINE)
-        return None
 
     def ask_joint(self, place: Place = ()) -> None:
         """Whether all, any or none of what is in a condition or a group shall hold."""
@@ -354,56 +117,8 @@ class ScriptCommands(Canvas):
 
     # -- priorities -------------------------------------------------------------------------
 
-    def ask_priority(self) -> None:
-        """Which module's priority in the selected situation is to be typed, one taken over too."""
-        name = self._one_situation()
-        situation = self.document.situation(name)
-        if situation is None:
-            return
-        every = self.document.priorities(situation)
-        own = {entry.module: entry.priority for entry in situation.entries}
-        choices = []
-        for module in (c.name for c in self._picture.cards.values() if c.kind == "module"):
-            said = module
-            if module in own:
-                number = own[module]
-                said = f"{module}  {self.tr('none') if number is None else number}"
-            elif module in every:
-                said = self.tr("{0}  {1}, taken over").format(module, every[module])
-            choices.append(Follow(f"module {module}", said, "module"))
-        key = self._picture.uids["situation", name]
-        new = ("+module", piping.new_words("situation"), "module")
-        asked = self.tr("Which module's priority?")
-        self.ask(choices, asked, lambda one: self._begin_priority(name, one), self._below(key), new)
-
-    def _begin_priority(self, situation: str, chosen: str) -> None:
-        word, _, module = chosen.partition(" ")
-        over = next((o for o in self.priorities.taken_over if o.value.module == module), None)
-        if word == "module" and over is not None and over.value.situation == situation:
-            self.priorities.override(over)
-            return
-        if self._entry(situation, module) is None:
-            self._follow(self._picture.uids["situation", situation], chosen, None)
-        place = self._entry(situation, module)
-        if place is not None:
-            self.select([place])
-            pipes = self._selected_priorities()
-            if pipes:
-                self.priorities.edit(pipes[0])
-
-    def _entry(self, situation: str, module: str) -> Place | None:
-        found = self.document.situation(situation)
-        every = enumerate(found.entries if found is not None else ())
-        index = next((i for i, e in every if e.module == module), None)
-        return ("situation", situation, "entry", str(index)) if index is not None else None
-
     def _prioritise(self, situation: str, module: str, priority: int | None) -> None:
         self._edit(*gestures.prioritise(self.document, situation, module, priority))
-
-    def _selected_priorities(self) -> list[CurvedPipe]:
-        if self.selected_uids():
-            return []
-        return [p for p in self.viewer.selected_pipes() if p.link.kind == "priority"]
 
     def take_priority_away(self) -> None:
         """Of the selected priority: none in this situation, whatever it takes over."""
@@ -412,26 +127,6 @@ class ScriptCommands(Canvas):
             self._prioritise(node.name, self._picture.cards[pipe.link.target].name, None)
             return
         self.status.emit(self.tr("Select a priority"))
-
-    # -- data ------------------------------------------------------------------------------
-
-    def ask_type(self) -> None:
-        """Of which type the selected data is."""
-        node = self._one_node()
-        if node is None or node.kind != "data":
-            self.status.emit(self.tr("Select data"))
-            return
-        types = (*TYPES, ("any", self.tr("any value")))
-        self.ask(
-            [Follow(f"type {kind}", translated(words), "data") for kind, words in types],
-            self.tr("What kind of value?"),
-            lambda chosen: self._set_type(node.name, chosen.partition(" ")[2]),
-            self._below(node.uid),
-        )
-
-    def _set_type(self, tag: str, kind: str) -> None:
-        kinds: Any = None if kind == "any" else kind
-        self._edit(*gestures.change_data(self.document, tag, type=kinds))
 
     # -- adding, connecting, moving -----------------------------------------------------------
 
@@ -512,6 +207,3 @@ class ScriptCommands(Canvas):
             self.rename()
             return True
         return super()._key(event)
-
-    def port_at(self, key: str, port: str) -> QPointF:
-        raise NotImplementedError

@@ -13,10 +13,11 @@ from PySide6.QtCore import QRectF
 
 from situ.document.spds import Situation
 from situ_studio.canvas.script_faces import LINE, PITCH, TALL, TOP
-from situ_studio.canvas.script_rows import joint, rows
+from situ_studio.canvas.script_rows import Shape, Shapes
 
 GAP = 20.0
 """Between one row of situations and the next."""
+GRID = 4.0
 BETWEEN = 10.0
 """Between a situation's condition and what ends it."""
 
@@ -26,20 +27,19 @@ class Tier:
 
     __slots__ = ("condition", "height", "situation", "top", "until")
 
-    def __init__(self, situation: Situation, top: float) -> None:
+    def __init__(self, situation: Situation, first: Shape, second: Shape, top: float) -> None:
         self.top = top
-        first, second = rows(situation.condition), rows(situation.until)
         card = situation_height(situation)
-        high = condition_height(len(first)) if first else 0.0
-        low = condition_height(len(second)) if second else 0.0
+        high = condition_height(len(first.rows)) if first.rows else 0.0
+        low = condition_height(len(second.rows)) if second.rows else 0.0
         # Its strip says that it ends the situation, and what joins its lines.
-        low += 8.0 if joint(situation.until) else 0.0
-        beside = max(high, card) if first or not second else max(low, card)
+        low += 8.0 if second.joint else 0.0
+        beside = max(high, card) if high or not low else max(low, card)
         self.condition = (top + (beside - high) / 2, high)
         self.situation = (top + (beside - card) / 2, card)
-        self.until = (top + (beside + BETWEEN if first else (beside - low) / 2), low)
+        self.until = (top + (beside + BETWEEN if high else (beside - low) / 2), low)
         bottom = max(self.condition[0] + high, self.situation[0] + card)
-        if second:
+        if low:
             bottom = max(bottom, self.until[0] + low)
         self.height = max(bottom - top + GAP, PITCH)
 
@@ -56,11 +56,11 @@ def condition_height(lines: int) -> float:
     return max(TALL, 16 + LINE * lines)
 
 
-def tiers(situations: Iterable[Situation]) -> list[Tier]:
+def tiers(situations: Iterable[Situation], shapes: Shapes) -> list[Tier]:
     made: list[Tier] = []
     top = TOP
     for situation in situations:
-        tier = Tier(situation, top)
+        tier = Tier(situation, shapes.of(situation.condition), shapes.of(situation.until), top)
         made.append(tier)
         top += tier.height
     return made
@@ -82,8 +82,9 @@ def spread(
             mean = (before * count + (at - pitch * count) * more) / (count + more)
             at, names = max(mean, TOP), others + names
         blocks.append((at, names))
-    if in_rows:
-        blocks = [(TOP + round((at - TOP) / pitch) * pitch, names) for at, names in blocks]
+    # Not to the px: where one thing moves a little, the others stay.
+    step = pitch if in_rows else GRID
+    blocks = [(TOP + round((at - TOP) / step) * step, names) for at, names in blocks]
     return {name: at + pitch * i for at, names in blocks for i, name in enumerate(names)}
 
 

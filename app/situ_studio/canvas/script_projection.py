@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from situ.document import words
-from situ.document.condition import Condition, Test
+from situ.document.condition import Condition
 from situ.document.problem import Problem
 from situ.document.spds import Observed, Situation, Spds
 from situ_studio import kinds
@@ -29,7 +29,7 @@ from situ_studio.canvas.script_faces import (
     uid,
 )
 from situ_studio.canvas.script_layout import Tier, spread, tiers
-from situ_studio.canvas.script_rows import joint, rows, tests, whole_group
+from situ_studio.canvas.script_rows import Shapes
 from situ_studio.edit import Place
 from situ_studio.language import say, tr, translated
 
@@ -37,9 +37,16 @@ LAST = 1e6
 """Below all others."""
 
 
-def picture(script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:
-    """Nodes and pipes of the whole script, the nodes in the order of reading."""
-    return _Drawing(script, _marks(problems)).picture()
+def picture(
+    script: Spds, problems: Sequence[Problem] = (), shapes: Shapes | None = None
+) -> ScriptPicture:
+    """Nodes and pipes of the whole script, the nodes in the order of reading.
+
+    shapes: what is known of the conditions of the value before.
+    """
+    shapes = shapes if shapes is not None else Shapes()
+    shapes.begin()
+    return _Drawing(script, _marks(problems), shapes).picture()
 
 
 def named(values: Iterable[str]) -> Iterator[tuple[str, str]]:
@@ -88,8 +95,9 @@ def inherited(script: Spds, situation: Situation, key: str) -> list[Inherited]:
 class _Drawing:
     """One script while it becomes a picture."""
 
-    def __init__(self, script: Spds, marks: Mapping[Place, Mark]) -> None:
+    def __init__(self, script: Spds, marks: Mapping[Place, Mark], shapes: Shapes) -> None:
         self._script = script
+        self._shapes = shapes
         self._marks = marks
         self._observed = {o.tag: o for o in script.observe}
         self._cards: dict[str, ScriptNode] = {}
@@ -99,9 +107,12 @@ class _Drawing:
         self._asked_by: dict[str, list[float]] = {}
 
     def picture(self) -> ScriptPicture:
-        every = list(zip(keyed(self._script), tiers(self._script.situations), strict=True))
+        every = list(
+            zip(keyed(self._script), tiers(self._script.situations, self._shapes), strict=True)
+        )
         for (situation, _), tier in every:
-            for index, (test, _) in enumerate(_looked_at(situation)):
+            first, second = (self._shapes.of(c) for c in (situation.condition, situation.until))
+            for index, (test, _) in enumerate((*first.tests, *second.tests)):
                 at = tier.top + index
                 self._used_by.setdefault(datum(test.tag, self._observed), []).append(at)
             for entry in situation.entries:
@@ -159,8 +170,8 @@ class _Drawing:
         tier: Tier,
         until: bool = False,
     ) -> None:
-        lines = rows(condition)
-        if condition is None or not lines:
+        shape = self._shapes.of(condition)
+        if not shape.rows:
             return
         word = "until" if until else "condition"
         place: Place = ("situation", situation.name, word)
@@ -174,16 +185,16 @@ class _Drawing:
                 x=LEFT["condition"],
                 y=top,
                 height=height,
-                rows=lines,
-                joint=joint(condition),
-                joined=(*place, "0") if whole_group(condition) is not None else (),
+                rows=shape.rows,
+                joint=shape.joint,
+                joined=(*place, "0") if shape.whole else (),
                 until=until,
                 mark=self._marks.get(place, ""),
             )
         )
         goal = uid("situation", key)
         self._link(ScriptLink(uid(word, key), OUT, goal, UNTIL if until else IN, "holds"))
-        for test, rest in tests(condition):
+        for test, rest in shape.tests:
             source = uid("data", datum(test.tag, self._observed))
             entry = "/".join(rest)
             where = (*place, *rest)
@@ -268,10 +279,6 @@ class _Drawing:
                     mark=self._marks.get(where, ""),
                 )
             )
-
-
-def _looked_at(situation: Situation) -> list[tuple[Test, tuple[str, ...]]]:
-    return [*tests(situation.condition), *tests(situation.until)]
 
 
 def _type(known: Observed | None) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from msgspec import Struct
+
 from situ.document import words
 from situ.document.condition import Condition, Group, Test
 from situ_studio.canvas.script_faces import Row
-from situ_studio.edit import Place
 from situ_studio.kinds import GROUPS
 from situ_studio.language import say, translated
 
@@ -71,6 +72,44 @@ def tests(condition: Condition | None) -> list[tuple[Test, tuple[str, ...]]]:
     return found
 
 
-def holder(place: Place) -> Place:
-    """Where a place of a test or a group stands: the group, or the condition itself."""
-    return place[:-1] if len(place) > 3 else place
+class Shape(Struct, frozen=True):
+    """All that a picture asks of a condition."""
+
+    rows: tuple[Row, ...] = ()
+    joint: str = ""
+    whole: bool = False
+    tests: tuple[tuple[Test, tuple[str, ...]], ...] = ()
+
+
+class Shapes:
+    """Of the conditions of one script after the other: what is still there is not made anew."""
+
+    def __init__(self) -> None:
+        self._made: dict[int, tuple[Condition, Shape]] = {}
+        self._last: dict[int, tuple[Condition, Shape]] = {}
+
+    def begin(self) -> None:
+        """Another script: what the one before did not have is forgotten."""
+        self._last, self._made = self._made, {}
+
+    def of(self, condition: Condition | None) -> Shape:
+        if condition is None:
+            return NO_SHAPE
+        # A condition that is kept here keeps its number.
+        known = self._made.get(id(condition)) or self._last.get(id(condition))
+        if known is None:
+            known = condition, _shape(condition)
+        self._made[id(condition)] = known
+        return known[1]
+
+
+NO_SHAPE = Shape()
+
+
+def _shape(condition: Condition) -> Shape:
+    return Shape(
+        rows(condition),
+        joint(condition),
+        whole_group(condition) is not None,
+        tuple(tests(condition)),
+    )
