@@ -11,6 +11,7 @@ from typing import Any, Literal
 
 from msgspec import Struct
 
+from situ.document.folder import PROJECT_FILE, TEXTS_FOLDER
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio import kinds
@@ -168,7 +169,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="close",
         shortcut="Ctrl+W",
         menu="File",
-        when="has_document",
+        when="has_tabs",
         rule=True,
     ),
     _c(
@@ -395,6 +396,28 @@ COMMANDS: tuple[Command, ...] = (
         tip="This document in a second group of tabs, beside the first.",
     ),
     _c(
+        "texts",
+        "All texts",
+        "show_page",
+        argument=TEXTS_FOLDER,
+        icon="language",
+        shortcut="Ctrl+7",
+        menu="View",
+        when="has_pages",
+        rule=True,
+        tip="Every text of the project, spoken, shown and heard, with a column a language",
+    ),
+    _c(
+        "project_form",
+        "The project",
+        "show_page",
+        argument=PROJECT_FILE,
+        icon="folder",
+        menu="View",
+        when="has_pages",
+        tip="Its name and languages, values at the start, settings for those who use the robot",
+    ),
+    _c(
         "zoom_in",
         "Zoom in",
         "zoom_by",
@@ -520,7 +543,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+PgDown",
         also="Ctrl+Tab",
         menu="Go",
-        when="has_document",
+        when="has_tabs",
         rule=True,
     ),
     _c(
@@ -531,7 +554,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+PgUp",
         also="Ctrl+Shift+Tab",
         menu="Go",
-        when="has_document",
+        when="has_tabs",
     ),
     _c(
         "context_menu",

@@ -46,6 +46,17 @@ class Commands(FileCommands):
     def has_project(self) -> bool:
         return self._session.project is not None and self._window.stack.currentIndex() == 1
 
+    def has_pages(self) -> bool:
+        """Whether there is a project with a ``situ.toml``, no document alone."""
+        project = self._session.project
+        return self.has_project() and project is not None and project.toml is not None
+
+    def has_tabs(self) -> bool:
+        return self.has_project() and bool(self._window.tabs.files())
+
+    def show_page(self, key: str) -> None:
+        self._window.open_file(key)
+
     def can_undo(self) -> bool:
         return self._session.undo_text is not None
 

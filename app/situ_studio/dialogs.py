@@ -132,6 +132,20 @@ class Dialogs(QObject):
         )
         return chosen or None
 
+    def translations_from(self) -> str | None:
+        """The file of a translator to take in; None: nothing was chosen."""
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._window, self.tr("Import translations"), "", "gettext (*.po *.pot)"
+        )
+        return chosen or None
+
+    def translations_to(self, usual: str) -> str | None:
+        """The file that a translator gets; None: nothing was chosen."""
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window, self.tr("Export for a translator"), usual, "gettext (*.po)"
+        )
+        return chosen or None
+
     def export(self, name: str, areas: Mapping[What, QRectF]) -> Export | None:
         """What of a drawing goes into the file of that name; None: it shall not be written."""
         dialog = ExportDialog(name, areas, self._window)

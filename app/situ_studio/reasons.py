@@ -52,6 +52,8 @@ def reasons() -> dict[str, str]:
         "has_priority": tr("select a priority first"),
         "has_problems": tr("there is no problem"),
         "has_project": tr("open a project first"),
+        "has_pages": tr("open a project first, no document alone"),
+        "has_tabs": tr("no document is open"),
         "has_selection": selection,
         "has_two_cards": cards,
         "is_application": application,

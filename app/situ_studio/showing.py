@@ -92,8 +92,8 @@ def show_as(view: DocumentView, document: Document, how: Shown) -> None:
 
 def show_again(window: MainWindow, wanted: Showing) -> None:
     """Shows in ``window`` what is there of ``wanted``; its project is open already."""
-    session, sides = window.session, window.sides
-    there = [one for one in wanted.groups if any(session.document(w[0]) for w in one.ways)]
+    sides = window.sides
+    there = [one for one in wanted.groups if any(_is_there(window, way) for way in one.ways)]
     for at, one in enumerate(there):
         sides.enter(sides.groups[at] if at < len(sides.groups) else sides.add())
         _show_group(window, one)
@@ -108,15 +108,19 @@ def show_again(window: MainWindow, wanted: Showing) -> None:
         window.current_view.current_view().setFocus()
 
 
+def _is_there(window: MainWindow, way: tuple[str, ...]) -> bool:
+    return window.session.document(way[0]) is not None or window.pages.has(way[0])
+
+
 def _show_group(window: MainWindow, wanted: Open) -> None:
-    session, group = window.session, window.sides.current
+    group = window.sides.current
     for file in list(group.views):
         group.drop_view(file)
     # A document is shown as it was once it is shown: not all of them at the start.
     group.waiting = dict(wanted.documents)
     group.current_file = None
     for way in wanted.ways:
-        if session.document(way[0]) is not None:
+        if _is_there(window, way):
             window.add_tab(way[0])
     for place, way in enumerate(wanted.ways):
         if way[0] in window.tabs.files():

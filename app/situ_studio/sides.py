@@ -83,11 +83,11 @@ class Group(QWidget):
         for file in list(self.views):
             self.drop_view(file)
         while self.documents.count() > 1:
-            # A page is the window's, and only shown here.
+            # A page is made anew where it is shown again.
             page = self.documents.widget(1)
             self.documents.removeWidget(page)
-            page.setParent(self.window())
-            page.hide()
+            page.setParent(None)
+            page.deleteLater()
         self.tabs.clear()
         self.ways.clear()
         self.waiting.clear()

@@ -29,6 +29,7 @@ from situ_studio.live.link import RobotLink
 from situ_studio.looking import FindingSide
 from situ_studio.menus import Actions
 from situ_studio.opening import Found
+from situ_studio.pages import PagesSide
 from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
@@ -84,6 +85,7 @@ class MainWindow(Frame):
         CheckWork(session.checker, self.status.work)
         self.designing = DesigningSide(self)
         self.parts = PartsSide(self)
+        self.pages = PagesSide(self)
         self.finding = FindingSide(self)
         self.exporting = ExportingSide(self)
         self.context_menus = ContextMenus(self)
@@ -207,9 +209,14 @@ class MainWindow(Frame):
         if document is not None and file not in self.tabs.files():
             icon, token, _ = look(document, self.parts.is_part(file))
             self.tabs.add(file, stem(file), icon, token)
+        elif self.pages.has(file) and file not in self.tabs.files():
+            self.tabs.add(file, *self.pages.look(file))
 
     def open_file(self, file: str) -> None:
-        """Shows a document: where it is on the way into a part, else in its tab, new if need be."""
+        """Shows a document: where it is on the way into a part, else in its tab, new if need be;
+        a file beside the documents on its page.
+        """
+        file = self.pages.key(file)
         if self.parts.reach(file):
             return
         self.add_tab(file)
@@ -233,7 +240,7 @@ class MainWindow(Frame):
             group.tabs.views.setVisible(len(view.ways_to_show) > 1)
             group.tabs.views.show_choice(view.shown_as)
         else:
-            group.documents.setCurrentWidget(group.no_document)
+            group.documents.setCurrentWidget(self.pages.page(file) or group.no_document)
             group.tabs.views.hide()
         self._settle_shown()
 
@@ -282,7 +289,8 @@ class MainWindow(Frame):
         """Opens the tab again that was closed last, where it was."""
         while (last := self.tabs.last_closed()) is not None:
             file, place = last
-            if file not in self.tabs.files() and self.session.document(file) is not None:
+            there = self.session.document(file) is not None or self.pages.has(file)
+            if file not in self.tabs.files() and there:
                 self.open_file(file)
                 self.tabs.put(file, place)
                 return
@@ -444,7 +452,7 @@ class MainWindow(Frame):
         for group in reversed(self.sides.groups):
             self.sides.enter(group)
             for file in group.tabs.files():
-                if self.session.document(file) is None:
+                if self.session.document(file) is None and not self.pages.has(file):
                     self.close_file(file)
         if self.current_file is not None and self.current_document is None:
             self.parts.leave()
@@ -465,7 +473,7 @@ class MainWindow(Frame):
         other = self.sides.other
         if other is not None and file == other.current_file and file != self.current_file:
             self.sides.enter(other)
-        elif file != self.current_file:
+        elif file != self.current_file and not self.pages.shows(file):
             self.open_file(file)
         view = self.current_view
         document = self.current_document
@@ -625,7 +633,7 @@ class MainWindow(Frame):
             part = self.parts.is_part(file)
             self.project_tree.show_document(file, document, part, file in dirty, marks)
         for group in self.sides.groups:
-            group.tabs.show_unsaved(dirty)
+            group.tabs.show_unsaved((*dirty, *self.pages.unsaved()))
 
     def _settle_title(self) -> None:
         project = self.session.project
@@ -640,6 +648,7 @@ class MainWindow(Frame):
         super().set_theme(theme)
         self.robot.set_theme(theme)
         self.finding.set_theme(theme)
+        self.pages.set_theme(theme)
         for view in self.sides.views():
             view.set_theme(theme)
         self._settle_selection()

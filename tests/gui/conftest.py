@@ -115,6 +115,12 @@ class Answers:
     def media_file(self, endings: tuple[str, ...]) -> Any:
         return self._take("media_file")
 
+    def translations_from(self) -> Any:
+        return self._take("translations_from")
+
+    def translations_to(self, usual: str) -> Any:
+        return self._take("translations_to")
+
     def export(self, name: str, areas: Any) -> Any:
         """What was put in: what of the drawing, and the scale."""
         what, scale = self._take("export")

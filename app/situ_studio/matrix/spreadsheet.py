@@ -10,10 +10,8 @@ from html.parser import HTMLParser
 
 
 def to_text(rows: Sequence[Sequence[str]]) -> str:
-    """One line a row, tabs between the cells, quoted where a cell needs it."""
-    told = io.StringIO()
-    csv.writer(told, dialect="excel-tab", lineterminator="\n").writerows(rows)
-    return told.getvalue()
+    """One line a row, tabs between the cells; in these stand neither tabs nor ends of lines."""
+    return "".join("\t".join(row) + "\n" for row in rows)
 
 
 def to_html(rows: Sequence[Sequence[str]]) -> str:
@@ -23,7 +21,8 @@ def to_html(rows: Sequence[Sequence[str]]) -> str:
 
 def from_text(text: str) -> list[list[str]]:
     """Rows of cells, all of one length; empty where there is nothing."""
-    return _even(list(csv.reader(io.StringIO(text, newline=""), dialect="excel-tab")))
+    read = csv.reader(io.StringIO(text, newline=""), dialect="excel-tab")
+    return _even([row or [""] for row in read])
 
 
 def from_html(text: str) -> list[list[str]]:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, Qt
 from PySide6.QtGui import QPainter, QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QStyleOptionViewItem, QTreeView, QVBoxLayout, QWidget
 
+from situ.document.folder import PROJECT_FILE, TEXTS_FOLDER
 from situ.document.modules import Modules
 from situ.document.project import Project
 from situ.document.rbd import Application
@@ -109,12 +110,23 @@ class ProjectTree(QWidget):
         top.setData(500, Qt.ItemDataRole.FontRole)
         top.setToolTip(project.root)
         self._model.appendRow(top)
+        if project.toml is not None:
+            top.setData(PROJECT_FILE, PLACE)
+            self._files[PROJECT_FILE] = top
         for file in files:
             item = QStandardItem(stem(file))
             item.setData(file, PLACE)
             item.setToolTip(file)
             top.appendRow(item)
             self._files[file] = item
+        if project.toml is not None:
+            texts = QStandardItem(self.tr("texts"))
+            texts.setData(("language", "text2"), ICON)
+            texts.setData(TEXTS_FOLDER, PLACE)
+            texts.setData(str(len(project.languages)) if project.languages else "", COUNT)
+            texts.setToolTip(self.tr("All texts, spoken, shown and heard, in every language"))
+            top.appendRow(texts)
+            self._files[TEXTS_FOLDER] = texts
         root = Path(project.root)
         for words, folder, icon in (
             (self.tr("media"), project.media, "image"),

@@ -1,0 +1,174 @@
+"""The pages of a project: tabs that show no drawing, but all texts, and what the project is."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from situ.document import beside
+from situ.document.beside import Toml
+from situ.document.catalogue import Catalogue
+from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER
+from situ_studio.edit import Written
+from situ_studio.project_form import writing
+from situ_studio.sides import Group
+from situ_studio.texts.exchange import Exchange
+from situ_studio.texts.listening import Listening
+from situ_studio.texts.model import language_name
+from situ_studio.texts.page import TextsPage
+from situ_studio.theme import Theme
+from situ_studio.vocabulary import Lexicon
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+TEXTS = TEXTS_FOLDER
+"""What the tab of all texts goes by, as others go by their file."""
+LANGUAGE = re.compile(r"[A-Za-z]{2,3}([-_][A-Za-z0-9]{2,8})*")
+
+
+class PagesSide(QObject):
+    """A window's pages: made when they are first shown, up to date while they are."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window, self._session = window, window.session
+        self._lexicon = Lexicon()
+        self._exchange = Exchange(window)
+        self._voice = Listening(self)
+        self._voice.failed.connect(window.say)
+        self._voice.changed.connect(self._on_voice)
+        window.closed.connect(lambda _: self._voice.end())
+        self._session.opened.connect(self._settle)
+        self._session.changed.connect(lambda _: self._settle())
+        self._session.listed.connect(self._settle)
+        window.sides.chosen.connect(self._on_tab)
+
+    def has(self, key: str) -> bool:
+        """Whether the project has that page."""
+        project = self._session.project
+        return project is not None and project.toml is not None and key == TEXTS
+
+    def key(self, file: str) -> str:
+        """The page on which a file is shown; the file itself where it is a document."""
+        if not beside.is_beside(file):
+            return file
+        return PROJECT_FILE if file in (PROJECT_FILE, LOCAL_FILE) else TEXTS
+
+    def look(self, key: str) -> tuple[str, str, str]:
+        """A page's words, icon and its colour, for its tab."""
+        return self.tr("Texts"), "language", "text2"
+
+    def page(self, key: str) -> QWidget | None:
+        """The widget of a page, up to date; None where the project has none of that key."""
+        if not self.has(key):
+            return None
+        group = self._window.sides.current
+        return self._texts_of(group) or self._make_texts(group)
+
+    def _texts_of(self, group: Group) -> TextsPage | None:
+        """The page of a group of tabs; None before it was first shown there."""
+        return group.documents.findChild(TextsPage)  # type: ignore[no-any-return]
+
+    def shows(self, file: str) -> bool:
+        """Whether what changed in a file can be seen on the page that is shown."""
+        shown = self._window.tabs.chosen_file
+        project = self._session.project
+        if shown != TEXTS or not self.has(TEXTS) or project is None:
+            return False
+        return file in project.flows or self.key(file) == TEXTS
+
+    def unsaved(self) -> list[str]:
+        """The pages on which something is not saved."""
+        return [self.key(f) for f in self._session.dirty if beside.is_beside(f)]
+
+    def set_theme(self, theme: Theme) -> None:
+        for group in self._window.sides.groups:
+            page = self._texts_of(group)
+            if page is not None:
+                page.set_theme(theme)
+
+    # -- the texts ---------------------------------------------------------------
+
+    def _make_texts(self, group: Group) -> TextsPage:
+        window = self._window
+        page = TextsPage(window.theme, self._tags)
+        page.edited.connect(self._on_texts)
+        page.go_asked.connect(window.go_to)
+        page.refused.connect(window.say)
+        page.import_asked.connect(lambda: self._exchange.take_in(page.language))
+        page.export_asked.connect(self._exchange.give_out)
+        page.language_asked.connect(self.add_language)
+        page.listen_asked.connect(self._voice.toggle)
+        page.set_listening(self._voice.can, self._voice.going)
+        group.documents.addWidget(page)
+        return page
+
+    def _on_voice(self) -> None:
+        for group in self._window.sides.groups:
+            page = self._texts_of(group)
+            if page is not None:
+                page.set_listening(self._voice.can, self._voice.going)
+
+    def _on_tab(self, key: str) -> None:
+        self._settle()
+        page = self._texts_of(self._window.sides.current)
+        if key == TEXTS and page is not None:
+            page.begin()
+
+    def _settle(self) -> None:
+        """Brings the pages that are seen up to date."""
+        project = self._session.project
+        for group in self._window.sides.groups:
+            page = self._texts_of(group)
+            if page is not None and project is not None and group.tabs.chosen_file == TEXTS:
+                page.show_project(project, self._catalogues())
+
+    def _catalogues(self) -> dict[str, Catalogue]:
+        project = self._session.project
+        found = {}
+        for language in project.languages if project is not None else ():
+            value = self._session.value(beside.texts_file(language))
+            if isinstance(value, Catalogue):
+                found[language] = value
+        return found
+
+    def _tags(self) -> tuple[str, ...]:
+        project = self._session.project
+        first = next(iter(project.flows.values()), None) if project is not None else None
+        if project is None or first is None:
+            return ()
+        return self._lexicon.vocabulary(project, first).tags
+
+    def _on_texts(self, files: dict[str, Written], words: str) -> None:
+        unread = [file for file in files if self._session.is_incomplete(file)]
+        if unread:
+            self._window.say(
+                self.tr("{0} has errors: mend it first, or they would be lost.").format(unread[0])
+            )
+            self._settle()
+            return
+        self._session.commit_all(files, words)
+
+    def add_language(self) -> None:
+        """Asks for a language into which the project is to be translated, and adds it."""
+        window, session = self._window, self._session
+        project, toml = session.project, session.value(PROJECT_FILE)
+        code = window.dialogs.name(
+            self.tr("Add a language"), self.tr("Its code, such as ja, de or pt-BR"), ""
+        )
+        if code is None or project is None or not isinstance(toml, Toml):
+            return
+        if not LANGUAGE.fullmatch(code):
+            window.say(
+                self.tr("{0} is no language: write a code such as ja or pt-BR.").format(code)
+            )
+            return
+        # The first one is that in which the documents are written.
+        written_in = project.languages or (str(project.tags.get("language") or "en"),)
+        languages = list(dict.fromkeys((*written_in, code)))
+        after = writing.put(toml, "project", "languages", languages)
+        session.commit(PROJECT_FILE, after, self.tr("Add {0}").format(language_name(code)))

@@ -1,0 +1,259 @@
+"""The table of texts as a spreadsheet: keys, copy and paste, and the way to where a text stands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QItemSelectionModel, QMimeData, QModelIndex, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
+
+from situ_studio.matrix import spreadsheet
+from situ_studio.texts.cells import ONE_LINE, TextDelegate
+from situ_studio.texts.model import ROW, STATE, WRITTEN, TextsModel
+from situ_studio.texts.sheet import Typed
+from situ_studio.theme import Theme
+
+_KEYS = {
+    QKeySequence.StandardKey.Copy: "copy",
+    QKeySequence.StandardKey.Cut: "cut",
+    QKeySequence.StandardKey.Paste: "paste",
+    QKeySequence.StandardKey.SelectAll: "selectAll",
+    QKeySequence.StandardKey.Delete: "clear_cells",
+}
+_WIDTHS = (176, 168)
+
+
+class TextsTable(QTableView):
+    """tags: what ``{`` offers, at the time of the call."""
+
+    go_asked = Signal(str, tuple)
+    """The file and the place of a text."""
+    refused = Signal(str)
+
+    def __init__(
+        self, theme: Theme, tags: Callable[[], tuple[str, ...]], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setAccessibleName(self.tr("Texts"))
+        self.texts = TextsModel(self)
+        self.setModel(self.texts)
+        self.cells = TextDelegate(theme, tags, self._went, self)
+        self.setItemDelegate(self.cells)
+        self.setShowGrid(False)
+        self.setMouseTracking(True)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
+        self.setEditTriggers(
+            QAbstractItemView.EditTrigger.DoubleClicked
+            | QAbstractItemView.EditTrigger.EditKeyPressed
+            | QAbstractItemView.EditTrigger.AnyKeyPressed
+        )
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.verticalHeader().hide()
+        self.verticalHeader().setMinimumSectionSize(ONE_LINE)
+        self.verticalHeader().setDefaultSectionSize(ONE_LINE)
+        header = self.horizontalHeader()
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header.setHighlightSections(False)
+        header.setMinimumSectionSize(80)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header.sectionResized.connect(lambda *_: self._soon.start())
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(0)
+        self._soon.timeout.connect(self.settle_heights)
+        self.texts.modelReset.connect(self._on_reset)
+        self.texts.dataChanged.connect(lambda *_: self._soon.start())
+        self._columns = 0
+
+    def set_theme(self, theme: Theme) -> None:
+        self.cells.theme = theme
+        self.viewport().update()
+
+    # -- sizes -------------------------------------------------------------------
+
+    def _on_reset(self) -> None:
+        if self.texts.columnCount() != self._columns:
+            self._columns = self.texts.columnCount()
+            self._share_width()
+        self._soon.start()
+
+    def _share_width(self) -> None:
+        """Texts share what room the places leave."""
+        header = self.horizontalHeader()
+        for column, width in enumerate(_WIDTHS):
+            header.resizeSection(column, width)
+        count = self.texts.columnCount() - WRITTEN
+        room = self.viewport().width() - sum(_WIDTHS)
+        for column in range(WRITTEN, WRITTEN + count):
+            header.resizeSection(column, max(220, room // max(1, count)))
+
+    def settle_heights(self) -> None:
+        """Each row is as high as the longest of its texts wants, up to some lines."""
+        widths = [self.columnWidth(column) for column in range(self.texts.columnCount())]
+        header = self.verticalHeader()
+        for row in range(self.texts.rowCount()):
+            high = max(
+                (
+                    self.cells.height(self.texts.index(row, column), widths[column])
+                    for column in range(WRITTEN, len(widths))
+                ),
+                default=ONE_LINE,
+            )
+            if header.sectionSize(row) != high:
+                header.resizeSection(row, high)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._share_width()
+
+    # -- going there -------------------------------------------------------------
+
+    def go(self) -> None:
+        """Asks for the place of the current text."""
+        index = self.currentIndex()
+        if index.isValid():
+            row = index.data(ROW)
+            self.go_asked.emit(row.file, row.place)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        super().mouseMoveEvent(event)
+        self._hover(self.indexAt(event.position().toPoint()))
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._hover(QModelIndex())
+
+    def _hover(self, index: QModelIndex) -> None:
+        over = (index.row(), index.column()) if index.isValid() else None
+        if over != self.cells.hovered:
+            self.cells.hovered = over
+            self.viewport().update()
+        linked = over is not None and over[1] == STATE
+        shape = Qt.CursorShape.PointingHandCursor if linked else Qt.CursorShape.ArrowCursor
+        self.viewport().setCursor(shape)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        index = self.indexAt(event.position().toPoint())
+        plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
+        one = len(self.selectedIndexes()) == 1
+        left = event.button() == Qt.MouseButton.LeftButton
+        if left and plain and one and index.isValid() and index.column() == STATE:
+            self.go()
+
+    # -- keys --------------------------------------------------------------------
+
+    def event(self, event: QEvent) -> bool:
+        override = event.type() == QEvent.Type.ShortcutOverride
+        if override and isinstance(event, QKeyEvent) and any(map(event.matches, _KEYS)):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        for key, method in _KEYS.items():
+            if event.matches(key):
+                getattr(self, method)()
+                return
+        if event.key() == Qt.Key.Key_Backspace:
+            self.clear_cells()
+            return
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+                self.go()
+            elif self.currentIndex().flags() & Qt.ItemFlag.ItemIsEditable:
+                self.edit(self.currentIndex())
+            else:
+                self.go()
+            return
+        super().keyPressEvent(event)
+
+    def _went(self, key: Qt.Key, shift: bool) -> None:
+        """Enter goes down, Tab to the right, with Shift back."""
+        by = -1 if key == Qt.Key.Key_Backtab or shift else 1
+        index = self.currentIndex()
+        down = key in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        row, column = index.row() + (by if down else 0), index.column() + (0 if down else by)
+        wanted = self.texts.index(row, column)
+        if wanted.isValid():
+            self.setCurrentIndex(wanted)
+        self.setFocus()
+
+    def select(self, file: str, place: tuple[str, ...], language: str | None) -> None:
+        """Makes the cell of a text current, if it is shown."""
+        row = self.texts.row_at(file, place)
+        if row >= 0:
+            languages = self.texts.languages
+            step = languages.index(language) + 1 if language in languages else 0
+            self.setCurrentIndex(self.texts.index(row, WRITTEN + step))
+
+    # -- as in a spreadsheet -----------------------------------------------------
+
+    def copy(self) -> None:
+        """Copies the selected cells, for a spreadsheet too."""
+        chosen = sorted(self.selectedIndexes(), key=lambda one: (one.row(), one.column()))
+        if not chosen:
+            return
+        lines: dict[int, list[str]] = {}
+        for one in chosen:
+            lines.setdefault(one.row(), []).append(str(one.data()))
+        cells = list(lines.values())
+        data = QMimeData()
+        alone = len(chosen) == 1
+        data.setText(cells[0][0] if alone else spreadsheet.to_text(cells))
+        if not alone:
+            data.setHtml(spreadsheet.to_html(cells))
+        QApplication.clipboard().setMimeData(data)
+
+    def cut(self) -> None:
+        """Copies the selected cells and empties them."""
+        self.copy()
+        self.clear_cells()
+
+    def clear_cells(self) -> None:
+        """Takes the selected translations away."""
+        self._type([(one, "") for one in self.selectedIndexes()])
+
+    def paste(self) -> None:
+        """Fills the cells from the current one on; one cell fills all that are selected."""
+        data = QApplication.clipboard().mimeData()
+        cells = spreadsheet.from_html(data.html()) if data.hasHtml() else []
+        cells = cells or spreadsheet.from_text(data.text())
+        chosen = sorted(self.selectedIndexes(), key=lambda one: (one.row(), one.column()))
+        if not cells or not chosen:
+            return
+        if len(cells) == 1 == len(cells[0]):
+            self._type([(one, cells[0][0]) for one in chosen])
+            return
+        first = chosen[0]
+        typed = [
+            (self.texts.index(first.row() + down, first.column() + across), text)
+            for down, line in enumerate(cells)
+            for across, text in enumerate(line)
+        ]
+        outside = sum(not index.isValid() for index, _ in typed)
+        self._type([(index, text) for index, text in typed if index.isValid()])
+        if outside:
+            told = self.tr("{0} cells had no room in the table and were left out.")
+            self.refused.emit(told.format(outside))
+        last = [index for index, _ in typed if index.isValid()][-1]
+        self.selectionModel().select(
+            self.selectionModel().selection(), QItemSelectionModel.SelectionFlag.Select
+        )
+        self.scrollTo(last)
+
+    def _type(self, cells: list[tuple[QModelIndex, str]]) -> None:
+        """Types into cells, those before the texts left out, as one step."""
+        typed = []
+        for index, text in cells:
+            if index.column() < WRITTEN or not index.flags() & Qt.ItemFlag.ItemIsEditable:
+                continue
+            cell = self.texts.cell(index)
+            if cell is not None and cell.text != text.strip():
+                language = self.texts.language(index.column())
+                typed.append(Typed(index.data(ROW), language, text))
+        if typed:
+            self.texts.typed.emit(typed)

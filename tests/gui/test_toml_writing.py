@@ -1,0 +1,135 @@
+"""``situ.toml`` changed value by value: everything else stays as it was written."""
+
+from __future__ import annotations
+
+import tomllib
+from typing import Any
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from situ.document.beside import Toml
+from situ_studio.project_form import writing
+
+TEXT = """# Ours
+[project]
+name = "p"   # as on the door
+applications = [
+  "a.rbd.xml",  # first
+  "b.rbd.xml",
+]
+languages = ["en", "ja"]
+
+[tags]
+"services.records" = "http://127.0.0.1" # at home
+visits = 3
+
+# Who may change what
+[[setting]]
+tag = "a.b"
+label = "One" # shown
+strange = 1
+[[setting]]
+tag = "c"
+
+[mqtt]
+in = { "a/+" = "event:x" }
+"""
+
+
+def lines(after: Toml) -> tuple[list[str], list[str]]:
+    """The lines that went and those that came."""
+    old, new = TEXT.splitlines(), after.text.splitlines()
+    return [line for line in old if line not in new], [line for line in new if line not in old]
+
+
+def test_one_value_is_one_line_and_its_comment_stays() -> None:
+    after = writing.put(Toml(TEXT), "project", "name", "front desk")
+    assert lines(after) == (
+        ['name = "p"   # as on the door'],
+        ['name = "front desk"   # as on the door'],
+    )
+    assert writing.put(after, "project", "name", "p") == Toml(TEXT)
+
+
+def test_lists_keep_their_lines_and_comments() -> None:
+    after = writing.put(
+        Toml(TEXT), "project", "applications", ["a.rbd.xml", "b.rbd.xml", "c.rbd.xml"]
+    )
+    assert '  "a.rbd.xml",  # first\n' in after.text
+    assert tomllib.loads(after.text)["project"]["applications"][2] == "c.rbd.xml"
+    fewer = writing.put(Toml(TEXT), "project", "languages", ["ja"])
+    assert 'languages = ["ja"]\n' in fewer.text
+    turned = writing.put(Toml(TEXT), "project", "languages", ("ja", "en"))
+    assert 'languages = ["ja", "en"]\n' in turned.text
+
+
+def test_what_is_taken_out_is_gone_and_a_table_that_lacks_is_made() -> None:
+    assert lines(writing.put(Toml(TEXT), "tags", "visits", None)) == (["visits = 3"], [])
+    after = writing.put(Toml(TEXT), "durable", "tags", ["a.*"])
+    assert after.text == TEXT + '\n[durable]\ntags = ["a.*"]\n'
+    assert writing.put(Toml(""), "project", "name", "p") == Toml('[project]\nname = "p"\n')
+
+
+def test_another_name_leaves_place_value_and_comment() -> None:
+    after = writing.rename(Toml(TEXT), "tags", "services.records", "services.files")
+    assert lines(after) == (
+        ['"services.records" = "http://127.0.0.1" # at home'],
+        ['"services.files" = "http://127.0.0.1" # at home'],
+    )
+
+
+def test_tables_in_a_line_are_changed_too() -> None:
+    after = writing.put_in(Toml(TEXT), "mqtt", "in", "b/#", "tag:y")
+    found = {"a/+": "event:x", "b/#": "tag:y"}
+    assert tomllib.loads(after.text)["mqtt"]["in"] == found
+    other = writing.rename_in(after, "mqtt", "in", "a/+", "c")
+    assert list(tomllib.loads(other.text)["mqtt"]["in"]) == ["c", "b/#"]
+    assert writing.put_in(after, "mqtt", "in", "b/#", None) == Toml(TEXT)
+    first = writing.put_in(Toml(""), "mqtt", "in", "a", "event:x")
+    assert tomllib.loads(first.text) == {"mqtt": {"in": {"a": "event:x"}}}
+
+
+def test_settings_are_added_changed_and_removed() -> None:
+    more = writing.add_setting(Toml(TEXT), {"tag": "d", "type": "time"})
+    assert [one["tag"] for one in tomllib.loads(more.text)["setting"]] == ["a.b", "c", "d"]
+    after = writing.put_setting(Toml(TEXT), 0, "label", "Two")
+    assert lines(after) == (['label = "One" # shown'], ['label = "Two" # shown'])
+    assert lines(writing.put_setting(after, 0, "label", None))[1] == []
+    fewer = writing.remove_setting(Toml(TEXT), 1)
+    assert [one["tag"] for one in tomllib.loads(fewer.text)["setting"]] == ["a.b"]
+    assert "strange = 1" in fewer.text
+    none = writing.remove_setting(fewer, 0)
+    assert "setting" not in tomllib.loads(none.text)
+    again = writing.add_setting(none, {"tag": "e"})
+    assert tomllib.loads(again.text)["setting"] == [{"tag": "e"}]
+
+
+_KEYS = st.sampled_from(("visits", "services.records", "new", "user.name", "x-y"))
+_VALUES = st.one_of(
+    st.booleans(),
+    st.integers(-9, 9),
+    st.text(max_size=5),
+    st.lists(st.text(max_size=2), max_size=2),
+).filter(lambda value: "\r" not in str(value))
+
+
+@settings(max_examples=40)
+@given(st.lists(st.tuples(_KEYS, st.none() | _VALUES), max_size=5))
+def test_the_file_says_what_was_put_and_keeps_every_comment(
+    steps: list[tuple[str, Any]],
+) -> None:
+    toml, wanted = Toml(TEXT), dict(tomllib.loads(TEXT)["tags"])
+    for key, value in steps:
+        toml = writing.put(toml, "tags", key, value)
+        if value is None:
+            wanted.pop(key, None)
+        else:
+            wanted[key] = value
+    found = tomllib.loads(toml.text)
+    assert found.get("tags", {}) == wanted
+    assert {k: v for k, v in found.items() if k != "tags"} == {
+        k: v for k, v in tomllib.loads(TEXT).items() if k != "tags"
+    }
+    for comment in ("# Ours", "# as on the door", "# first", "# Who may change what", "# shown"):
+        assert comment in toml.text
