@@ -47,7 +47,8 @@ class Line(QLineEdit):
     committed = Signal(object)
     refused = Signal(str)
 
-    _tags: TagCompletion | None = None
+    tags: TagCompletion | None = None
+    """What ``{`` offers; None where nothing is."""
 
     def __init__(self, parent: QWidget | None = None, unit: str = "") -> None:
         super().__init__(parent)
@@ -93,9 +94,9 @@ class Line(QLineEdit):
 
     def complete_tags(self, tags: tuple[str, ...]) -> None:
         """Offers these where somebody types ``{``."""
-        if self._tags is None:
-            self._tags = TagCompletion(self)
-        self._tags.offer(tags)
+        if self.tags is None:
+            self.tags = TagCompletion(self)
+        self.tags.offer(tags)
 
     def refuse(self, why: str) -> None:
         """Marks the field and says why; empty: no longer."""
@@ -126,7 +127,7 @@ class Line(QLineEdit):
         self.committed.emit(value)
 
     def event(self, event: QEvent) -> bool:
-        if self._tags is not None and self._tags.takes(event):
+        if self.tags is not None and self.tags.takes(event):
             return True
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             keys = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
@@ -208,7 +209,8 @@ class Paragraph(QPlainTextEdit):
 
     committed = Signal(object)
 
-    _tags: TagCompletion | None = None
+    tags: TagCompletion | None = None
+    """What ``{`` offers; None where nothing is."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -226,9 +228,9 @@ class Paragraph(QPlainTextEdit):
 
     def complete_tags(self, tags: tuple[str, ...]) -> None:
         """Offers these where somebody types ``{``."""
-        if self._tags is None:
-            self._tags = TagCompletion(self)
-        self._tags.offer(tags)
+        if self.tags is None:
+            self.tags = TagCompletion(self)
+        self.tags.offer(tags)
 
     def on_size_changed(self) -> None:
         lines = min(8, max(2, int(self.document().size().height())))
@@ -241,7 +243,7 @@ class Paragraph(QPlainTextEdit):
             self.committed.emit(text)
 
     def event(self, event: QEvent) -> bool:
-        if self._tags is not None and self._tags.takes(event):
+        if self.tags is not None and self.tags.takes(event):
             return True
         return super().event(event)
 

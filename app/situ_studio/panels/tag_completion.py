@@ -8,6 +8,8 @@ from PySide6.QtCore import QEvent, QObject, QRect, QStringListModel, Qt
 from PySide6.QtGui import QKeyEvent, QTextCursor
 from PySide6.QtWidgets import QAbstractItemView, QCompleter, QLineEdit, QPlainTextEdit
 
+from situ_studio.theme import FORM, font
+
 BEGUN = re.compile(r"\{([^{}\s]*)$")
 """A reference that is not closed yet, before the cursor."""
 WIDE = 240
@@ -96,6 +98,9 @@ class TagCompletion(QObject):
         if completer.completionCount() == 0:
             shown.hide()
             return
+        # A window of its own: it has the looks of the field's only if it is given them.
+        shown.setStyleSheet(self._field.window().styleSheet())
+        shown.setFont(font(FORM))
         at = self._field.cursorRect()
         completer.complete(QRect(at.left(), at.top(), WIDE, at.height()))
         shown.setCurrentIndex(completer.completionModel().index(0, 0))

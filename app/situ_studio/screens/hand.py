@@ -149,8 +149,7 @@ class Hand:
         if under:
             id = next(i for i in (*self._before, *sheet.selected, under[0]) if i in under)
             self._choose((id,))
-            if not sheet.writing.begin(id):
-                sheet.opened.emit(id)
+            sheet.open(id)
 
     def cancel(self) -> bool:
         """Leaves everything as it was before the press; whether there was a drag."""

@@ -100,7 +100,7 @@ def paint_selection(
         painter.setPen(QPen(ring, 6))
         painter.drawRoundedRect(scale.area(box), 4, 4)
         painter.setPen(QPen(theme.color("accent"), 2))
-        painter.drawRoundedRect(scale.area(box), 3, 3)
+        painter.drawRoundedRect(scale.area(box), 4, 4)
     if not handles:
         return
     whole = placing.around(boxes)
@@ -115,12 +115,18 @@ def paint_selection(
         painter.drawRoundedRect(grip, 1.5, 1.5)
 
 
-def paint_badge(painter: QPainter, theme: Theme, scale: Scale, box: Box, text: str) -> None:
-    """Under a box; where there is no room, above it, and else in it."""
+def paint_badge(
+    painter: QPainter, theme: Theme, scale: Scale, box: Box, text: str, within: bool
+) -> None:
+    """Under a box; where there is no room, above it, and else in it. within: in it, if it is high
+    enough, since distances stand around it.
+    """
     area = scale.area(box)
     under = area.bottom() + UNDER + PILL / 2
     above = area.top() - UNDER - PILL / 2
-    if under + PILL / 2 <= scale.size.height():
+    if within and area.height() > 3 * PILL:
+        y = area.bottom() - UNDER - PILL / 2
+    elif under + PILL / 2 <= scale.size.height():
         y = under
     elif above - PILL / 2 >= 0:
         y = above
@@ -135,6 +141,13 @@ def paint_band(painter: QPainter, theme: Theme, scale: Scale, band: Box) -> None
     painter.setPen(QPen(theme.color("accent"), 1))
     painter.setBrush(soft)
     painter.drawRect(scale.area(band))
+
+
+def paint_focus(painter: QPainter, theme: Theme, scale: Scale) -> None:
+    """A line round all of it: the keys go there, while nothing on it is selected."""
+    painter.setPen(QPen(theme.color("accent"), 2))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawRoundedRect(QRectF(QPointF(0, 0), scale.size).adjusted(1, 1, -1, -1), 4, 4)
 
 
 def _pill(

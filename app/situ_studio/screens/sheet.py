@@ -28,13 +28,13 @@ from PySide6.QtWidgets import QWidget
 from situ.document import rbd
 from situ_studio.kinds import COMPONENTS, MIME
 from situ_studio.panels.preview import ScreenPreview
-from situ_studio.screens import keyboard, marks, ordering, placing
+from situ_studio.screens import accessible, keyboard, marks, placing
 from situ_studio.screens.drags import Proposal
 from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import Box
 from situ_studio.screens.shown import Values
 from situ_studio.screens.writing import Writing
-from situ_studio.theme import Theme
+from situ_studio.theme import LIGHT, Theme
 
 
 class Sheet(ScreenPreview):
@@ -55,8 +55,16 @@ class Sheet(ScreenPreview):
     menu_asked = Signal(QPoint)
     """A context menu is wanted, of what is selected, there on the desktop."""
 
+    spoken_as: accessible.AccessibleSheet | None = None
+    """What screen readers find, since one asked."""
+
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        accessible.install()
         super().__init__(theme, parent)
+        self.setAccessibleName(self.tr("Screen"))
+        self.setAccessibleDescription(
+            self.tr("Tab goes from component to component, arrows move one, F2 writes its text.")
+        )
         self._chosen: tuple[str, ...] = ()
         self._proposal: Proposal | None = None
         self._proposed: rbd.Screen | None = None
@@ -87,6 +95,8 @@ class Sheet(ScreenPreview):
         above = above if self._shows_above else ()
         super().show_screen(theme, screen, above, media, values)
         self.writing.follow()
+        if self.spoken_as is not None:
+            self.spoken_as.on_shown()
 
     def show_always(self, shown: bool) -> None:
         """Whether the components that Always adds are seen, and snapped to."""
@@ -104,6 +114,8 @@ class Sheet(ScreenPreview):
             self.writing.take()
             self._chosen = ids
             self.update()
+            if self.spoken_as is not None:
+                self.spoken_as.on_selected()
 
     @property
     def screen_shown(self) -> rbd.Screen | None:
@@ -114,6 +126,11 @@ class Sheet(ScreenPreview):
     def selected(self) -> tuple[str, ...]:
         """The ids of the selected components that are there."""
         return tuple(self.selected_boxes())
+
+    @property
+    def proposal(self) -> Proposal | None:
+        """What is painted in place of the document, while something is dragged."""
+        return self._proposal
 
     @property
     def colours(self) -> Theme:
@@ -133,17 +150,6 @@ class Sheet(ScreenPreview):
         """Places what is selected, as ``placing.aligned`` says."""
         self.place(placing.aligned(self.selected_boxes(), edge), self.tr("Align {0}"))
 
-    def order(self, way: ordering.Way) -> None:
-        """Puts what is selected before or behind others, as ``ordering.reordered`` says."""
-        texts = {
-            "front": self.tr("Bring {0} to the front"),
-            "forward": self.tr("Bring {0} forward"),
-            "backward": self.tr("Send {0} backward"),
-            "back": self.tr("Send {0} to the back"),
-        }
-        if self._screen is not None:
-            self.tell(ordering.reordered(self._screen, self.selected, way), texts[way])
-
     def place(self, boxes: Mapping[str, Box], text: str) -> None:
         """Components lie there now. text: the name of the step, {0} are those selected."""
         if self._screen is not None:
@@ -153,6 +159,11 @@ class Sheet(ScreenPreview):
         """The screen is another one; nothing where it is the very same."""
         if after is not self._screen:
             self.edited.emit(after, text.format(", ".join(self.selected)))
+
+    def open(self, id: str) -> None:
+        """Opens a component's text, or its form where it has none."""
+        if not self.writing.begin(id):
+            self.opened.emit(id)
 
     def propose(self, proposal: Proposal | None) -> None:
         """Paints components where they would lie; None: where they do."""
@@ -299,7 +310,8 @@ class Sheet(ScreenPreview):
             self._screen = kept
 
     def _paint_marks(self) -> None:
-        painter, theme, scale = QPainter(self), self._theme, self.scale
+        # The robot's screen is light in both themes, and so is what stands on it.
+        painter, theme, scale = QPainter(self), LIGHT, self.scale
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         boxes = self.selected_boxes()
         if self._proposal is not None:
@@ -313,9 +325,11 @@ class Sheet(ScreenPreview):
             components = [c for id in boxes if (c := self.component(id)) is not None]
             whole = placing.around(boxes.values())
             text = marks.measured(whole, components)
-            marks.paint_badge(painter, theme, scale, whole, text)
+            marks.paint_badge(painter, theme, scale, whole, text, self._proposal is not None)
         if self._hand.band is not None:
             marks.paint_band(painter, theme, scale, self._hand.band)
+        if self.hasFocus() and not boxes:
+            marks.paint_focus(painter, theme, scale)
         painter.end()
 
 

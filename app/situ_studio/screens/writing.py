@@ -13,8 +13,11 @@ from situ.document import rbd
 from situ_studio import kinds
 from situ_studio.language import translated
 from situ_studio.panels.fields import Paragraph
-from situ_studio.screens.painting import INK, TOUCH
+from situ_studio.screens.component_painting import Stage, style_of
+from situ_studio.screens.measures import measures
+from situ_studio.screens.painting import layer
 from situ_studio.screens.placing import box_of
+from situ_studio.screens.shown import content
 from situ_studio.theme import FAMILIES, Theme
 
 if TYPE_CHECKING:
@@ -28,8 +31,6 @@ ATTRIBUTES: dict[type[rbd.Component], str] = {
 """What of a component is written on it, by its kind."""
 ITEM = "item"
 """In a list's label: the entry."""
-SIZE = 6.0
-"""Percent of the screen's height, where a component has no size of its own."""
 READABLE = 11
 """Px that letters have at least while they are written."""
 EDGE = 2
@@ -100,10 +101,8 @@ class Writing:
         """The field lies over its component, its letters as large as they are on it."""
         component = self._sheet.component(self._id)
         if self.field is not None and component is not None:
-            area = self._sheet.area(box_of(component)).toRect()
-            size = (component.size or SIZE) * self._sheet.height() / 100
-            self.field.dress(self._sheet.colours, min(size, area.height() * 0.8))
-            self.field.lie(area)
+            self.field.dress(self._sheet.colours, *_letters(self._sheet, component))
+            self.field.lie(self._sheet.area(box_of(component)).toRect())
 
     def follow(self) -> None:
         """The screen is another one: the field is over the component's place there, if any."""
@@ -121,6 +120,8 @@ class Writing:
         field, self.field = self.field, None
         if field is not None:
             had_focus = field.hasFocus()
+            # It tells nothing more, though it loses the focus.
+            field.blockSignals(True)
             field.hide()
             field.deleteLater()
             if had_focus:
@@ -141,6 +142,18 @@ class Writing:
         if getattr(component, attribute) != text:
             step = sheet.tr("Change text of {0}").format(component.id)
             sheet.edited.emit(replace(screen, components=after), step)
+
+
+def _letters(sheet: Sheet, component: rbd.Component) -> tuple[float, int]:
+    """How high the letters of a component are as it is painted, px, and their weight."""
+    assert sheet.screen_shown is not None
+    stage = Stage(layer(sheet.device), content(sheet.screen_shown), None)
+    scale = sheet.width() / stage.size.width()
+    if isinstance(component, rbd.List):
+        size = component.size or measures()["list-size"]
+        return size * stage.unit * scale, int(measures()["list-weight"])
+    one = next(c for c in stage.content.components if c["id"] == component.id)
+    return stage.fitted(one).size * scale, style_of(one).weight
 
 
 class Words(Paragraph):
@@ -166,17 +179,19 @@ class Words(Paragraph):
         self.document().setDefaultTextOption(option)
         self.document().setDocumentMargin(0)
 
-    def dress(self, theme: Theme, letters: float) -> None:
+    def dress(self, theme: Theme, letters: float, weight: int) -> None:
         """letters: their height, px. The ground is the screen's own in both themes."""
+        ink, paper, accent = (measures().colour(n).name() for n in ("ink", "paper", "accent"))
         made = QFont()
         made.setFamilies(FAMILIES)
         made.setPixelSize(max(READABLE, round(letters)))
-        made.setWeight(QFont.Weight.Medium)
+        made.setWeight(QFont.Weight(weight))
         self.setFont(made)
         self.setStyleSheet(
-            f"QPlainTextEdit {{ background: #FFFFFF; color: {INK}; padding: 0; border-radius: 4px;"
-            f" border: {EDGE}px solid {theme.accent}; font-size: {made.pixelSize()}px;"
-            f" selection-background-color: {TOUCH}; selection-color: #FFFFFF; }}"
+            f"QPlainTextEdit {{ background: {paper}; color: {ink}; padding: 0; border-radius: 4px;"
+            f" border: {EDGE}px solid {theme.accent};"
+            f" font-size: {made.pixelSize()}px; font-weight: {weight};"
+            f" selection-background-color: {accent}; selection-color: {paper}; }}"
         )
 
     def lie(self, area: QRect) -> None:
@@ -198,7 +213,7 @@ class Words(Paragraph):
 
     def event(self, event: QEvent) -> bool:
         # Before Qt moves the focus by Tab.
-        if self._tags is not None and self._tags.takes(event):
+        if self.tags is not None and self.tags.takes(event):
             return True
         tabs = (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
         if event.type() == QEvent.Type.KeyPress and cast(QKeyEvent, event).key() in tabs:

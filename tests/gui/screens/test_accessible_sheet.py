@@ -1,0 +1,146 @@
+"""The components of a screen in the accessible tree, and everything by keys alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible
+from PySide6.QtWidgets import QApplication
+
+NAME, DESCRIPTION = QAccessible.Text.Name, QAccessible.Text.Description
+ROLE, EVENT = QAccessible.Role, QAccessible.Event
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+Table = Any
+
+
+@pytest.fixture
+def listening() -> Iterator[None]:
+    """An assistive program listens."""
+    QAccessible.setActive(True)
+    yield
+    QAccessible.setActive(False)
+
+
+def tree(table: Table) -> Any:
+    return QAccessible.queryAccessibleInterface(table.sheet)
+
+
+def below(part: Any) -> list[Any]:
+    return [part.child(i) for i in range(part.childCount())]
+
+
+def test_every_component_is_heard_with_its_text_its_place_and_what_it_sends(table: Table) -> None:
+    found = below(tree(table))
+    assert [(p.role(), p.text(NAME)) for p in found[:5]] == [
+        (ROLE.StaticText, "Text What would you like to do?"),
+        (ROLE.Graphic, "Image measure.png"),
+        (ROLE.Graphic, "Image robot.png"),
+        (ROLE.Button, "Button MEASURE"),
+        (ROLE.Button, "Button GOODBYE"),
+    ]
+    assert found[3].text(DESCRIPTION) == (
+        "6 % from the left, 70 % from the top; 91 × 33 mm, clickMeasure"
+    )
+    own = {c.id for c in table.components}
+    above = [p for p in found if p.id not in own]
+    assert above
+    assert not any(p.state().selectable for p in above)
+    area = table.sheet.area(table.sheet.own()["robot"]).toRect()
+    assert found[2].rect().topLeft() == table.sheet.mapToGlobal(area.topLeft())
+    assert tree(table).childAt(*found[2].rect().center().toTuple()) is found[2]
+    assert tree(table).indexOfChild(found[2]) == 2
+
+
+def test_a_component_is_selected_and_opened_by_an_assistive_program(table: Table) -> None:
+    heart, measure = below(tree(table))[1], below(tree(table))[3]
+    heart.actionInterface().doAction("SetFocus")
+    table.used.settle()
+    assert table.used.window.inspector.place == ("state", "11", "screen", "heart")
+    assert heart.state().selected
+    assert heart.state().focused
+    assert tree(table).focusChild() is heart
+    measure.actionInterface().doAction("Press")
+    assert table.sheet.writing.field.toPlainText() == "MEASURE"
+
+
+def test_who_listens_hears_the_selection_and_what_comes_and_goes(
+    table: Table, listening: None
+) -> None:
+    spoken = tree(table)
+    below(spoken)
+    spoken.on_shown()
+    told: list[tuple[Any, str]] = []
+    spoken.tell = lambda event: told.append((event.type(), event.accessibleInterface().text(NAME)))
+    table.click("robot")
+    assert told == [
+        (EVENT.SelectionAdd, "Image robot.png"),
+        (EVENT.Focus, "Image robot.png"),
+    ]
+    told.clear()
+    table.used.key(Qt.Key.Key_Tab)
+    assert told == [
+        (EVENT.SelectionRemove, "Image robot.png"),
+        (EVENT.SelectionAdd, "Button MEASURE"),
+        (EVENT.Focus, "Button MEASURE"),
+    ]
+    told.clear()
+    table.used.key(Qt.Key.Key_D, CONTROL)
+    assert (EVENT.ObjectCreated, "Button MEASURE") in told
+    measure = next(p for p in below(spoken) if p.id == "measure2")
+    told.clear()
+    table.used.key(Qt.Key.Key_Delete)
+    assert EVENT.ObjectDestroyed in [kind for kind, _ in told]
+    assert not measure.isValid()
+    told.clear()
+    table.click("goodbye")
+    table.used.type("B")
+    table.used.key(Qt.Key.Key_Return)
+    assert (EVENT.NameChanged, "Button B") in told
+
+
+def test_without_a_mouse_components_are_reached_moved_resized_written_and_left(
+    table: Table,
+) -> None:
+    used, sheet = table.used, table.sheet
+    sheet.setFocus()
+    used.settle()
+    used.key(Qt.Key.Key_Tab)
+    assert sheet.selected == ("question",)
+    used.key(Qt.Key.Key_Tab)
+    used.key(Qt.Key.Key_Tab)
+    used.key(Qt.Key.Key_Backtab, SHIFT)
+    assert sheet.selected == ("heart",)
+    heart = table.component("heart")
+    used.key(Qt.Key.Key_Right, ALT)
+    used.key(Qt.Key.Key_Down, CONTROL)
+    used.key(Qt.Key.Key_Left, CONTROL | SHIFT)
+    grown = table.component("heart")
+    assert (grown.width, grown.height) == (heart.width + 1 - 10, heart.height + 1)
+    assert (grown.x, grown.y) == (heart.x, heart.y)
+    assert used.session.undo_text == "Resize heart"
+    used.key(Qt.Key.Key_A, CONTROL)
+    assert sheet.selected == tuple(c.id for c in table.components)
+    used.key(Qt.Key.Key_Escape)
+    assert sheet.selected == ()
+    # Behind the last one Tab goes on to what comes after the sheet.
+    table.click("goodbye")
+    used.key(Qt.Key.Key_Tab)
+    assert not sheet.hasFocus()
+    assert QApplication.focusWidget() is not None
+
+
+def test_at_the_edge_of_the_screen_a_component_grows_at_its_other_side(table: Table) -> None:
+    table.click("goodbye")
+    for _ in range(2):
+        table.used.key(Qt.Key.Key_Right, SHIFT)
+    one = table.component("goodbye")
+    assert one.x + one.width == 100
+    table.used.key(Qt.Key.Key_Right, ALT)
+    grown = table.component("goodbye")
+    assert (grown.x, grown.width) == (one.x - 1, one.width + 1)
