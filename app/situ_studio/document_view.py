@@ -100,6 +100,11 @@ class DocumentView(QWidget):
         return self._pieces.get(name)
 
     @property
+    def shown_pieces(self) -> tuple[QWidget, ...]:
+        """The widgets of the present view, as they lie."""
+        return tuple(self._pieces[name] for name in self._view.pieces if name in self._pieces)
+
+    @property
     def canvas(self) -> Any:
         """The graph's widget; None before it was first shown."""
         return self.piece("graph")

@@ -25,6 +25,7 @@ from situ_studio import recent, tab_order
 from situ_studio.breadcrumbs import Breadcrumbs
 from situ_studio.docking import FOLDED, Docking
 from situ_studio.document_tabs import DocumentTabs
+from situ_studio.document_view import DocumentView
 from situ_studio.find import FindAnything
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.keys import Keys
@@ -261,7 +262,9 @@ class Frame(QMainWindow):
             yield group.tabs
             if group is self.sides.groups[0]:
                 yield from (self.recovered, self.notice)
-            yield from (group.incomplete, group.documents)
+            shown = group.documents.currentWidget()
+            pieces = shown.shown_pieces if isinstance(shown, DocumentView) else ()
+            yield from (group.incomplete, *(pieces or (group.documents,)))
 
     def focusNextPrevChild(self, next: bool) -> bool:
         return tab_order.next_stop(self.panels_in_order, self.documents, 1 if next else -1)

@@ -76,7 +76,7 @@ def test_f6_goes_round_the_panels_and_leaves_the_drawing(studio: Start, project:
         window.toolbar,
         window.project_tree,
         window.outline,
-        window.documents,
+        window.current_view.canvas,
     ):
         assert panel in visited
     assert visited.index(window.inspector) < visited.index(window.toolbar)

@@ -97,22 +97,22 @@ class RangeEdits(QObject):
     def fill_down(self) -> None:
         """The first row of the range into the others; into a single row what stands above it."""
         area = self._table.area
-        if area is None:
+        if area is None or (area.high == 1 and not area.top):
             return
-        if area.high == 1:
-            area = Area(max(0, area.top - 1), area.left, 2 if area.top else 1, area.wide)
-        first = Area(area.top, area.left, 1, area.wide)
-        self._on_filled(first, area)
+        top = area.top if area.high > 1 else area.top - 1
+        first = Area(top, area.left, 1, area.wide)
+        self._on_filled(first, Area(top, area.left, area.bottom - top + 1, area.wide))
+        self._table.choose(area)
 
     def fill_right(self) -> None:
         """The first column of the range into the others; into a single one what is left of it."""
         area = self._table.area
-        if area is None:
+        if area is None or (area.wide == 1 and not area.left):
             return
-        if area.wide == 1:
-            area = Area(area.top, max(0, area.left - 1), area.high, 2 if area.left else 1)
-        first = Area(area.top, area.left, area.high, 1)
-        self._on_filled(first, area)
+        left = area.left if area.wide > 1 else area.left - 1
+        first = Area(area.top, left, area.high, 1)
+        self._on_filled(first, Area(area.top, left, area.high, area.right - left + 1))
+        self._table.choose(area)
 
     def _on_filled(self, first: Area, whole: Area) -> None:
         self._fill(self._texts(first), whole, self.tr("Fill {0}"))

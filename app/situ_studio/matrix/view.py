@@ -87,6 +87,8 @@ class MatrixView(QWidget):
             button = ThemedButton(theme, "plus", text, "link", "text2", 12)
             button.setAccessibleName(self.tr("Add: {0}").format(text))
             button.setObjectName(f"add_{icon}")
+            # By keys the same is had from the menu, and the table is the first to have the focus.
+            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             button.clicked.connect(make)
             line.addWidget(button)
         legend = Elided(

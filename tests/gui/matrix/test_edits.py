@@ -180,4 +180,5 @@ def test_a_cell_over_several_stands_in_the_first_and_a_page_has_one_table() -> N
 def test_text_with_tabs_is_read_with_any_end_of_line_and_quoted_cells() -> None:
     assert spreadsheet.from_text("1\t2\r\n3\t4\r\n") == [["1", "2"], ["3", "4"]]
     assert spreadsheet.from_text('"a\tb"\t"c""d"\n5') == [["a\tb", 'c"d'], ["5", ""]]
+    assert spreadsheet.from_text("\n") == [[""]]
     assert spreadsheet.from_text("") == []
