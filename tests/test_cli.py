@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import subprocess
 import sys
 from collections.abc import Callable
@@ -123,3 +124,42 @@ def test_the_module_runs_as_the_command_does() -> None:
     )
     assert done.returncode == 2
     assert one_line(done.stderr)
+
+
+STRUCK = """
+import signal, sys
+class Struck:
+    def find_spec(self, name, path=None, target=None):
+        if name == {name!r}:
+            signal.raise_signal(signal.SIGINT)
+sys.meta_path.insert(0, Struck())
+from situ.__main__ import main
+sys.argv = ["situ", "check", "--help"]
+sys.exit(main())
+"""
+
+
+@pytest.mark.parametrize("name", ["situ.cli", "msgspec", "situ.cli_check"])
+def test_ctrl_c_while_the_command_is_still_being_read_is_quiet(name: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", STRUCK.format(name=name)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stderr == ""
+    assert done.stdout == ""
+    # Ended by the signal itself, or as a shell tells it.
+    assert done.returncode in (-signal.SIGINT, 128 + signal.SIGINT)
+
+
+def test_ctrl_c_while_a_command_runs_is_left_to_it() -> None:
+    stop = (
+        "import signal, sys\n"
+        "from situ import cli\n"
+        "cli.main = lambda: cli.guarded(lambda: signal.raise_signal(signal.SIGINT))\n"
+        "from situ.__main__ import main\n"
+        "sys.exit(main())"
+    )
+    done = subprocess.run([sys.executable, "-c", stop], capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (130, b"")

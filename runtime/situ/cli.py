@@ -92,6 +92,10 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     ``argv``: the arguments without the program's name; ``sys.argv`` where it is None.
     """
+    return guarded(lambda: _run(argv))
+
+
+def _run(argv: Sequence[str] | None) -> int:
     try:
         arguments = parser().parse_args(argv)
     except SystemExit as stopped:  # how argparse ends after --help and wrong usage
@@ -100,7 +104,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     logging.basicConfig(
         level=level.upper(), stream=sys.stderr, format="%(levelname)s %(name)s: %(message)s"
     )
-    return guarded(lambda: int(arguments.run(arguments)))
+    return int(arguments.run(arguments))
 
 
 def guarded(run: Callable[[], int]) -> int:
