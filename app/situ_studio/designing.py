@@ -81,19 +81,19 @@ class DesigningSide(QObject):
         self._window.select(place)
 
     def choose_file(self, place: Place, attribute: str) -> None:
-        """Asks for a picture or movie, brings it into the project, and names it at ``place``."""
+        """Asks for a picture, movie or sound and brings it into the project, for ``place``."""
         window, document = self._window, self._window.current_document
         project = window.session.project
         if document is None or project is None:
             return
         value = places.get(document, place)
-        movie = getattr(value, "element", "") == "movie"
-        endings = media_import.MOVIES if movie else media_import.PICTURES
+        kinds = {"movie": media_import.MOVIES, "sound": media_import.SOUNDS}
+        endings = kinds.get(getattr(value, "element", ""), media_import.PICTURES)
         chosen = window.dialogs.media_file(endings)
         if chosen is None:
             return
         try:
-            src = media_import.bring(project, Path(chosen))
+            src = media_import.bring(project, Path(chosen), endings)
         except UsageError as error:
             window.say(str(error))
             return

@@ -122,13 +122,13 @@ class Dialogs(QObject):
             dialog.deleteLater()
 
     def media_file(self, endings: tuple[str, ...]) -> str | None:
-        """A picture or movie for a screen; None: nothing was chosen."""
+        """A file for a screen or a sound; None: nothing was chosen."""
         pattern = " ".join(f"*{ending}" for ending in endings)
         chosen, _ = QFileDialog.getOpenFileName(
             self._window,
             self.tr("Choose a file"),
             "",
-            self.tr("Pictures and movies ({0})").format(pattern),
+            self.tr("Files that the robot takes ({0})").format(pattern),
         )
         return chosen or None
 

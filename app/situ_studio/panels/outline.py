@@ -115,6 +115,7 @@ class Outline(QWidget):
         self.list.setModel(self._proxy)
         self.list.selectionModel().selectionChanged.connect(self._on_selection)
         self.list.activated.connect(self._on_activated)
+        self.list.clicked.connect(self._on_clicked)
         column.addWidget(self.list, 1)
         self.more = MoreModules(theme)
         column.addWidget(self.more)
@@ -277,6 +278,13 @@ class Outline(QWidget):
         self._told = chosen
         self.list.viewport().update()
         self.selected.emit(chosen)
+
+    def _on_clicked(self, index: QModelIndex) -> None:
+        """A click on the row of which a part is selected selects the whole again."""
+        place = index.data(PLACE)
+        if len(self._told) == 1 and self._told != (place,) and places.root(self._told[0]) == place:
+            self._told = (place,)
+            self.selected.emit(self._told)
 
     def _on_activated(self, index: QModelIndex) -> None:
         self.activated.emit(index.data(PLACE))

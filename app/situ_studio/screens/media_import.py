@@ -13,7 +13,8 @@ from situ.errors import UsageError
 
 PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".avif", ".svg")
 MOVIES = (".webm", ".mp4", ".ogv")
-"""What the robot's page shows (situ.engine.screen.server has the same)."""
+SOUNDS = (".wav", ".ogg", ".oga", ".mp3", ".m4a")
+"""What the robot's page shows and plays (situ.engine.screen.server has the same)."""
 LARGEST = 64 * 2**20
 """Bytes of one file: a robot gets a project over the network, in one piece."""
 FOLDER = "media"
@@ -26,13 +27,13 @@ def kind_of(path: str | Path) -> str:
     return "image" if ending in PICTURES else "movie" if ending in MOVIES else ""
 
 
-def bring(project: Project, source: Path) -> str:
+def bring(project: Project, source: Path, endings: tuple[str, ...] = (*PICTURES, *MOVIES)) -> str:
     """Copies a file into the project's media; what an ``image`` or ``movie`` calls it there.
 
     A file whose bytes are there already is not copied again. Raises UsageError, with one line for
-    the user, where the page could not show it, it is too large or can not be copied.
+    the user, where its name has none of the endings, it is too large or can not be copied.
     """
-    _judge(source)
+    _judge(source, endings)
     try:
         size = source.stat().st_size
         if size > LARGEST:
@@ -80,10 +81,9 @@ def free_name(folder: Path, name: str) -> str:
     return made
 
 
-def _judge(source: Path) -> None:
-    if not kind_of(source):
-        every = " ".join((*PICTURES, *MOVIES))
-        raise UsageError(f"{source.name}: the robot's screen shows {every} only")
+def _judge(source: Path, endings: tuple[str, ...]) -> None:
+    if source.suffix.lower() not in endings:
+        raise UsageError(f"{source.name}: the robot's screen takes {' '.join(endings)} only")
     if not source.is_file():
         raise UsageError(f"{source}: is no file")
 

@@ -57,7 +57,7 @@ def test_a_project_without_a_media_folder_gets_one(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "data", "said"),
     [
-        ("notes.txt", b"x", "shows .png"),
+        ("notes.txt", b"x", "takes .png"),
         ("gone.png", None, "is no file"),
         ("large.png", b"x" * 101, "make it smaller"),
     ],
@@ -79,7 +79,7 @@ def test_what_can_not_come_in_is_refused_in_one_line(
 
 
 def test_the_page_serves_all_that_can_be_brought_in() -> None:
-    assert {*media_import.PICTURES, *media_import.MOVIES} <= set(_MEDIA_TYPES)
+    assert {*media_import.PICTURES, *media_import.MOVIES, *media_import.SOUNDS} <= set(_MEDIA_TYPES)
 
 
 @given(st.text(max_size=80), st.sampled_from(media_import.PICTURES))
