@@ -10,13 +10,22 @@ from html.parser import HTMLParser
 
 
 def to_text(rows: Sequence[Sequence[str]]) -> str:
-    """One line a row, tabs between the cells; in these stand neither tabs nor ends of lines."""
-    return "".join("\t".join(row) + "\n" for row in rows)
+    """One line a row, tabs between the cells; quoted where a cell has such signs itself."""
+    return "".join("\t".join(map(_quoted, row)) + "\n" for row in rows)
+
+
+def _quoted(cell: str) -> str:
+    # The csv module quotes a row's only cell where it is empty; a spreadsheet shows the quotes.
+    return '"' + cell.replace('"', '""') + '"' if any(c in cell for c in '\t\r\n"') else cell
 
 
 def to_html(rows: Sequence[Sequence[str]]) -> str:
-    lines = ("".join(f"<td>{html.escape(cell)}</td>" for cell in row) for row in rows)
+    lines = ("".join(f"<td>{_marked(cell)}</td>" for cell in row) for row in rows)
     return f"<table>{''.join(f'<tr>{line}</tr>' for line in lines)}</table>"
+
+
+def _marked(cell: str) -> str:
+    return html.escape(cell).replace("\n", "<br>")
 
 
 def from_text(text: str) -> list[list[str]]:
@@ -32,7 +41,11 @@ def from_html(text: str) -> list[list[str]]:
     reader = _Tables()
     reader.feed(text)
     reader.close()
-    return _even([[" ".join(cell.split()) for cell in row] for row in reader.rows])
+    return _even([[_tidy(cell) for cell in row] for row in reader.rows])
+
+
+def _tidy(cell: str) -> str:
+    return "\n".join(" ".join(line.split()) for line in cell.split("\n")).strip()
 
 
 def _even(rows: list[list[str]]) -> list[list[str]]:
@@ -60,7 +73,7 @@ class _Tables(HTMLParser):
         elif tag in ("td", "th") and self.rows:
             self._begin(dict(attrs))
         elif tag == "br":
-            self.handle_data(" ")
+            self.handle_data("\n", "\n")
 
     def _begin(self, attributes: dict[str, str | None]) -> None:
         row, at = self.rows[-1], len(self.rows) - 1
@@ -79,10 +92,10 @@ class _Tables(HTMLParser):
         if tag in ("td", "th", "tr", "table"):
             self._inside = False
 
-    def handle_data(self, data: str) -> None:
+    def handle_data(self, data: str, end: str = " ") -> None:
         if self._inside and self._depth == 1:
-            row = self.rows[-1]
-            row[self._at] += data
+            # The ends of lines in the page's text are no more than blanks.
+            self.rows[-1][self._at] += data.replace("\n", end)
 
 
 def _span(text: str | None) -> int:

@@ -182,3 +182,11 @@ def test_text_with_tabs_is_read_with_any_end_of_line_and_quoted_cells() -> None:
     assert spreadsheet.from_text('"a\tb"\t"c""d"\n5') == [["a\tb", 'c"d'], ["5", ""]]
     assert spreadsheet.from_text("\n") == [[""]]
     assert spreadsheet.from_text("") == []
+
+
+def test_cells_with_tabs_quotes_and_several_lines_come_back_as_they_were() -> None:
+    rows = [["one\ntwo", 'say "so"'], ["a\tb", "<b> & more"], ["", "x"]]
+    assert spreadsheet.from_text(spreadsheet.to_text(rows)) == rows
+    rows[1][0] = "a b"
+    assert spreadsheet.from_html(spreadsheet.to_html(rows)) == rows
+    assert spreadsheet.to_text([[""]]) == "\n"
