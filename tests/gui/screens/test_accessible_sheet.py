@@ -8,7 +8,6 @@ from typing import Any
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
-from PySide6.QtWidgets import QApplication
 
 NAME, DESCRIPTION = QAccessible.Text.Name, QAccessible.Text.Description
 ROLE, EVENT = QAccessible.Role, QAccessible.Event
@@ -16,6 +15,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
+Page = Any
 Table = Any
 
 
@@ -27,16 +27,16 @@ def listening() -> Iterator[None]:
     QAccessible.setActive(False)
 
 
-def tree(table: Table) -> Any:
-    return QAccessible.queryAccessibleInterface(table.sheet)
+def tree(page: Any) -> Any:
+    return QAccessible.queryAccessibleInterface(page.sheet)
 
 
 def below(part: Any) -> list[Any]:
     return [part.child(i) for i in range(part.childCount())]
 
 
-def test_every_component_is_heard_with_its_text_its_place_and_what_it_sends(table: Table) -> None:
-    found = below(tree(table))
+def test_every_component_is_heard_with_its_text_its_place_and_what_it_sends(page: Page) -> None:
+    found = below(tree(page))
     assert [(p.role(), p.text(NAME)) for p in found[:5]] == [
         (ROLE.StaticText, "Text What would you like to do?"),
         (ROLE.Graphic, "Image measure.png"),
@@ -47,26 +47,26 @@ def test_every_component_is_heard_with_its_text_its_place_and_what_it_sends(tabl
     assert found[3].text(DESCRIPTION) == (
         "6 % from the left, 70 % from the top; 91 × 33 mm, clickMeasure"
     )
-    own = {c.id for c in table.components}
+    own = {c.id for c in page.components}
     above = [p for p in found if p.id not in own]
     assert above
     assert not any(p.state().selectable for p in above)
-    area = table.sheet.area(table.sheet.own()["robot"]).toRect()
-    assert found[2].rect().topLeft() == table.sheet.mapToGlobal(area.topLeft())
-    assert tree(table).childAt(*found[2].rect().center().toTuple()) is found[2]
-    assert tree(table).indexOfChild(found[2]) == 2
+    area = page.sheet.area(page.sheet.own()["robot"]).toRect()
+    assert found[2].rect().topLeft() == page.sheet.mapToGlobal(area.topLeft())
+    assert tree(page).childAt(*found[2].rect().center().toTuple()) is found[2]
+    assert tree(page).indexOfChild(found[2]) == 2
 
 
-def test_a_component_is_selected_and_opened_by_an_assistive_program(table: Table) -> None:
-    heart, measure = below(tree(table))[1], below(tree(table))[3]
+def test_a_component_is_selected_and_opened_by_an_assistive_program(page: Page) -> None:
+    heart, measure = below(tree(page))[1], below(tree(page))[3]
     heart.actionInterface().doAction("SetFocus")
-    table.used.settle()
-    assert table.used.window.inspector.place == ("state", "11", "screen", "heart")
+    page.settle()
+    assert page.selected == (("state", "11", "screen", "heart"),)
     assert heart.state().selected
     assert heart.state().focused
-    assert tree(table).focusChild() is heart
+    assert tree(page).focusChild() is heart
     measure.actionInterface().doAction("Press")
-    assert table.sheet.writing.field.toPlainText() == "MEASURE"
+    assert page.sheet.writing.field.toPlainText() == "MEASURE"
 
 
 def test_who_listens_hears_the_selection_and_what_comes_and_goes(
@@ -105,42 +105,41 @@ def test_who_listens_hears_the_selection_and_what_comes_and_goes(
 
 
 def test_without_a_mouse_components_are_reached_moved_resized_written_and_left(
-    table: Table,
+    page: Page,
 ) -> None:
-    used, sheet = table.used, table.sheet
+    sheet = page.sheet
     sheet.setFocus()
-    used.settle()
-    used.key(Qt.Key.Key_Tab)
+    page.settle()
+    page.key(Qt.Key.Key_Tab)
     assert sheet.selected == ("question",)
-    used.key(Qt.Key.Key_Tab)
-    used.key(Qt.Key.Key_Tab)
-    used.key(Qt.Key.Key_Backtab, SHIFT)
+    page.key(Qt.Key.Key_Tab)
+    page.key(Qt.Key.Key_Tab)
+    page.key(Qt.Key.Key_Backtab, SHIFT)
     assert sheet.selected == ("heart",)
-    heart = table.component("heart")
-    used.key(Qt.Key.Key_Right, ALT)
-    used.key(Qt.Key.Key_Down, CONTROL)
-    used.key(Qt.Key.Key_Left, CONTROL | SHIFT)
-    grown = table.component("heart")
+    heart = page.component("heart")
+    page.key(Qt.Key.Key_Right, ALT)
+    page.key(Qt.Key.Key_Down, CONTROL)
+    page.key(Qt.Key.Key_Left, CONTROL | SHIFT)
+    grown = page.component("heart")
     assert (grown.width, grown.height) == (heart.width + 1 - 10, heart.height + 1)
     assert (grown.x, grown.y) == (heart.x, heart.y)
-    assert used.session.undo_text == "Resize heart"
-    used.key(Qt.Key.Key_A, CONTROL)
-    assert sheet.selected == tuple(c.id for c in table.components)
-    used.key(Qt.Key.Key_Escape)
+    assert page.steps[-1] == "Resize heart"
+    page.key(Qt.Key.Key_A, CONTROL)
+    assert sheet.selected == tuple(c.id for c in page.components)
+    page.key(Qt.Key.Key_Escape)
     assert sheet.selected == ()
     # Behind the last one Tab goes on to what comes after the sheet.
-    table.click("goodbye")
-    used.key(Qt.Key.Key_Tab)
-    assert not sheet.hasFocus()
-    assert QApplication.focusWidget() is not None
+    page.click("goodbye")
+    page.key(Qt.Key.Key_Tab)
+    assert page.next.hasFocus()
 
 
-def test_at_the_edge_of_the_screen_a_component_grows_at_its_other_side(table: Table) -> None:
-    table.click("goodbye")
+def test_at_the_edge_of_the_screen_a_component_grows_at_its_other_side(page: Page) -> None:
+    page.click("goodbye")
     for _ in range(2):
-        table.used.key(Qt.Key.Key_Right, SHIFT)
-    one = table.component("goodbye")
+        page.key(Qt.Key.Key_Right, SHIFT)
+    one = page.component("goodbye")
     assert one.x + one.width == 100
-    table.used.key(Qt.Key.Key_Right, ALT)
-    grown = table.component("goodbye")
+    page.key(Qt.Key.Key_Right, ALT)
+    grown = page.component("goodbye")
     assert (grown.x, grown.width) == (one.x - 1, one.width + 1)

@@ -18,63 +18,61 @@ ALT = Qt.KeyboardModifier.AltModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
-Table = Any
+Page = Any
 
 
-def test_a_rubber_band_selects_what_it_touches_and_adds_to_it_with_shift(table: Table) -> None:
-    sheet = table.sheet
-    table.drag(table.at(2, 97), table.at(10, -10))
+def test_a_rubber_band_selects_what_it_touches_and_adds_to_it_with_shift(page: Page) -> None:
+    sheet = page.sheet
+    page.drag(page.at(2, 97), page.at(10, -10))
     assert sheet.selected == ("measure",)
-    table.drag(table.at(98, 97), table.at(-10, -10), SHIFT)
+    page.drag(page.at(98, 97), page.at(-10, -10), SHIFT)
     assert sheet.selected == ("measure", "goodbye")
-    assert table.used.window.current_view.selected == tuple(
-        ("state", "11", "screen", id) for id in ("measure", "goodbye")
-    )
-    table.drag(table.at(49, 2), table.at(1, 20))
+    assert page.selected == tuple(("state", "11", "screen", id) for id in ("measure", "goodbye"))
+    page.drag(page.at(49, 2), page.at(1, 20))
     assert sheet.selected == ("question",)
-    before = table.document
-    QTest.mouseClick(sheet, LEFT, NONE, table.at(50, 50))
-    table.used.settle()
+    before = page.document
+    QTest.mouseClick(sheet, LEFT, NONE, page.at(50, 50))
+    page.settle()
     assert sheet.selected == ()
-    assert table.used.window.inspector.place == ("state", "11")
-    assert table.document is before
+    assert page.selected == (("state", "11"),)
+    assert page.document is before
 
 
-def test_escape_ends_a_rubber_band_and_a_drag_as_if_they_had_not_begun(table: Table) -> None:
-    before = table.document
-    table.click("robot")
-    QTest.mousePress(table.sheet, LEFT, NONE, table.at(2, 97))
-    table.sheet_move(table.at(10, 80), NONE)
-    assert table.sheet.selected == ("measure",)
-    table.used.key(Qt.Key.Key_Escape)
-    QTest.mouseRelease(table.sheet, LEFT, NONE, table.at(10, 80))
-    table.used.settle()
-    assert table.sheet.selected == ("robot",)
-    QTest.mousePress(table.sheet, LEFT, NONE, table.middle("robot"))
-    table.sheet_move(table.middle("robot") + QPoint(30, 20), NONE)
-    table.used.key(Qt.Key.Key_Escape)
-    table.sheet_move(table.middle("robot") + QPoint(50, 20), NONE)
-    QTest.mouseRelease(table.sheet, LEFT, NONE, table.middle("robot") + QPoint(50, 20))
-    table.used.settle()
-    assert table.document is before
-    assert table.sheet.selected == ("robot",)
-    table.used.key(Qt.Key.Key_Escape)
-    assert table.sheet.selected == ()
+def test_escape_ends_a_rubber_band_and_a_drag_as_if_they_had_not_begun(page: Page) -> None:
+    before = page.document
+    page.click("robot")
+    QTest.mousePress(page.sheet, LEFT, NONE, page.at(2, 97))
+    page.sheet_move(page.at(10, 80), NONE)
+    assert page.sheet.selected == ("measure",)
+    page.key(Qt.Key.Key_Escape)
+    QTest.mouseRelease(page.sheet, LEFT, NONE, page.at(10, 80))
+    page.settle()
+    assert page.sheet.selected == ("robot",)
+    QTest.mousePress(page.sheet, LEFT, NONE, page.middle("robot"))
+    page.sheet_move(page.middle("robot") + QPoint(30, 20), NONE)
+    page.key(Qt.Key.Key_Escape)
+    page.sheet_move(page.middle("robot") + QPoint(50, 20), NONE)
+    QTest.mouseRelease(page.sheet, LEFT, NONE, page.middle("robot") + QPoint(50, 20))
+    page.settle()
+    assert page.document is before
+    assert page.sheet.selected == ("robot",)
+    page.key(Qt.Key.Key_Escape)
+    assert page.sheet.selected == ()
 
 
-def test_what_lies_below_is_reached_by_alt_and_by_clicking_again(table: Table) -> None:
-    sheet = table.sheet
+def test_what_lies_below_is_reached_by_alt_and_by_clicking_again(page: Page) -> None:
+    sheet = page.sheet
     # Onto each other: the heart, the robot on it.
-    table.drag(table.middle("robot"), table.middle("heart") - table.middle("robot"), ALT)
-    at = table.middle("heart")
+    page.drag(page.middle("robot"), page.middle("heart") - page.middle("robot"), ALT)
+    at = page.middle("heart")
 
     def click(held: Qt.KeyboardModifier = NONE) -> tuple[str, ...]:
         QTest.mouseClick(sheet, LEFT, held, at)
-        table.used.settle()
+        page.settle()
         selected: tuple[str, ...] = sheet.selected
         return selected
 
-    QTest.mouseClick(sheet, LEFT, NONE, table.middle("question"))
+    QTest.mouseClick(sheet, LEFT, NONE, page.middle("question"))
     assert click() == ("robot",)
     assert click() == ("heart",)
     assert click() == ("robot",)
@@ -83,47 +81,47 @@ def test_what_lies_below_is_reached_by_alt_and_by_clicking_again(table: Table) -
 
 
 def test_a_click_on_one_of_several_selects_it_alone_and_with_shift_takes_it_out(
-    table: Table,
+    page: Page,
 ) -> None:
-    table.click("measure")
-    table.click("goodbye", "heart", held=SHIFT)
-    assert table.sheet.selected == ("measure", "goodbye", "heart")
-    table.click("goodbye", held=SHIFT)
-    assert table.sheet.selected == ("measure", "heart")
-    table.click("heart")
-    assert table.sheet.selected == ("heart",)
+    page.click("measure")
+    page.click("goodbye", "heart", held=SHIFT)
+    assert page.sheet.selected == ("measure", "goodbye", "heart")
+    page.click("goodbye", held=SHIFT)
+    assert page.sheet.selected == ("measure", "heart")
+    page.click("heart")
+    assert page.sheet.selected == ("heart",)
 
 
-def test_several_are_resized_together_by_the_handles_of_what_covers_them(table: Table) -> None:
-    table.click("measure")
-    table.click("goodbye", held=SHIFT)
-    before = {id: box_of(table.component(id)) for id in ("measure", "goodbye")}
-    table.drag(table.sheet.handle_at("n").toPoint(), table.at(0, -12), ALT)
-    after = {id: box_of(table.component(id)) for id in ("measure", "goodbye")}
+def test_several_are_resized_together_by_the_handles_of_what_covers_them(page: Page) -> None:
+    page.click("measure")
+    page.click("goodbye", held=SHIFT)
+    before = {id: box_of(page.component(id)) for id in ("measure", "goodbye")}
+    page.drag(page.sheet.handle_at("n").toPoint(), page.at(0, -12), ALT)
+    after = {id: box_of(page.component(id)) for id in ("measure", "goodbye")}
     for id in before:
         assert after[id].height == pytest.approx(before[id].height + 12, abs=0.6)
         assert after[id].bottom == pytest.approx(before[id].bottom, abs=0.02)
         assert after[id].x == before[id].x
-    assert table.used.session.undo_text == "Resize measure, goodbye"
-    table.drag(table.sheet.handle_at("nw").toPoint(), table.at(20, 0), SHIFT)
-    whole = around(box_of(table.component(id)) for id in before)
+    assert page.steps[-1] == "Resize measure, goodbye"
+    page.drag(page.sheet.handle_at("nw").toPoint(), page.at(20, 0), SHIFT)
+    whole = around(box_of(page.component(id)) for id in before)
     old = around(after.values())
     assert whole.width / whole.height == pytest.approx(old.width / old.height, rel=0.01)
     assert whole.right == pytest.approx(old.right, abs=0.02)
 
 
-def test_shift_keeps_a_drag_on_one_axis(table: Table) -> None:
-    before = table.component("robot")
-    table.drag(table.middle("robot"), table.at(-9, 5), SHIFT)
+def test_shift_keeps_a_drag_on_one_axis(page: Page) -> None:
+    before = page.component("robot")
+    page.drag(page.middle("robot"), page.at(-9, 5), SHIFT)
     # Shift and a press add to the selection; what is dragged is what was pressed.
-    assert table.component("robot").y == before.y
-    assert table.component("robot").x != before.x
+    assert page.component("robot").y == before.y
+    assert page.component("robot").x != before.x
 
 
-def test_while_it_is_dragged_guides_and_even_distances_are_told(table: Table) -> None:
-    sheet = table.sheet
-    QTest.mousePress(sheet, LEFT, NONE, table.middle("goodbye"))
-    table.sheet_move(table.middle("goodbye") + table.at(0.4, -2.6), NONE)
+def test_while_it_is_dragged_guides_and_even_distances_are_told(page: Page) -> None:
+    sheet = page.sheet
+    QTest.mousePress(sheet, LEFT, NONE, page.middle("goodbye"))
+    page.sheet_move(page.middle("goodbye") + page.at(0.4, -2.6), NONE)
     proposal = sheet.proposal
     # As far below the pictures as they are below the question.
     assert proposal.boxes["goodbye"].y == 68
@@ -131,23 +129,23 @@ def test_while_it_is_dragged_guides_and_even_distances_are_told(table: Table) ->
     assert 94 in proposal.snap.upright
     told = {(g.across, round(g.length, 2), g.even) for g in proposal.gaps}
     assert (False, 2, True) in told
-    assert table.component("goodbye").y == 70
-    QTest.mouseRelease(sheet, LEFT, NONE, table.middle("goodbye"))
-    table.used.settle()
-    assert table.component("goodbye").y == 68
+    assert page.component("goodbye").y == 70
+    QTest.mouseRelease(sheet, LEFT, NONE, page.middle("goodbye"))
+    page.settle()
+    assert page.component("goodbye").y == 68
     assert sheet.proposal is None
 
 
-def test_the_badge_tells_millimetres_at_ten_inches_and_what_a_touch_sends(table: Table) -> None:
-    measure, heart = table.component("measure"), table.component("heart")
+def test_the_badge_tells_millimetres_at_ten_inches_and_what_a_touch_sends(page: Page) -> None:
+    measure, heart = page.component("measure"), page.component("heart")
     assert marks.measured(box_of(measure), [measure]) == "91 × 33 mm, clickMeasure"
     assert marks.measured(box_of(heart), [heart]) == "65 × 44 mm"
     assert marks.measured(box_of(heart), [heart, measure]) == "65 × 44 mm"
 
 
-def test_what_always_adds_is_seen_and_snapped_to_unless_it_is_hidden(table: Table) -> None:
-    table.used.select("state", "5")
-    sheet = table.sheet
+def test_what_always_adds_is_seen_and_snapped_to_unless_it_is_hidden(page: Page) -> None:
+    page.select("5")
+    sheet = page.sheet
     own = {c.id for c in sheet.screen_shown.components}
     above = [c.id for c in sheet.components if c.id not in own]
     assert above
@@ -155,20 +153,20 @@ def test_what_always_adds_is_seen_and_snapped_to_unless_it_is_hidden(table: Tabl
     sheet.show_always(False)
     assert [c.id for c in sheet.components if c.id not in own] == []
     assert len(sheet.others(())) == seen - len(above)
-    table.used.select("state", "7")
+    page.select("7")
     assert not set(above) & {c.id for c in sheet.components}
     sheet.show_always(True)
     assert set(above) <= {c.id for c in sheet.components}
 
 
 def test_a_component_dropped_on_a_state_without_a_screen_makes_its_screen_in_one_step(
-    table: Table,
+    page: Page,
 ) -> None:
-    before = places.change(table.document, ("state", "11"), screen=None)
-    table.used.window.commit(before, "Take the screen away")
-    table.used.settle()
-    assert table.drop("text", table.at(50, 50))
-    made = table.document.state("11").screen
+    before = places.change(page.document, ("state", "11"), screen=None)
+    page.commit(before)
+    page.settle()
+    assert page.drop("text", page.at(50, 50))
+    made = page.document.state("11").screen
     assert [c.element for c in made.components] == ["text"]
-    table.used.key(Qt.Key.Key_Z, CONTROL)
-    assert table.document == before
+    page.undo()
+    assert page.document == before

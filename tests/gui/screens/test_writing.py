@@ -16,80 +16,81 @@ LEFT = Qt.MouseButton.LeftButton
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
+Page = Any
 Table = Any
 
 
-def double(table: Table, at: QPoint) -> None:
-    QTest.mouseClick(table.sheet, LEFT, pos=at)
-    QTest.mouseDClick(table.sheet, LEFT, pos=at)
-    table.used.settle()
+def double(page: Page, at: QPoint) -> None:
+    QTest.mouseClick(page.sheet, LEFT, pos=at)
+    QTest.mouseDClick(page.sheet, LEFT, pos=at)
+    page.settle()
 
 
 def test_a_double_click_opens_the_text_in_its_box_and_enter_takes_it_as_one_step(
-    table: Table,
+    page: Page,
 ) -> None:
-    double(table, table.middle("measure"))
-    field = table.sheet.writing.field
+    double(page, page.middle("measure"))
+    field = page.sheet.writing.field
     assert field.hasFocus()
-    box = table.sheet.area(table.sheet.own()["measure"]).toRect()
+    box = page.sheet.area(page.sheet.own()["measure"]).toRect()
     assert (field.geometry().center() - box.center()).manhattanLength() <= 2
     assert field.document().defaultTextOption().alignment() == Qt.AlignmentFlag.AlignHCenter
-    table.used.type("Pulse")
-    assert table.component("measure").text == "MEASURE"
-    table.used.key(Qt.Key.Key_Return)
-    assert table.component("measure").text == "Pulse"
-    assert table.used.session.undo_text == "Change text of measure"
-    assert table.sheet.hasFocus()
-    assert table.sheet.writing.field is None
-    assert table.sheet.selected == ("measure",)
-    table.used.key(Qt.Key.Key_Z, CONTROL)
-    assert table.component("measure").text == "MEASURE"
+    page.type("Pulse")
+    assert page.component("measure").text == "MEASURE"
+    page.key(Qt.Key.Key_Return)
+    assert page.component("measure").text == "Pulse"
+    assert page.steps[-1] == "Change text of measure"
+    assert page.sheet.hasFocus()
+    assert page.sheet.writing.field is None
+    assert page.sheet.selected == ("measure",)
+    page.undo()
+    assert page.component("measure").text == "MEASURE"
 
 
-def test_f2_opens_it_escape_leaves_what_was_and_leaving_it_takes_it(table: Table) -> None:
-    before = table.document
-    table.click("question")
-    table.used.key(Qt.Key.Key_F2)
-    table.used.type("nothing")
-    table.used.key(Qt.Key.Key_Escape)
-    assert table.document is before
-    assert table.sheet.selected == ("question",)
-    table.used.key(Qt.Key.Key_F2)
-    table.used.key(Qt.Key.Key_End)
-    table.used.key(Qt.Key.Key_Return, SHIFT)
-    table.used.type("Choose.")
-    table.click("heart")
-    assert table.component("question").text == "What would you like to do?\nChoose."
-    assert table.sheet.selected == ("heart",)
+def test_f2_opens_it_escape_leaves_what_was_and_leaving_it_takes_it(page: Page) -> None:
+    before = page.document
+    page.click("question")
+    page.key(Qt.Key.Key_F2)
+    page.type("nothing")
+    page.key(Qt.Key.Key_Escape)
+    assert page.document is before
+    assert page.sheet.selected == ("question",)
+    page.key(Qt.Key.Key_F2)
+    page.key(Qt.Key.Key_End)
+    page.key(Qt.Key.Key_Return, SHIFT)
+    page.type("Choose.")
+    page.click("heart")
+    assert page.component("question").text == "What would you like to do?\nChoose."
+    assert page.sheet.selected == ("heart",)
     # A button has one line.
-    table.click("measure")
-    table.used.key(Qt.Key.Key_F2)
-    table.used.key(Qt.Key.Key_Return, SHIFT)
-    assert table.sheet.writing.field is None
-    assert table.component("measure").text == "MEASURE"
+    page.click("measure")
+    page.key(Qt.Key.Key_F2)
+    page.key(Qt.Key.Key_Return, SHIFT)
+    assert page.sheet.writing.field is None
+    assert page.component("measure").text == "MEASURE"
 
 
-def test_letters_begin_another_text_and_a_picture_has_none(table: Table) -> None:
-    before = table.document
-    table.click("heart")
-    table.used.type("x")
-    assert table.sheet.writing.field is None
-    table.click("goodbye")
-    table.used.type("B")
-    table.used.type("ye")
-    table.used.key(Qt.Key.Key_Tab)
-    assert table.component("goodbye").text == "Bye"
-    table.used.key(Qt.Key.Key_Z, CONTROL)
-    assert table.document == before
+def test_letters_begin_another_text_and_a_picture_has_none(page: Page) -> None:
+    before = page.document
+    page.click("heart")
+    page.type("x")
+    assert page.sheet.writing.field is None
+    page.click("goodbye")
+    page.type("B")
+    page.type("ye")
+    page.key(Qt.Key.Key_Tab)
+    assert page.component("goodbye").text == "Bye"
+    page.undo()
+    assert page.document == before
 
 
-def test_an_input_method_begins_another_text_too(table: Table) -> None:
-    table.click("goodbye")
+def test_an_input_method_begins_another_text_too(page: Page) -> None:
+    page.click("goodbye")
     begun = QInputMethodEvent()
     begun.setCommitString("さようなら")
-    QCoreApplication.sendEvent(table.sheet, begun)
-    table.used.key(Qt.Key.Key_Return)
-    assert table.component("goodbye").text == "さようなら"
+    QCoreApplication.sendEvent(page.sheet, begun)
+    page.key(Qt.Key.Key_Return)
+    assert page.component("goodbye").text == "さようなら"
 
 
 def test_undo_and_save_take_what_is_being_written_first(table: Table) -> None:
@@ -102,26 +103,25 @@ def test_undo_and_save_take_what_is_being_written_first(table: Table) -> None:
 
 
 def test_a_brace_offers_tags_that_are_filtered_as_typed_and_taken_by_enter_or_tab(
-    table: Table,
+    page: Page,
 ) -> None:
-    table.click("question")
-    table.used.key(Qt.Key.Key_F2)
-    table.used.key(Qt.Key.Key_End)
-    table.used.type(" {")
-    tags = table.sheet.writing.field.tags
-    assert {"user.name", "patients"} <= set(tags.offered)
-    table.used.type("name")
-    assert set(tags.offered) >= {"user.name"}
-    assert "patients" not in tags.offered
-    chosen = tags.offered[0]
-    table.used.key(Qt.Key.Key_Tab)
+    page.sheet.offer_tags(("language", "patients", "user.name"))
+    page.click("question")
+    page.key(Qt.Key.Key_F2)
+    page.key(Qt.Key.Key_End)
+    page.type(" {")
+    tags = page.sheet.writing.field.tags
+    assert tags.offered == ["language", "patients", "user.name"]
+    page.type("NA")
+    assert tags.offered == ["user.name"]
+    page.key(Qt.Key.Key_Tab)
     assert not tags.is_open
-    assert table.sheet.writing.field.toPlainText() == f"What would you like to do? {{{chosen}}}"
-    table.used.type(" {pat")
-    table.used.key(Qt.Key.Key_Escape)
+    assert page.sheet.writing.field.toPlainText() == "What would you like to do? {user.name}"
+    page.type(" {pat")
+    page.key(Qt.Key.Key_Escape)
     assert not tags.is_open
-    table.used.key(Qt.Key.Key_Return)
-    assert table.component("question").text.endswith(f"{{{chosen}}} {{pat")
+    page.key(Qt.Key.Key_Return)
+    assert page.component("question").text == "What would you like to do? {user.name} {pat"
 
 
 @pytest.mark.parametrize("made", [Line, Paragraph])
@@ -146,6 +146,23 @@ def test_a_field_of_a_form_completes_tags_as_the_screen_does(qt: QApplication, m
     assert not tags.is_open
     field.close()
     field.deleteLater()
+
+
+def test_in_a_list_the_entry_is_offered_first_and_an_empty_label_is_the_entry(page: Page) -> None:
+    page.sheet.offer_tags(("patients",))
+    page.drop("list", page.at(50, 50))
+    made = page.components[-1].id
+    page.sheet.open(made)
+    page.type("{")
+    assert page.sheet.writing.field.tags.offered == ["item", "patients"]
+    page.key(Qt.Key.Key_Return)
+    page.type("!")
+    page.key(Qt.Key.Key_Return)
+    assert page.component(made).label == "{item}!"
+    page.sheet.open(made)
+    page.key(Qt.Key.Key_Delete)
+    page.key(Qt.Key.Key_Return)
+    assert page.component(made).label == "{item}"
 
 
 def test_in_the_inspector_a_brace_offers_the_tags_of_the_project(table: Table) -> None:
