@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QPainter, QResizeEvent, Qt
 from PySide6.QtWidgets import QWidget
 
@@ -15,6 +15,7 @@ from situ_studio.canvas import headings, script_piping, script_spoken, spoken
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.base import BAR, READABLE
 from situ_studio.canvas.curves import CurvedPipe
+from situ_studio.canvas.ground import ZOOM_LEAST
 from situ_studio.canvas.headings import Headings
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
@@ -40,7 +41,7 @@ class ScriptCanvas(ScriptCommands):
         self._shapes = Shapes()
         self._laws = Laws()
         self.priorities = Priorities(self, self._prioritise, self.status.emit)
-        self.menu = self.test_editor = self.seconds_editor = None
+        self.menu = self.test_editor = self.field_editor = None
         self._drop: tuple[Any, Any, QPointF] | None = None
         self._why_not: tuple[ScriptNode, ScriptNode] | None = None
         self._fresh: list[tuple[str, ...]] = []
@@ -174,16 +175,26 @@ class ScriptCanvas(ScriptCommands):
     def extent(self) -> QRectF:
         return super().extent().united(headings.EXTENT)
 
+    def zoom_to_fit(self) -> None:
+        """The whole drawing, at most at 100 %, right below the headings."""
+        size, area = self._room()
+        self._look_from_top(min(1.0, size.width() / area.width(), size.height() / area.height()))
+
     def zoom_to_begin(self) -> None:
-        """From the top, all columns where they can be read so; the rest is scrolled to."""
-        area = self.extent().adjusted(-24, -8, 24, 24)
-        size = self.viewer.viewport().size()
-        zoom = max(READABLE, min(1.0, size.width() / area.width()))
-        if area.height() * zoom <= size.height() - BAR and area.width() * zoom <= size.width():
-            self.zoom_to_fit()
-            return
-        wide = max(area.width(), size.width() / zoom)
-        left = area.center().x() - wide / 2 if area.width() * zoom <= size.width() else area.left()
+        """All columns, where they can be read so; what is further down is scrolled to."""
+        size, area = self._room()
+        self._look_from_top(max(READABLE, min(1.0, size.width() / area.width())))
+
+    def _room(self) -> tuple[QSizeF, QRectF]:
+        """What the drawing can have of the window, and what it takes of the scene."""
+        size = QSizeF(self.viewer.viewport().size())
+        return size - QSizeF(0, BAR), self.extent().adjusted(-24, -8, 24, 0)
+
+    def _look_from_top(self, zoom: float) -> None:
+        size, area = self._room()
+        zoom = max(ZOOM_LEAST, zoom)
+        wide = size.width() / zoom
+        left = area.center().x() - wide / 2 if area.width() <= wide else area.left()
         self.look_at((zoom, left, area.top()))
 
     def resizeEvent(self, event: QResizeEvent) -> None:

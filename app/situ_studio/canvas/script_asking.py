@@ -27,7 +27,7 @@ class ScriptAsking(ScriptChoosing):
 
     priorities: Priorities
     menu: FollowMenu | None
-    seconds_editor: InPlace | None
+    field_editor: InPlace | None
 
     # -- asking ----------------------------------------------------------------------------
 
@@ -139,20 +139,13 @@ class ScriptAsking(ScriptChoosing):
         name = self._one_situation()
         if not name:
             return
-        key = self._picture.uids["situation", name]
+        node = self._picture.cards[self._picture.uids["situation", name]]
         now = getattr(self.document.situation(name), which)
-        self.viewer.reveal(self.card_area(key))
         text = write_number(now) if now is not None else ""
-        editor = priority_editor((name, which), text, self.look, self.viewer.viewport())
-        editor.setAccessibleName(asked)
-        editor.setPlaceholderText(asked)
-        editor.finished.connect(self._on_seconds)
-        self.seconds_editor = editor
-        area = self.viewer.mapFromScene(self.card_area(key)).boundingRect()
-        editor.open_at(QRect(area.left(), area.bottom() - 12, max(area.width(), 190), 26))
+        self._open_field(node, (name, which), text, asked, self._on_seconds)
 
     def _on_seconds(self, key: tuple[str, str], text: str | None, _: int) -> None:
-        self.seconds_editor = None
+        self.field_editor = None
         self.viewer.setFocus()
         if text is None:
             return
@@ -235,6 +228,36 @@ class ScriptAsking(ScriptChoosing):
     def _set_type(self, tag: str, kind: str) -> None:
         kinds: Any = None if kind == "any" else kind
         self._edit(*gestures.change_data(self.document, tag, type=kinds))
+
+    def edit_unit(self) -> None:
+        """In which unit the selected data is."""
+        node = self._one_node()
+        if node is None or node.kind != "data":
+            self.status.emit(self.tr("Select data"))
+            return
+        known = next((o for o in self.document.observe if o.tag == node.name), None)
+        text = (known.unit if known is not None else None) or ""
+        self._open_field(node, node.name, text, self.tr("Unit, such as deg or m"), self._on_unit)
+
+    def _on_unit(self, tag: str, text: str | None, _: int) -> None:
+        self.field_editor = None
+        self.viewer.setFocus()
+        if text is not None:
+            unit = " ".join(text.split()) or None
+            self._edit(*gestures.change_data(self.document, tag, unit=unit))
+
+    def _open_field(
+        self, node: ScriptNode, key: object, text: str, asked: str, then: Callable[..., None]
+    ) -> None:
+        """A field at the lower edge of a node."""
+        self.viewer.reveal(self.card_area(node.uid))
+        editor = priority_editor(key, text, self.look, self.viewer.viewport())
+        editor.setAccessibleName(asked)
+        editor.setPlaceholderText(asked)
+        editor.finished.connect(then)
+        self.field_editor = editor
+        area = self.viewer.mapFromScene(self.card_area(node.uid)).boundingRect()
+        editor.open_at(QRect(area.left(), area.bottom() - 12, max(area.width(), 190), 26))
 
     def edit_test(self, place: Place) -> None:
         raise NotImplementedError

@@ -121,7 +121,7 @@ def test_the_conversation_is_drawn_by_hand(
     studio: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window = studio().window
-    window.resize(2560, 1440)
+    window.resize(1700, 1150)
     window.dialogs = Dialogs(window)
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     me = Draughtsman(window)
