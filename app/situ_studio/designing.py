@@ -32,6 +32,7 @@ class DesigningSide(QObject):
         self._unfolds = False
         window.docks[PANEL].toggleViewAction().setVisible(False)
         window.inspector.file_asked.connect(self.choose_file)
+        window.inspector.align_asked.connect(lambda edge: window.commands.align(edge))
 
     @property
     def designer(self) -> Designer | None:

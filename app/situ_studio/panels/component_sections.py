@@ -54,31 +54,48 @@ class ComponentSection(QWidget):
         self.subject = subject
 
 
+class EdgeButtons(QWidget):
+    """A row of buttons. pressed: an edge, as ``placing.aligned`` has it."""
+
+    pressed = Signal(str)
+
+    def __init__(self, theme: Theme, edges: dict[str, tuple[str, str]]) -> None:
+        """edges: each with its icon and its words."""
+        super().__init__()
+        line = QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.setSpacing(4)
+        self.buttons: dict[str, IconButton] = {}
+        for edge, (icon, said) in edges.items():
+            button = IconButton(theme, icon, said, "text2", 16)
+            button.setProperty("role", "cell")
+            button.setMinimumSize(24, 28)
+            button.setMaximumSize(80, 28)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button.clicked.connect(lambda _=False, e=edge: self.pressed.emit(e))
+            line.addWidget(button, 1)
+            self.buttons[edge] = button
+
+
 class AlignRow(ComponentSection):
     """One button an edge: the component goes there, of the screen."""
 
     def __init__(self, section: Section, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(section, theme, parent)
-        line = QHBoxLayout()
-        line.setSpacing(4)
-        self.buttons: dict[str, IconButton] = {}
-        for edge, said in (
-            ("left", self.tr("To the left edge of the screen")),
-            ("center", self.tr("To the middle, across")),
-            ("right", self.tr("To the right edge of the screen")),
-            ("top", self.tr("To the upper edge of the screen")),
-            ("middle", self.tr("To the middle, up and down")),
-            ("bottom", self.tr("To the lower edge of the screen")),
-        ):
-            button = IconButton(theme, f"align_{edge}", said, "text2", 16)
-            button.setProperty("role", "cell")
-            button.setMinimumSize(24, 28)
-            button.setMaximumSize(80, 28)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(lambda _=False, e=edge: self._align(e))
-            line.addWidget(button, 1)
-            self.buttons[edge] = button
-        self.body.addLayout(line)
+        row = EdgeButtons(
+            theme,
+            {
+                "left": ("align_left", self.tr("To the left edge of the screen")),
+                "center": ("align_center", self.tr("To the middle, across")),
+                "right": ("align_right", self.tr("To the right edge of the screen")),
+                "top": ("align_top", self.tr("To the upper edge of the screen")),
+                "middle": ("align_middle", self.tr("To the middle, up and down")),
+                "bottom": ("align_bottom", self.tr("To the lower edge of the screen")),
+            },
+        )
+        row.pressed.connect(self._align)
+        self.buttons = row.buttons
+        self.body.addWidget(row)
 
     def _align(self, edge: str) -> None:
         subject = self.subject
@@ -90,6 +107,51 @@ class AlignRow(ComponentSection):
             return
         after = places.change(subject.document, subject.place, **box._asdict())
         self.edited.emit(after, self.tr("Align {0}").format(value.id), subject.place)
+
+
+class AlignSeveral(QWidget):
+    """Of several components that are selected: aligned among themselves, or spread evenly.
+
+    asked: an edge, as ``placing.aligned`` has it.
+    """
+
+    asked = Signal(str)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(MARGIN, 4, MARGIN, 12)
+        column.setSpacing(4)
+        title = QLabel(self.tr("Align"))
+        title.setProperty("role", "heading")
+        column.addWidget(title)
+        self.edges = EdgeButtons(
+            theme,
+            {
+                "left": ("align_left", self.tr("Left edges")),
+                "center": ("align_center", self.tr("Middles, one above the other")),
+                "right": ("align_right", self.tr("Right edges")),
+                "top": ("align_top", self.tr("Upper edges")),
+                "middle": ("align_middle", self.tr("Middles, side by side")),
+                "bottom": ("align_bottom", self.tr("Lower edges")),
+            },
+        )
+        self.gaps = EdgeButtons(
+            theme,
+            {
+                "across": ("distribute", self.tr("Evenly side by side")),
+                "down": ("distribute_down", self.tr("Evenly one above the other")),
+            },
+        )
+        for row in (self.edges, self.gaps):
+            row.pressed.connect(self.asked)
+            column.addWidget(row)
+
+    def show_count(self, count: int) -> None:
+        """How many are selected; three at least can be spread."""
+        self.setVisible(count > 1)
+        for button in self.gaps.buttons.values():
+            button.setEnabled(count > 2)
 
 
 class FitList(ComponentSection):
@@ -147,6 +209,7 @@ class WhenTouched(ComponentSection):
         self.body.addLayout(_told(self.theme, False, said, self.tr("Warning")))
         mend = QPushButton(self.tr("Expect {0}").format(name))
         mend.setProperty("role", "mend")
+        mend.setToolTip(self.tr("The state gets this event; say then where it leads"))
         mend.clicked.connect(lambda _=False: self._expect(name))
         self.body.addWidget(mend, 0, Qt.AlignmentFlag.AlignLeft)
 

@@ -18,6 +18,7 @@ from situ_studio.edit import Document, Place
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.language import translated
 from situ_studio.layouts import rule
+from situ_studio.panels.component_sections import AlignSeveral
 from situ_studio.panels.form import Form
 from situ_studio.panels.header import TitleBar
 from situ_studio.panels.over_scroll import OverScroll
@@ -36,6 +37,8 @@ class Inspector(QWidget):
     added = Signal(tuple)
     """A new thing's place: shown, then typed into at once."""
     refused = Signal(str)
+    align_asked = Signal(str)
+    """How the selected components shall lie, as ``placing.aligned`` has it."""
     file_asked = Signal(tuple, str)
     """As ``Form.file_asked``."""
     usages_asked = Signal()
@@ -81,6 +84,10 @@ class Inspector(QWidget):
         self._words.setWordWrap(True)
         self._words.setContentsMargins(12, 12, 12, 12)
         column.addWidget(self._words)
+        self.several = AlignSeveral(theme)
+        self.several.asked.connect(self.align_asked)
+        self.several.hide()
+        column.addWidget(self.several)
         self._scroll = OverScroll()
         self._scroll.setWidgetResizable(True)
         self._scroll.setFrameShape(QFrame.Shape.NoFrame)
@@ -106,6 +113,7 @@ class Inspector(QWidget):
         self._back.hide()
         self._pill.hide()
         self.told.hide()
+        self.several.hide()
         self._icon.set_icon("info", "text3")
         self._title.setText(title or self.tr("Inspector"))
         self._words.setText(why)
@@ -125,6 +133,8 @@ class Inspector(QWidget):
                 self.tr("Select one of them to change it."),
                 self.tr("{0} selected").format(len(selected)),
             )
+            if all(map(places.is_component, selected)):
+                self.several.show_count(len(selected))
             return
         place = places.nearest(document, selected[0]) if selected else ()
         value = places.get(document, place)
@@ -153,6 +163,7 @@ class Inspector(QWidget):
             self._form = form
         self._place = place
         self._words.hide()
+        self.several.hide()
         icon, tint, name, what = words.title(document, place)
         self._icon.set_icon(icon, tint)
         self._title.setText(name)

@@ -206,13 +206,16 @@ class Designer(QWidget):
 
     def _on_template(self, name: str) -> None:
         application, place = self.shown.application, self.shown.place
-        if application is None or self.shown.part is None:
+        if application is None or not self.shown.may_add():
             return
+        had = self.shown.screen is not None and self.shown.screen.components
         after = templates.applied(application, place, name)
         where = words.place_words(application, place)
         said = self.tr("Template {0} for {1}").format(templates.title(name), where)
         self.edited.emit(after, said)
         self.go_to(place)
+        if had:
+            self.status.emit(self.tr("The screen is another one now: Undo brings it back."))
 
     def _on_layer_moved(self, id: str, to: int) -> None:
         screen = self.shown.screen
@@ -283,7 +286,7 @@ class Designer(QWidget):
     def _place(self, kind: str, bring: Callable[[Project], str], x: float, y: float) -> None:
         """A new picture or movie of a file that is brought into the project."""
         project = self._project()
-        if project is None or self.shown.part is None:
+        if project is None or not self.shown.may_add():
             return
         try:
             src = bring(project)

@@ -47,6 +47,7 @@ class SamplePopup(QFrame):
         column.setContentsMargins(12, 8, 12, 12)
         column.setSpacing(8)
         self.use: QCheckBox = Flag(theme, self.tr("Fill texts with sample values"), self)
+        self.use.setToolTip(self.tr("Else texts are shown as they are written"))
         self.use.toggled.connect(self.shown)
         column.addWidget(self.use)
         self._grid = QGridLayout()

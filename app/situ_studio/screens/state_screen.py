@@ -111,6 +111,17 @@ class StateScreen(QObject):
             self.sheet.setVisible(self.part is not None)
             self.sheet.show_screen(self._theme, self.screen, self.above, self.media, self.values)
 
+    def may_add(self) -> bool:
+        """Whether components can be put there; says why not."""
+        if self.application is None:
+            return False
+        try:
+            insert(self.application, kinds.TEXT, self.place)
+        except NotHere as refused:
+            self.status.emit(str(refused))
+            return False
+        return True
+
     def add(self, name: str, x: float, y: float, **fields: object) -> None:
         """Puts a new component of a kind there with its middle, as one step, and selects it."""
         if self.application is None:

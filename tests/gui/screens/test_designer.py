@@ -7,12 +7,22 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QMimeData, QModelIndex, QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import (
+    QCoreApplication,
+    QMimeData,
+    QModelIndex,
+    QPoint,
+    QPointF,
+    Qt,
+    QTimer,
+    QUrl,
+)
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QLabel, QPushButton
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QPushButton
 
 from situ.document.codec import write
+from situ_studio.screens.own_device import OwnDevice
 from situ_studio.screens.tag_chips import dragged
 
 LEFT = Qt.MouseButton.LeftButton
@@ -315,3 +325,70 @@ def test_a_component_is_pressed_or_dropped_and_stands_in_the_middle(desk: Desk) 
     assert made.element == "button"
     assert desk.window.inspector.place == ("state", "2", "screen", made.id)
     assert abs(made.x + made.width / 2 - 50) <= 1
+
+
+def test_several_components_are_aligned_and_spread_from_the_form(desk: Desk) -> None:
+    desk.go_to("1")
+    chosen = tuple(("state", "1", "screen", id) for id in ("hello", "english", "japanese"))
+    desk.window.select_all(chosen[1:])
+    desk.used.settle()
+    several = desk.window.inspector.several
+    assert several.isVisible()
+    assert not several.gaps.buttons["across"].isEnabled()
+    desk.used.click(several.edges.buttons["left"])
+    first, second = (c for c in desk.components("1") if c.id in ("english", "japanese"))
+    assert first.x == second.x
+    assert desk.sheet.selected == ("english", "japanese")
+    desk.window.select_all(chosen)
+    desk.used.settle()
+    assert several.gaps.buttons["down"].isEnabled()
+    desk.used.select("state", "1")
+    assert not several.isVisible()
+
+
+def test_a_state_that_runs_a_part_takes_no_component_template_or_file(
+    desk: Desk, tmp_path: Path
+) -> None:
+    part = next(s for s in desk.document.states if s.flow is not None)
+    desk.go_to(part.no)
+    before = desk.document
+    desk.used.click(desk.side.templates.tiles["list"])
+    assert part.flow in desk.told()
+    source = tmp_path / "mine.png"
+    QImage(8, 8, QImage.Format.Format_RGB32).save(str(source))
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(source))])
+    desk.drop(data, 50, 50)
+    assert desk.document is before
+    assert not (desk.used.session.root / "media" / "mine.png").exists()
+
+
+def test_a_screen_of_one_s_own_size_is_asked_for(desk: Desk) -> None:
+    def answer(tries: int) -> None:
+        asked = QApplication.activeModalWidget()
+        if not isinstance(asked, OwnDevice):
+            assert tries, "nobody asked"
+            QTimer.singleShot(0, lambda: answer(tries - 1))
+            return
+        for field, text in ((asked.wide, "600"), (asked.high, "1600")):
+            field.setFocus()
+            field.selectAll()
+            QTest.keyClicks(field, text)
+        QTest.keyClick(asked, Qt.Key.Key_Return)
+
+    QTimer.singleShot(0, lambda: answer(2000))
+    # By the arrow keys, past the phone, whose diagonal is offered then.
+    desk.used.choose(desk.bar.devices, "Own size…")
+    desk.used.settle()
+    device = desk.designer.device
+    assert (device.wide, device.high, device.key) == (600, 1600, "own")
+    assert desk.bar.devices.currentText() == "6 inch, 600 × 1600"
+    assert desk.sheet.height() > desk.sheet.width()
+
+
+def test_another_project_leaves_nothing_of_the_designer(desk: Desk, project: Copy) -> None:
+    desk.window.open_project(project("conversation"))
+    desk.used.settle()
+    assert not desk.window.docks["designer"].isVisible()
+    assert desk.window.docks["project"].isVisible()
+    assert desk.window.designer_stack.count() == 0
