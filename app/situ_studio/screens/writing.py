@@ -134,8 +134,10 @@ class Writing:
         if screen is None or component is None:
             return
         attribute = ATTRIBUTES[type(component)]
-        if isinstance(component, rbd.List) and not text.strip():
-            text = f"{{{ITEM}}}"
+        # As a file has it.
+        text = text.strip()
+        if isinstance(component, rbd.List):
+            text = text or f"{{{ITEM}}}"
         after = tuple(
             replace(c, **{attribute: text}) if c is component else c for c in screen.components
         )
