@@ -95,5 +95,6 @@ export function balance(box, inner) {
     if (inner.clientHeight > high || inner.scrollWidth > middle) low = middle;
     else least = middle;
   }
-  inner.style.width = least < most ? `${least}px` : "";
+  // One more, so that nothing hangs on how letters are rounded.
+  inner.style.width = least < most ? `${least + 1}px` : "";
 }

@@ -23,8 +23,13 @@ REFERENCE = 200
 _WIDE = 1e7
 """px: wider than any line."""
 
-Parted = Literal["phrases", "script", "anywhere"]
-"""How far words are parted: not, between Japanese and Chinese characters, or between any two."""
+GRAIN = 1 / 128
+"""px: the browser rounds each word up to 64ths; half of one on the average."""
+
+Parted = Literal["phrases", "script", "anywhere", "row"]
+"""How far phrases are parted: not, between Japanese and Chinese characters, those also between any
+two letters that are wider than a line, or, in a row of a list, phrases that are.
+"""
 
 
 class Style(NamedTuple):
@@ -80,7 +85,7 @@ def fit(
         lines = 0
         widest = 0.0
         for one in paragraphs:
-            spans = _wrapped(one, across / size, parted)
+            spans = _wrapped(one, across, size, parted)
             lines += len(spans)
             widest = max(widest, max(span.width for span in spans))
         needed = max(widest * size, 0.0)
@@ -117,9 +122,7 @@ def balanced(text: str, style: Style, fitted: Fitted, width: float) -> float:
 
     def measured(across: float) -> tuple[int, float]:
         spans = [
-            span
-            for one in paragraphs
-            for span in _wrapped(one, across / fitted.size, fitted.parted)
+            span for one in paragraphs for span in _wrapped(one, across, fitted.size, fitted.parted)
         ]
         return len(spans), max(span.width for span in spans) * fitted.size
 
@@ -135,7 +138,7 @@ def balanced(text: str, style: Style, fitted: Fitted, width: float) -> float:
             low = middle
         else:
             least = middle
-    return float(least) if least < most else width
+    return least + 1.0 if least < most else width
 
 
 @lru_cache(maxsize=8192)
@@ -147,7 +150,7 @@ def set_lines(
     return tuple(
         _line(one.text16(span.start, span.end), style)
         for one in _paragraphs(text, style)
-        for span in _wrapped(one, across / fitted.size, fitted.parted)
+        for span in _wrapped(one, across, fitted.size, fitted.parted)
     )
 
 
@@ -192,7 +195,7 @@ class _Paragraph:
                 text, at = text + one, at + long
             self.words["phrases"].append((began, at))
         text = text.rstrip(" ")
-        self.words["anywhere"] = self.words["script"]
+        self.words |= {"anywhere": self.words["script"], "row": self.words["phrases"]}
         self._encoded = text.encode("utf-16-le")
         self._layout = _laid(text, style)
         line = self._layout.lineAt(0)
@@ -221,22 +224,24 @@ class _Paragraph:
             began = ended
 
 
-def _wrapped(one: _Paragraph, across: float, parted: Parted) -> list[Span]:
-    """The lines of a paragraph: in each as many words as go in, at least one."""
+def _wrapped(one: _Paragraph, across: float, size: float, parted: Parted) -> list[Span]:
+    """The lines of a paragraph that is ``across`` px wide: as many words in each as go in."""
     words = one.words[parted]
     if not words:
         return [Span(0, 0, 0.0)]
     found: list[Span] = []
     start, end = words[0][0], words[0][0]
     width = 0.0
-    limit = across + 1e-3
+    room, grain = across / size, GRAIN / size
+    limit = room
     for began, ended in words:
         wide = one.width(start, ended)
+        limit -= grain
         if wide > limit and end > start:
             found.append(Span(start, end, width))
-            start, wide = began, one.width(began, ended)
-        if wide > limit and parted == "anywhere":
-            *before, last = one.pieces(start, ended, across)
+            start, wide, limit = began, one.width(began, ended), room - grain
+        if wide > limit and parted in ("anywhere", "row"):
+            *before, last = one.pieces(start, ended, room)
             found += before
             start, wide = last.start, last.width
         end, width = ended, wide

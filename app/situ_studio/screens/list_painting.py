@@ -65,7 +65,8 @@ def rows(stage: Stage, one: Shown) -> list[Row]:
     known, box, em = measures(), stage.box(one), size(stage, one)
     free, gap = pad(stage, one), known.least("row-gap", stage.unit)
     least = max(known["row-least"], known["row-tall"] * em)
-    at, across = box.top() + free, box.width() - 2 * free
+    at = box.top() + free
+    across = max(box.width() - 2 * free, 2 * known["row-wide"] * em)
     found: list[Row] = []
     if one["items"] is None:
         # Nobody knows yet what stands there: as many as there is room for.
@@ -75,7 +76,7 @@ def rows(stage: Stage, one: Shown) -> list[Row]:
         return found
     room = across - 2 * known["row-wide"] * em
     for item in one["items"]:
-        lines = set_lines(in_text(item["label"]), style(), Fitted(em, "anywhere"), room, False)
+        lines = set_lines(in_text(item["label"]), style(), Fitted(em, "row"), room, False)
         tall = max(least, len(lines) * known["list-line"] * em + 2 * known["row-high"] * em)
         found.append(Row(QRectF(box.left() + free, at, across, tall), lines))
         at += tall + gap
