@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
+
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, Qt
 from PySide6.QtWidgets import (
@@ -35,6 +38,15 @@ def curve(start: QPointF, end: QPointF) -> QPainterPath:
 def pill_area(centre: QPointF, text: Label, mark: bool) -> QRectF:
     wide = max(30.0, text.width + 16 + (18 if mark else 0))
     return QRectF(centre.x() - wide / 2, centre.y() - PILL / 2, wide, PILL)
+
+
+def _off(spot: QPointF, a: QPointF, b: QPointF) -> float:
+    """How far a spot is from the line between two others."""
+    way, to = b - a, spot - a
+    long = QPointF.dotProduct(way, way)
+    part = max(0.0, min(1.0, QPointF.dotProduct(to, way) / long)) if long else 0.0
+    rest = to - way * part
+    return math.hypot(rest.x(), rest.y())
 
 
 class CurvedPipe(RoutedPipe):
@@ -82,8 +94,10 @@ class CurvedPipe(RoutedPipe):
             self.set_curve(start, end, part)
 
     def distance(self, spot: QPointF) -> float:
-        # A curve is nowhere near the box of its ends; of several the topmost is meant.
-        return 0.0
+        if self.pill().contains(spot):
+            return 0.0
+        points = [point for shape in self.path().toSubpathPolygons() for point in shape]
+        return min((_off(spot, a, b) for a, b in pairwise(points)), default=0.0)
 
     def selected(self) -> bool:
         if self.isSelected():

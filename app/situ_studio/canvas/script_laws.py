@@ -68,7 +68,7 @@ def _sentence(problem: Problem, after: Spds) -> str:
         case "last-situation":
             told = tr("{0} would be the last, and the last must always hold: first add one below")
         case "circular-extends":
-            told = tr("{0} is taken over by the other already: they can not take over in a circle")
+            told = tr("The situations would take over from each other in a circle")
         case "dwell-with-until":
             told = tr("{0} can either stay so long at least, or have an until or an end: not both")
         case _:
