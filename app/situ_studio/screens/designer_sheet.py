@@ -83,9 +83,11 @@ class DesignerSheet(Sheet):
         for one in self.components:
             if one.id in missing:
                 area = self.area(placing.box_of(one)).adjusted(4, 4, -4, -4)
-                said = self.tr("{0} is not there").format(missing[one.id])
+                cut, wide = painter.fontMetrics().elidedText, int(area.width())
+                lines = (missing[one.id], self.tr("missing"))
+                said = "\n".join(cut(line, Qt.TextElideMode.ElideRight, wide) for line in lines)
                 below = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
-                painter.drawText(area, int(below) | int(Qt.TextFlag.TextWrapAnywhere), said)
+                painter.drawText(area, int(below), said)
         painter.end()
 
     def _percent(self, at: QPointF) -> tuple[float, float]:

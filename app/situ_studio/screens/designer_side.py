@@ -34,7 +34,7 @@ class DesignerSide(OverScroll):
         self._column.setContentsMargins(0, 0, 4, 0)
         self._column.setSpacing(0)
         self.components = ComponentTiles(theme)
-        self._section(self.tr("Components"), self.tr("drag onto the screen"), self.components)
+        self._section(self.tr("Components"), self.tr("drag or press"), self.components)
         self.templates = TemplateTiles(theme)
         head = self._section(self.tr("Templates"), "", self.templates)
         self._more = IconButton(theme, "down", self.tr("Show all templates"), "text3", 14)

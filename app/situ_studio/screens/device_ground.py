@@ -7,6 +7,7 @@ from PySide6.QtGui import QBrush, QMouseEvent, QPainter, QPaintEvent, QPixmap, Q
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from situ_studio.screens.devices import USUAL, Device
+from situ_studio.screens.measures import measures
 from situ_studio.screens.sheet import Sheet
 from situ_studio.theme import Theme
 
@@ -14,6 +15,8 @@ AROUND, ABOVE = 24, 36
 """Px of ground beside and below the frame, and above it, where the names stand."""
 MOST = 1.5
 """Px of the window for one of the device."""
+RIM = 0.017
+"""The frame's width beside the screen's."""
 STEP = 16
 """Px between two dots of the ground."""
 BEZEL = "#2B313C"
@@ -34,6 +37,7 @@ class DeviceGround(QWidget):
         self._sheet = sheet
         self._device = USUAL
         self._dots: QPixmap | None = None
+        self._lit = QRect()
         sheet.setParent(self)
         self.setMinimumSize(200, 160)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -55,18 +59,20 @@ class DeviceGround(QWidget):
         self._device = device
         self._lay_out()
 
-    def _bezel(self, wide: float) -> int:
-        return max(7, round(wide * 0.017))
-
     def _lay_out(self) -> None:
-        room_wide, room_high = self.width() - 2 * AROUND, self.height() - AROUND - ABOVE
-        # The frame takes its share of the room too.
-        scale = min(room_wide / self._device.wide, room_high / self._device.high) * 0.962
-        wide = max(80, round(self._device.wide * min(scale, MOST)))
-        high = wide * self._device.high // self._device.wide
-        left = (self.width() - wide) // 2
-        top = ABOVE + max(0, (room_high - high) // 2)
-        self._sheet.setGeometry(QRect(left, top, wide, high))
+        device, room = self._device, self.rect().adjusted(AROUND, ABOVE, -AROUND, -AROUND)
+        scale = min(
+            room.width() / (device.wide * (1 + 2 * RIM)),
+            room.height() / (device.high + 2 * RIM * device.wide),
+            MOST,
+        )
+        wide = max(80, int(device.wide * scale))
+        self._lit = QRect(0, 0, wide, wide * device.high // device.wide)
+        self._lit.moveCenter(room.center())
+        self._sheet.setFixedWidth(wide)
+        # What lies on a screen that is very high does not fill it.
+        high = self._sheet.height()
+        self._sheet.move(self._lit.x(), self._lit.y() + (self._lit.height() - high) // 2)
         self._zoom.setText(self.tr("{0} %").format(round(self.zoom * 100)))
         self._zoom.adjustSize()
         self._zoom.move(self.width() - self._zoom.width() - 12, self.height() - 20)
@@ -86,15 +92,17 @@ class DeviceGround(QWidget):
         painter.fillRect(self.rect(), self._theme.color("canvas"))
         painter.fillRect(self.rect(), QBrush(self._dotted()))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        sheet = QRectF(self._sheet.geometry())
-        rim = self._bezel(sheet.width())
-        frame = sheet.adjusted(-rim, -rim, rim, rim)
+        lit = QRectF(self._lit)
+        rim = max(7, round(lit.width() * RIM))
+        frame = lit.adjusted(-rim, -rim, rim, rim)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self._theme.color("shadow"))
         painter.drawRoundedRect(frame.translated(0, 3), rim + 2, rim + 2)
         painter.setPen(self._theme.color("line_strong"))
         painter.setBrush(BEZEL)
         painter.drawRoundedRect(frame, rim + 2, rim + 2)
+        if lit.height() > self._sheet.height() + 2:
+            painter.fillRect(lit, measures().colour("ground"))
         painter.end()
 
     def _dotted(self) -> QPixmap:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens.devices import Device
+from situ_studio.screens.measures import measures
 from situ_studio.theme import Theme
 
 SHARE = 0.94
@@ -27,7 +28,12 @@ class PreviewWindow(QDialog):
         self.screen_.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.screen_.clicked.connect(self.accept)
         self.screen_.show_device(QSize(device.wide, device.high))
+        # What lies on a screen that is very high does not fill it.
+        column.addStretch(1)
         column.addWidget(self.screen_)
+        column.addStretch(1)
+        ground = measures().colour("ground").name()
+        self.setStyleSheet(f"PreviewWindow {{ background: {ground}; }}")
         self.setFixedSize(fitting(QSize(device.wide, device.high), self._room()))
 
     def _room(self) -> QSize:

@@ -39,7 +39,7 @@ class Sampling(QObject):
         self._picked: dict[str, Any] = {}
         self._names: tuple[str, ...] = ()
         self._known: dict[str, tuple[Any, ...]] = {}
-        self._of: tuple[str, str | None] | None = None
+        self._of: tuple[str, str | None, dict[str, Any]] | None = None
         self._tags: tuple[Project | None, tuple[str, ...]] = (None, ())
         self.popup: SamplePopup | None = None
         bar.samples_asked.connect(self.open)
@@ -79,8 +79,9 @@ class Sampling(QObject):
 
     def _all(self) -> dict[str, tuple[Any, ...]]:
         project = self._project()
-        if project is not None and self._of != (project.root, project.scenarios):
-            self._of = (project.root, project.scenarios)
+        of = (project.root, project.scenarios, project.tags) if project is not None else None
+        if project is not None and self._of != of:
+            self._of = of
             self._known = samples.gather(project)
         return self._known
 
