@@ -16,7 +16,7 @@ from situ.document.spds import Spds
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.live.link import RobotLink
-from situ_studio.live.log import ApplicationMoment, TraceFields
+from situ_studio.live.moment import ApplicationMoment, TraceFields
 from situ_studio.live.views import live_script, live_view
 from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard

@@ -14,7 +14,8 @@ from msgspec import Struct
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
 from situ.errors import BlackboardError
-from situ_studio.live.log import TraceFields, TraceLog
+from situ_studio.live.log import TraceLog
+from situ_studio.live.moment import TraceFields
 
 if TYPE_CHECKING:
     from situ.blackboard.client import Call

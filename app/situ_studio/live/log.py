@@ -1,234 +1,208 @@
-"""The trace log, and what the robot was like at a moment of it (architecture, idea 3).
+"""The trace log: every event, and the robot as it was at any moment of it.
 
-Fed by the live link now, by rehearsals and recordings later: all speak the same
-trace. No Qt, no clock: time is the trace's own ``t``.
+Fed by the live link, by recordings and rehearsals: all speak the same trace. No Qt, no clock: time
+is the trace's own ``t``. Events are kept packed, some thousand in a block, each block with the
+moment before its first event; so a moment costs the events of one block at most.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Any
+from array import array
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, overload
 
-from msgspec import Struct, field
+import msgspec
+import zstandard
+from msgspec import Struct
 
-TraceFields = dict[str, Any]
-"""A trace event as it stands in a trace: ``kind``, ``seq``, ``t``, ``cause`` and its own fields."""
+from situ_studio.live.lanes import Lanes
+from situ_studio.live.moment import Moment, TraceFields
 
-RECENT = 32
-"""Transitions kept for the canvas to fade; older ones only count."""
+BLOCK = 2_000
+"""Events in a block: what one moment of the past costs at most, about 4 ms."""
+LIMIT = 2_000_000
+"""Events that are kept, about 40 MB."""
 
-
-class Taken(Struct, frozen=True):
-    """A transition: from a state, by an event (None: unnamed, or a timeout), at ``t`` seconds."""
-
-    source: str
-    to: str
-    event: str | None
-    timeout: bool
-    t: float
-
-
-class ApplicationMoment(Struct):
-    """One application: where it is, since when, how often each state was entered.
-
-    spent: seconds in each state that it has left. crossed: (from, to, event, timeout) to
-    how often.
-    """
-
-    state: str | None = None
-    since: float = 0.0
-    suspended: bool = False
-    missing: tuple[str, ...] = ()
-    entered: dict[str, int] = field(default_factory=dict)
-    spent: dict[str, float] = field(default_factory=dict)
-    taken: list[Taken] = field(default_factory=list)
-    crossed: dict[tuple[str, str, str | None, bool], int] = field(default_factory=dict)
+_pack = zstandard.ZstdCompressor(level=1)
+_unpack = zstandard.ZstdDecompressor()
+_decode = msgspec.json.Decoder(TraceFields).decode
 
 
-class Entry(Struct, frozen=True):
-    """A value of the blackboard. t: when it was last set; writer None: not known."""
+class _Block(Struct, frozen=True):
+    """BLOCK events, and what the robot was like before them."""
 
-    value: Any
-    writer: str | None
-    t: float
+    before: Moment
+    packed: bytes
 
-
-class Moment(Struct):
-    """All that a trace tells of the robot up to ``t``.
-
-    holding: situations whose condition holds. asking: module to the resources of its
-    request. holders: resource to (module, since). robot: what stands at ``robot/``.
-    """
-
-    t: float = 0.0
-    applications: dict[str, ApplicationMoment] = field(default_factory=dict)
-    situation: str | None = None
-    situation_since: float = 0.0
-    holding: set[str] = field(default_factory=set)
-    asking: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    holders: dict[str, tuple[str, float]] = field(default_factory=dict)
-    robot: dict[str, Any] = field(default_factory=dict)
-    board: dict[str, Entry] = field(default_factory=dict)
-    connected: set[str] = field(default_factory=set)
-
-    def take(self, event: TraceFields) -> None:
-        """Goes on by one event."""
-        self.t = event["t"]
-        accept = _ACCEPT.get(event["kind"])
-        if accept is not None:
-            accept(self, event)
-
-    def application(self, name: str) -> ApplicationMoment:
-        return self.applications.setdefault(name, ApplicationMoment())
+    def events(self) -> list[TraceFields]:
+        return [_decode(line) for line in _unpack.decompress(self.packed).split(b"\n")]
 
 
 class TraceLog:
-    """Every event since the link came up, and the robot as it is after the last.
+    """A sequence of trace events, as they came; ``limit`` and some are kept.
 
-    Events come in order of ``seq``; one that was seen before is passed over, so that
-    a link that came back may send its backlog again. ``limit`` events are kept, the
-    moment knows of all.
+    Events come in order of ``seq``; one that was seen before is passed over, so that a link that
+    came back may send its backlog again. ``now`` is the robot after the last and knows of all,
+    ``lanes`` is everything over time.
     """
 
-    def __init__(self, limit: int = 100_000) -> None:
-        self.now = Moment()
-        self.events: list[TraceFields] = []
-        self._limit = limit
+    def __init__(self, limit: int = LIMIT, block: int = BLOCK) -> None:
+        self._limit, self._size = limit, block
+        self.clear()
+
+    def clear(self) -> None:
+        """Another run of the runtime: its ``seq`` begins anew."""
+        self.now = self._told = Moment()
+        self.lanes = Lanes()
+        self._blocks: list[_Block] = []
+        self._open: list[TraceFields] = []
+        self._lines: list[bytes] = []
+        self._open_before = Moment()
+        self._times: array[float] = array("d")
+        self._standing: list[tuple[float, str, Any, str | None]] = []
         self._seq = 0
+        self._unpacked: tuple[int, list[TraceFields]] = (-1, [])
+        self._shown: tuple[int, Moment] = (-1, self.now)
 
     @property
     def seq(self) -> int:
         """The seq of the last event; 0 before the first."""
         return self._seq
 
+    # -- what comes in ---------------------------------------------------------------
+
     def add(self, events: Iterable[TraceFields]) -> list[TraceFields]:
         """Takes what is new and gives it back."""
         new = []
         for event in events:
             if event["seq"] > self._seq:
-                self._seq = event["seq"]
-                self.now.take(event)
+                self._take(event)
+                self._lines.append(msgspec.json.encode(event))
+                if len(self._open) == self._size:
+                    self._close()
                 new.append(event)
-        self.events += new
-        if len(self.events) > self._limit * 5 // 4:
-            del self.events[: len(self.events) - self._limit]
         return new
+
+    def add_lines(self, lines: Iterable[bytes]) -> None:
+        """Takes what is new of events as JSON, one each; raises msgspec.DecodeError."""
+        for line in lines:
+            event = _decode(line)
+            if event["seq"] > self._seq:
+                self._take(event)
+                self._lines.append(line)
+                if len(self._open) == self._size:
+                    self._close()
+
+    def _take(self, event: TraceFields) -> None:
+        self._seq = event["seq"]
+        self.now.take(event)
+        if self._told is not self.now:
+            self._told.take(event)
+        self.lanes.take(event)
+        self._times.append(event["t"])
+        self._open.append(event)
+
+    def _close(self) -> None:
+        """The open block is full: it is packed."""
+        self._blocks.append(_Block(self._open_before, _pack.compress(b"\n".join(self._lines))))
+        self._open, self._lines, self._open_before = [], [], self._told.copy()
+        if len(self._times) > self._limit + self._size:
+            self._forget()
+
+    def _forget(self) -> None:
+        """The oldest block goes, and the cursor's places go down by as many."""
+        del self._blocks[0]
+        del self._times[: self._size]
+        self.lanes.forget(self._times[0])
+        self._unpacked, self._shown = (-1, []), (-1, self.now)
 
     def stand(self, entries: Mapping[str, tuple[Any, str | None, float]]) -> None:
         """What stands on the blackboard: tag to (value, writer, time in seconds).
 
-        Fills in what the trace does not tell: the runtime's own tags, and all that was
-        written before the events that are still to be had.
+        Fills in what the trace does not tell: the runtime's own tags, and all that was written
+        before the events that are still to be had.
         """
+        if self._told is self.now:
+            self._told = self.now.copy()
         for tag, (value, writer, t) in entries.items():
-            known = self.now.board.get(tag)
-            if value is not None and (known is None or known.t <= t):
-                self.now.board[tag] = Entry(value, writer, t)
-            if tag.startswith("application/") and isinstance(value, dict):
-                application = self.now.application(tag.removeprefix("application/"))
-                if application.state is None:
-                    application.state, application.since = value["state"], t
-                    application.suspended = value["suspended"]
-            elif tag == "situation" and isinstance(value, dict) and self.now.situation is None:
-                self.now.situation, self.now.situation_since = value["name"], t
+            self._standing.append((t, tag, value, writer))
+            self.now.stand(tag, value, writer, t)
 
-    def clear(self) -> None:
-        """Another run of the runtime: its ``seq`` begins anew."""
-        self.now = Moment()
-        self.events = []
-        self._seq = 0
+    # -- what there is ---------------------------------------------------------------
 
+    def __len__(self) -> int:
+        return len(self._times)
 
-def _data(now: Moment, event: TraceFields) -> None:
-    if event["value"] is None:
-        now.board.pop(event["tag"], None)
-    else:
-        now.board[event["tag"]] = Entry(event["value"], event["writer"], event["t"])
+    @overload
+    def __getitem__(self, index: int) -> TraceFields: ...
 
+    @overload
+    def __getitem__(self, index: slice) -> list[TraceFields]: ...
 
-def _condition(now: Moment, event: TraceFields) -> None:
-    (now.holding.add if event["holds"] else now.holding.discard)(event["situation"])
+    def __getitem__(self, index: int | slice) -> TraceFields | list[TraceFields]:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        place = index if index >= 0 else len(self) + index
+        if not 0 <= place < len(self):
+            raise IndexError(index)
+        return self._block(place // self._size)[place % self._size]
 
+    def __iter__(self) -> Iterator[TraceFields]:
+        for number in range(len(self._blocks) + 1):
+            yield from self._block(number)
 
-def _situation(now: Moment, event: TraceFields) -> None:
-    now.situation, now.situation_since = event["to"], event["t"]
+    def time(self, index: int) -> float:
+        """When the event of that place happened."""
+        return self._times[index]
 
+    def count(self, t: float) -> int:
+        """How many of the kept events had happened at ``t``."""
+        return bisect_right(self._times, t)
 
-def _acquire(now: Moment, event: TraceFields) -> None:
-    now.asking[event["module"]] = (*event["resources"], *event.get("optional", ()))
+    def at(self, t: float) -> Moment:
+        """The robot as it was at ``t``, all events of that time included. Not to be changed.
 
+        Before the first event that is kept it is as before that.
+        """
+        return self.after(self.count(t))
 
-def _abandon(now: Moment, event: TraceFields) -> None:
-    kept = tuple(r for r in now.asking.get(event["module"], ()) if r not in event["resources"])
-    now.asking[event["module"]] = kept
-    if not kept:
-        del now.asking[event["module"]]
+    def after(self, count: int) -> Moment:
+        """The robot after so many of the kept events."""
+        if count >= len(self):
+            return self.now
+        number = count // self._size
+        begun = number * self._size
+        shown, moment = self._shown
+        if begun <= shown <= count:
+            begun = shown
+        else:
+            moment = self._before(number)
+        if begun < count:
+            moment = moment.copy()
+            for event in self._block(number)[begun % self._size : count % self._size]:
+                moment.take(event)
+        self._shown = (count, moment)
+        return self._with_standing(moment)
 
+    def _with_standing(self, moment: Moment) -> Moment:
+        """With what the trace does not tell but stood there by then."""
+        told = [s for s in self._standing if s[0] <= moment.t]
+        if not told:
+            return moment
+        whole = moment.copy()
+        for t, tag, value, writer in told:
+            if whole.gone.get(tag, t) <= t:
+                whole.stand(tag, value, writer, t)
+        return whole
 
-def _lost(now: Moment, event: TraceFields) -> None:
-    now.asking.pop(event["module"], None)
-    now.connected.discard(event["module"])
+    def _before(self, number: int) -> Moment:
+        last = number == len(self._blocks)
+        return self._open_before if last else self._blocks[number].before
 
-
-def _connected(now: Moment, event: TraceFields) -> None:
-    now.connected.add(event["module"])
-
-
-def _authority(now: Moment, event: TraceFields) -> None:
-    if event["to"] is None:
-        now.holders.pop(event["resource"], None)
-    else:
-        now.holders[event["resource"]] = (event["to"], event["t"])
-
-
-def _mapping(now: Moment, event: TraceFields) -> None:
-    now.robot[event["resource"]] = event["value"]
-
-
-def _enter(now: Moment, event: TraceFields) -> None:
-    application = now.application(event["application"])
-    application.state, application.since = event["state"], event["t"]
-    application.entered[event["state"]] = application.entered.get(event["state"], 0) + 1
-
-
-def _exit(now: Moment, event: TraceFields) -> None:
-    application = now.application(event["application"])
-    left = event["state"]
-    application.spent[left] = application.spent.get(left, 0.0) + event["t"] - application.since
-
-
-def _transition(now: Moment, event: TraceFields) -> None:
-    application = now.application(event["application"])
-    timeout = bool(event.get("timeout"))
-    taken = Taken(event["from"], event["to"], event["event"], timeout, event["t"])
-    application.taken = [*application.taken[1 - RECENT :], taken]
-    key = (taken.source, taken.to, taken.event, timeout)
-    application.crossed[key] = application.crossed.get(key, 0) + 1
-
-
-def _suspend(now: Moment, event: TraceFields) -> None:
-    application = now.application(event["application"])
-    application.suspended, application.missing = True, tuple(event["missing"])
-
-
-def _resume(now: Moment, event: TraceFields) -> None:
-    application = now.application(event["application"])
-    application.suspended, application.missing = False, ()
-
-
-_ACCEPT = {
-    "data": _data,
-    "condition": _condition,
-    "situation": _situation,
-    "acquire": _acquire,
-    "abandon": _abandon,
-    "lost": _lost,
-    "connected": _connected,
-    "authority": _authority,
-    "mapping": _mapping,
-    "enter": _enter,
-    "exit": _exit,
-    "transition": _transition,
-    "suspend": _suspend,
-    "resume": _resume,
-}
+    def _block(self, number: int) -> list[TraceFields]:
+        if number == len(self._blocks):
+            return self._open
+        if self._unpacked[0] != number:
+            self._unpacked = (number, self._blocks[number].events())
+        return self._unpacked[1]

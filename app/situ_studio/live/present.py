@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from situ_studio.live.link import RobotLink
-from situ_studio.live.log import TraceFields
+from situ_studio.live.moment import TraceFields
 
 if TYPE_CHECKING:
     from situ.blackboard.protocol import ModuleState

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from situ.document.rbd import AGAIN, BACK, Application
 from situ_studio.canvas.live import LiveScript, LiveView, Taken
-from situ_studio.live.log import ApplicationMoment, Moment
-from situ_studio.live.log import Taken as Crossed
+from situ_studio.live.moment import ApplicationMoment, Moment
+from situ_studio.live.moment import Taken as Crossed
 
 TIMEOUT = "timeout"
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from situ.decide.values import in_text
 from situ_studio.language import tr
-from situ_studio.live.log import Moment
+from situ_studio.live.moment import Moment
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.theme import Theme

@@ -60,7 +60,7 @@ def test_graphs_and_tables_show_what_the_robot_does(
     assert shown.canvas.look.live.active == {"1"}
     assert "same as the robot" in window.status.link.text()
     # The trace has begun with the robot's, not with us.
-    assert link.log.events[0]["seq"] == 1
+    assert link.log[0]["seq"] == 1
     # An edit here makes the documents differ, and says so; undone they are the same again.
     file = window.current_file
     script = it.session.document(file)
@@ -80,7 +80,7 @@ def test_a_lost_robot_is_told_at_once_and_found_again(
     it = studio(there.project)
     link = connect(it, there.endpoint, until)
     until(link.moment_changed, lambda: "reception" in link.log.now.applications)
-    first = link.log.events[-1]["seq"]
+    first = link.log[-1]["seq"]
     there.kill()
     until(link.state_changed, lambda: link.state.kind == "lost")
     assert it.window.status.link.text().startswith("lost")
@@ -88,7 +88,7 @@ def test_a_lost_robot_is_told_at_once_and_found_again(
     until(link.state_changed, lambda: link.connected)
     until(link.moment_changed, lambda: link.log.seq >= 1)
     assert again.endpoint == there.endpoint
-    seqs = [event["seq"] for event in link.log.events]
+    seqs = [event["seq"] for event in link.log]
     assert seqs == list(range(1, len(seqs) + 1))
     assert first >= 1
     it.window.disconnect_robot()
@@ -113,8 +113,8 @@ def test_what_is_deployed_meanwhile_is_what_the_documents_are_compared_with(
         board.deploy(files, "situ.toml", force_after=0)
     until(link.documents_came, lambda: follower.same is True)
     assert "same as the robot" in it.window.status.link.text()
-    assert [e["version"] for e in link.log.events if e["kind"] == "deployed"] == [1]
-    seqs = [event["seq"] for event in link.log.events]
+    assert [e["version"] for e in link.log if e["kind"] == "deployed"] == [1]
+    seqs = [event["seq"] for event in link.log]
     assert seqs == list(range(1, len(seqs) + 1))
     it.window.disconnect_robot()
 

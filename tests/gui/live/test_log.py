@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import random
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 from msgspec.structs import replace
 
@@ -18,7 +20,8 @@ from situ.rehearse.expect import Expect
 from situ.rehearse.scenario import End
 from situ.rehearse.simulate import Rehearsal
 from situ.resources import examples
-from situ_studio.live.log import Taken, TraceLog
+from situ_studio.live.log import TraceLog
+from situ_studio.live.moment import Moment, Taken
 from situ_studio.live.views import exit_of, live_script, live_view
 
 SCENARIOS = [
@@ -123,13 +126,83 @@ def test_events_seen_before_are_passed_over() -> None:
 
 def test_only_so_many_events_are_kept_but_all_are_known() -> None:
     _, _, events = played("reception", "known-user.jsonl")
-    log = TraceLog(limit=10)
+    log = TraceLog(limit=10, block=4)
     for event in events:
         log.add([event])
-    assert len(log.events) <= 12
-    assert log.events[-1] == events[-1]
+    assert 10 <= len(log) <= 14
+    assert list(log) == events[-len(log) :]
+    assert log[-1] == log[len(log) - 1] == events[-1]
+    assert log[2:9] == events[-len(log) :][2:9]
+    with pytest.raises(IndexError):
+        log[len(log)]
     entered = log.now.applications["reception"].entered
     assert sum(entered.values()) == sum(e["kind"] == "enter" for e in events)
+    assert log.lanes.start == log.time(0)
+    assert log.after(0) == folded(events[: -len(log)])
+
+
+def folded(events: list[dict[str, Any]]) -> Moment:
+    moment = Moment()
+    for event in events:
+        moment.take(event)
+    return moment
+
+
+@pytest.mark.parametrize("block", [3, 50, 10_000])
+@pytest.mark.parametrize(("name", "script"), SCENARIOS[:4])
+def test_a_moment_of_the_past_is_what_the_robot_was_then(
+    name: str, script: str, block: int
+) -> None:
+    _, _, events = played(name, script)
+    log = TraceLog(block=block)
+    log.add_lines(map(msgspec.json.encode, events))
+    dice = random.Random(script)
+    ways = [*range(0, len(events), 7), *dice.sample(range(len(events)), len(events) // 5)]
+    for count in ways:
+        assert log.after(count) == folded(events[:count])
+    for t in {event["t"] for event in events}:
+        assert log.at(t) == folded([event for event in events if event["t"] <= t])
+    assert log.at(-1.0) == Moment()
+    assert log.at(events[-1]["t"]) is log.now
+
+
+def test_looking_at_the_past_leaves_the_present_as_it_is() -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    log = TraceLog(block=20)
+    log.add(events[:70])
+    before = log.after(30)
+    log.after(65)
+    log.add(events[70:])
+    assert before == folded(events[:30])
+    assert log.now == folded(events)
+
+
+def test_lanes_hold_what_moments_tell() -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    log = TraceLog(block=30)
+    log.add(events)
+    lanes = log.lanes
+    assert lanes.end == events[-1]["t"]
+    for t in {event["t"] for event in events}:
+        moment = log.at(t)
+        assert lanes.situation.at(t) == moment.situation
+        for resource, lane in lanes.holders.items():
+            holder = moment.holders.get(resource)
+            assert lane.at(t) == (holder[0] if holder is not None else None)
+        for name, lane in lanes.states.items():
+            assert lane.at(t) == moment.applications[name].state
+    numbers = [e for e in events if e["kind"] == "data" and isinstance(e["value"], bool | float)]
+    assert sum(len(series.t) for series in lanes.data.values()) >= len(numbers)
+
+
+def test_a_deleted_number_is_a_gap() -> None:
+    log = TraceLog()
+    for seq, value in enumerate((1.5, None, True, "text"), 1):
+        fields = {"kind": "data", "seq": seq, "t": float(seq), "tag": "a.b", "writer": "w"}
+        log.add([{**fields, "value": value}])
+    (series,) = log.lanes.data.values()
+    assert [*series.t] == [1.0, 2.0, 3.0, 4.0]
+    assert [y if y == y else None for y in series.y] == [1.5, None, 1.0, None]
 
 
 def test_what_stands_on_the_blackboard_fills_in_what_the_trace_does_not_tell() -> None:
@@ -147,3 +220,32 @@ def test_what_stands_on_the_blackboard_fills_in_what_the_trace_does_not_tell() -
     assert log.now.applications["converse"].suspended
     assert log.now.board["face.visible"].value is True
     assert "gone" not in log.now.board
+
+
+def test_what_stood_there_counts_in_the_past_from_its_time_on() -> None:
+    log = TraceLog(block=2)
+    log.stand({"face.visible": (True, "face-detector", 1.0), "late": (7, "w", 3.0)})
+    for seq, t in enumerate((0.5, 2.0, 2.5, 4.0, 5.0), 1):
+        fields = {"kind": "data", "seq": seq, "t": t, "tag": "a.b", "writer": "w"}
+        log.add([{**fields, "value": seq}])
+    assert "late" in log.now.board
+    assert "face.visible" not in log.at(0.7).board
+    assert "face.visible" in log.at(2.6).board
+    assert "late" not in log.at(2.6).board
+    assert log.at(4.5).board["late"].value == 7
+    log.add(
+        [
+            {
+                "kind": "data",
+                "seq": seq,
+                "t": float(seq),
+                "tag": "late",
+                "writer": "w",
+                "value": None,
+            }
+            for seq in (6, 7)
+        ]
+    )
+    assert "late" not in log.now.board
+    assert "late" not in log.at(6.0).board
+    assert "late" in log.at(5.0).board

@@ -1,0 +1,212 @@
+"""What the robot was like at a moment of its trace (architecture, idea 3).
+
+No Qt, no clock: time is the trace's own ``t``.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec import Struct, field
+from msgspec.structs import replace
+
+TraceFields = dict[str, Any]
+"""A trace event as it stands in a trace: ``kind``, ``seq``, ``t``, ``cause`` and its own fields."""
+
+RECENT = 32
+"""Transitions kept for the canvas to fade; older ones only count."""
+
+
+class Taken(Struct, frozen=True):
+    """A transition: from a state, by an event (None: unnamed, or a timeout), at ``t`` seconds."""
+
+    source: str
+    to: str
+    event: str | None
+    timeout: bool
+    t: float
+
+
+class ApplicationMoment(Struct):
+    """One application: where it is, since when, how often each state was entered.
+
+    spent: seconds in each state that it has left. crossed: (from, to, event, timeout) to
+    how often.
+    """
+
+    state: str | None = None
+    since: float = 0.0
+    suspended: bool = False
+    missing: tuple[str, ...] = ()
+    entered: dict[str, int] = field(default_factory=dict)
+    spent: dict[str, float] = field(default_factory=dict)
+    taken: list[Taken] = field(default_factory=list)
+    crossed: dict[tuple[str, str, str | None, bool], int] = field(default_factory=dict)
+
+
+class Entry(Struct, frozen=True):
+    """A value of the blackboard. t: when it was last set; writer None: not known."""
+
+    value: Any
+    writer: str | None
+    t: float
+
+
+class Moment(Struct):
+    """All that a trace tells of the robot up to ``t``.
+
+    holding: situations whose condition holds. asking: module to the resources of its request.
+    holders: resource to (module, since). robot: what stands at ``robot/``. gone: tags that were
+    deleted, and when.
+    """
+
+    t: float = 0.0
+    applications: dict[str, ApplicationMoment] = field(default_factory=dict)
+    situation: str | None = None
+    situation_since: float = 0.0
+    holding: set[str] = field(default_factory=set)
+    asking: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    holders: dict[str, tuple[str, float]] = field(default_factory=dict)
+    robot: dict[str, Any] = field(default_factory=dict)
+    board: dict[str, Entry] = field(default_factory=dict)
+    connected: set[str] = field(default_factory=set)
+    gone: dict[str, float] = field(default_factory=dict)
+
+    def take(self, event: TraceFields) -> None:
+        """Goes on by one event."""
+        self.t = event["t"]
+        accept = _ACCEPT.get(event["kind"])
+        if accept is not None:
+            accept(self, event)
+
+    def copy(self) -> Moment:
+        """The same; what is taken after does not change the other."""
+        applications = {
+            name: replace(
+                one, entered={**one.entered}, spent={**one.spent}, crossed={**one.crossed}
+            )
+            for name, one in self.applications.items()
+        }
+        return replace(
+            self,
+            applications=applications,
+            holding={*self.holding},
+            asking={**self.asking},
+            holders={**self.holders},
+            robot={**self.robot},
+            board={**self.board},
+            connected={*self.connected},
+            gone={**self.gone},
+        )
+
+    def stand(self, tag: str, value: Any, writer: str | None, t: float) -> None:
+        """What stands on the blackboard since ``t``, where the trace does not tell it."""
+        known = self.board.get(tag)
+        if value is not None and (known is None or known.t <= t):
+            self.board[tag] = Entry(value, writer, t)
+        if tag.startswith("application/") and isinstance(value, dict):
+            application = self.application(tag.removeprefix("application/"))
+            if application.state is None:
+                application.state, application.since = value["state"], t
+                application.suspended = value["suspended"]
+        elif tag == "situation" and isinstance(value, dict) and self.situation is None:
+            self.situation, self.situation_since = value["name"], t
+
+    def application(self, name: str) -> ApplicationMoment:
+        return self.applications.setdefault(name, ApplicationMoment())
+
+
+def _data(now: Moment, event: TraceFields) -> None:
+    if event["value"] is None:
+        now.board.pop(event["tag"], None)
+        now.gone[event["tag"]] = event["t"]
+    else:
+        now.board[event["tag"]] = Entry(event["value"], event["writer"], event["t"])
+
+
+def _condition(now: Moment, event: TraceFields) -> None:
+    (now.holding.add if event["holds"] else now.holding.discard)(event["situation"])
+
+
+def _situation(now: Moment, event: TraceFields) -> None:
+    now.situation, now.situation_since = event["to"], event["t"]
+
+
+def _acquire(now: Moment, event: TraceFields) -> None:
+    now.asking[event["module"]] = (*event["resources"], *event.get("optional", ()))
+
+
+def _abandon(now: Moment, event: TraceFields) -> None:
+    kept = tuple(r for r in now.asking.get(event["module"], ()) if r not in event["resources"])
+    now.asking[event["module"]] = kept
+    if not kept:
+        del now.asking[event["module"]]
+
+
+def _lost(now: Moment, event: TraceFields) -> None:
+    now.asking.pop(event["module"], None)
+    now.connected.discard(event["module"])
+
+
+def _connected(now: Moment, event: TraceFields) -> None:
+    now.connected.add(event["module"])
+
+
+def _authority(now: Moment, event: TraceFields) -> None:
+    if event["to"] is None:
+        now.holders.pop(event["resource"], None)
+    else:
+        now.holders[event["resource"]] = (event["to"], event["t"])
+
+
+def _mapping(now: Moment, event: TraceFields) -> None:
+    now.robot[event["resource"]] = event["value"]
+
+
+def _enter(now: Moment, event: TraceFields) -> None:
+    application = now.application(event["application"])
+    application.state, application.since = event["state"], event["t"]
+    application.entered[event["state"]] = application.entered.get(event["state"], 0) + 1
+
+
+def _exit(now: Moment, event: TraceFields) -> None:
+    application = now.application(event["application"])
+    left = event["state"]
+    application.spent[left] = application.spent.get(left, 0.0) + event["t"] - application.since
+
+
+def _transition(now: Moment, event: TraceFields) -> None:
+    application = now.application(event["application"])
+    timeout = bool(event.get("timeout"))
+    taken = Taken(event["from"], event["to"], event["event"], timeout, event["t"])
+    application.taken = [*application.taken[1 - RECENT :], taken]
+    key = (taken.source, taken.to, taken.event, timeout)
+    application.crossed[key] = application.crossed.get(key, 0) + 1
+
+
+def _suspend(now: Moment, event: TraceFields) -> None:
+    application = now.application(event["application"])
+    application.suspended, application.missing = True, tuple(event["missing"])
+
+
+def _resume(now: Moment, event: TraceFields) -> None:
+    application = now.application(event["application"])
+    application.suspended, application.missing = False, ()
+
+
+_ACCEPT = {
+    "data": _data,
+    "condition": _condition,
+    "situation": _situation,
+    "acquire": _acquire,
+    "abandon": _abandon,
+    "lost": _lost,
+    "connected": _connected,
+    "authority": _authority,
+    "mapping": _mapping,
+    "enter": _enter,
+    "exit": _exit,
+    "transition": _transition,
+    "suspend": _suspend,
+    "resume": _resume,
+}
