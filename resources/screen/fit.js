@@ -4,6 +4,13 @@
 import { element } from "./element.js";
 import { measure } from "./measures.js";
 
+const fitted = new WeakMap(); // box -> {key: what its size hangs on, size, even: what its lines do}
+let fonts = 0; // how often some have come
+
+export function fontsCame() {
+  fonts += 1;
+}
+
 // What "percent of the screen's height" is worth in `area`. A tall narrow one (a phone held
 // upright) is measured by its width, so that headings stay in proportion to the lines.
 export function unit(area) {
@@ -20,8 +27,7 @@ export function even(parts) {
     groups.set(key, [...(groups.get(key) ?? []), node]);
   }
   for (const nodes of groups.values()) {
-    const sizes = nodes.map((node) => parseFloat(node.style.fontSize));
-    const least = Math.min(...sizes);
+    const least = Math.min(...nodes.map((node) => fitted.get(node)?.size ?? Infinity));
     for (const node of nodes) node.style.fontSize = `${least}px`;
   }
 }
@@ -48,6 +54,15 @@ export function write(inner, parts, parted = false) {
 // Sets the largest size up to `wanted` px at which `inner` lies inside `box`. Phrases stay whole
 // unless that makes them much smaller, words unless nothing else fits.
 export function fit(box, inner, wanted, parts) {
+  const { clientWidth, clientHeight, dataset } = box;
+  if (clientWidth === 0) return;
+  const key = JSON.stringify([fonts, clientWidth, clientHeight, wanted, dataset.filled, dataset.rank, parts]);
+  if (fitted.get(box)?.key === key) return;
+  fitAnew(box, inner, wanted, parts);
+  fitted.set(box, { key, size: parseFloat(box.style.fontSize) });
+}
+
+function fitAnew(box, inner, wanted, parts) {
   const smallest = measure("smallest");
   const fits = (size) => {
     box.style.fontSize = `${size}px`;
@@ -68,7 +83,6 @@ export function fit(box, inner, wanted, parts) {
     }
     return fits(low) ? low : 0;
   };
-  if (box.clientWidth === 0) return;
   inner.style.width = "";
   if (box.dataset.parted) write(inner, parts);
   delete box.dataset.parted;
@@ -84,6 +98,9 @@ export function fit(box, inner, wanted, parts) {
 
 // Evens out the lines of a text: as narrow as it can be without one more.
 export function balance(box, inner) {
+  const known = fitted.get(box);
+  if (!known || known.even === box.style.fontSize) return;
+  known.even = box.style.fontSize;
   inner.style.width = "";
   const high = inner.clientHeight;
   if (box.dataset.cut || high < parseFloat(getComputedStyle(inner).lineHeight) * 1.5) return;

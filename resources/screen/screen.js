@@ -3,7 +3,7 @@
 import { makers } from "./components.js";
 import { colour } from "./colours.js";
 import { element } from "./element.js";
-import { even, fit, unit, write } from "./fit.js";
+import { even, fit, fontsCame, unit, write } from "./fit.js";
 import { keyboard, ownKeys } from "./keys.js";
 import { connect } from "./link.js";
 
@@ -143,7 +143,10 @@ function layout() {
 }
 
 new ResizeObserver(layout).observe(stage);
-document.fonts.addEventListener("loadingdone", layout);
+document.fonts.addEventListener("loadingdone", () => {
+  fontsCame();
+  layout();
+});
 
 // -- what people do --------------------------------------------------------------
 

@@ -36,6 +36,7 @@ class Stage:
         # Of two or three answers the first is the one most people want; more are equals.
         self.first = plain[0] if 0 < len(plain) <= 3 else None
         self._alike: dict[tuple[Any, ...], Fitted] | None = None
+        self._fits: dict[str, Fitted] = {}
 
     def box(self, one: Shown) -> QRectF:
         """Where a component lies, px."""
@@ -58,10 +59,14 @@ class Stage:
         return own if own.cut else own._replace(size=self._alike[_kind(one)].size)
 
     def _own(self, one: Shown) -> Fitted:
+        if (known := self._fits.get(one["id"])) is not None:
+            return known
         box, style = self.box(one), style_of(one)
         wide, high = padding(one)
         wanted = one.get("size", measures()[f"{one['type']}-size"]) * self.unit
-        return fit(one["text"], style, box.width(), box.height(), wanted, wide, high)
+        found = fit(one["text"], style, box.width(), box.height(), wanted, wide, high)
+        self._fits[one["id"]] = found
+        return found
 
     def lines(self, one: Shown) -> tuple[Line, ...]:
         """What stands in each line of a text or button."""
