@@ -70,7 +70,7 @@ class EdgeButtons(QWidget):
             button = IconButton(theme, icon, said, "text2", 16)
             button.setProperty("role", "cell")
             button.setMinimumSize(24, 28)
-            button.setMaximumSize(80, 28)
+            button.setMaximumSize(400, 28)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.clicked.connect(lambda _=False, e=edge: self.pressed.emit(e))
             line.addWidget(button, 1)

@@ -24,6 +24,12 @@ class OverScroll(QScrollArea):
         own.valueChanged.connect(self._bar.setValue)
         self._bar.valueChanged.connect(own.setValue)
 
+    def takeWidget(self) -> QWidget | None:
+        """Without what it held there is nothing to scroll."""
+        held: QWidget | None = super().takeWidget()
+        self.verticalScrollBar().setRange(0, 0)
+        return held
+
     def _on_range(self, low: int, high: int) -> None:
         self._bar.setRange(low, high)
         self._bar.setPageStep(self.viewport().height())

@@ -29,6 +29,7 @@ from situ_studio.screens.designer_sheet import DesignerSheet, files_in
 from situ_studio.screens.designer_side import DesignerSide
 from situ_studio.screens.device_ground import DeviceGround
 from situ_studio.screens.devices import USUAL, Device
+from situ_studio.screens.layers import BACKGROUND
 from situ_studio.screens.own_device import ask_device
 from situ_studio.screens.preview_window import PreviewWindow
 from situ_studio.screens.sampling import Sampling
@@ -104,6 +105,7 @@ class Designer(QWidget):
         side.components.pressed.connect(lambda name: shown.add(name, 50, 50))
         side.templates.chosen.connect(self._on_template)
         side.layers.chosen.connect(sheet.choose)
+        side.layers.background_chosen.connect(self._on_background)
         side.layers.moved.connect(self._on_layer_moved)
         side.layers.opened.connect(lambda id: self.filled_in.emit((*shown.place, "screen", id)))
         side.tags.pressed.connect(self.write_tag)
@@ -127,7 +129,7 @@ class Designer(QWidget):
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""
         self.shown.select(selected)
-        self._settle()
+        self._settle(selected)
 
     def select_all(self) -> None:
         self.sheet.select_all()
@@ -138,7 +140,7 @@ class Designer(QWidget):
 
     # -- bringing it up to date ----------------------------------------------------------
 
-    def _settle(self) -> None:
+    def _settle(self, selected: tuple[Place, ...]) -> None:
         application, place = self.shown.application, self.shown.place
         if application is None:
             return
@@ -147,7 +149,10 @@ class Designer(QWidget):
         self.crumbs.show_way((application.name, here, self.tr("Screen")))
         self.crumbs.setGeometry(0, 0, self.ground.width(), self.crumbs.height())
         self.strip.show_state(application, place)
-        self.side.layers.show_screen(self.shown.screen, self.sheet.selected)
+        chosen = self.sheet.selected
+        if selected[:1] == ((*place, "screen"),):
+            chosen = (BACKGROUND,)
+        self.side.layers.show_screen(self.shown.screen, chosen)
         tags = self.sampling.tags()
         self.side.tags.show_tags(tags)
         self.sheet.offer_tags(tags)
@@ -216,6 +221,14 @@ class Designer(QWidget):
         self.go_to(place)
         if had:
             self.status.emit(self.tr("The screen is another one now: Undo brings it back."))
+
+    def _on_background(self) -> None:
+        """The screen itself, whose form has its background."""
+        place = self.shown.place
+        if self.shown.screen is not None:
+            place = (*place, "screen")
+        self.selection_changed.emit((place,))
+        self.select((place,))
 
     def _on_layer_moved(self, id: str, to: int) -> None:
         screen = self.shown.screen

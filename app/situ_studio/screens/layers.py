@@ -30,7 +30,8 @@ class Layers(QListView):
     """One row a component, the foremost first, and one of the background."""
 
     chosen = Signal(tuple)
-    """The ids that a person selected; () is the background, the screen itself."""
+    """The ids that a person selected."""
+    background_chosen = Signal()
     moved = Signal(str, int)
     """A component shall stand at another place: its id, and the number from the back."""
     opened = Signal(str)
@@ -110,7 +111,10 @@ class Layers(QListView):
         if not self._showing:
             rows = sorted({index.row() for index in self.selectedIndexes()})
             ids = tuple(self.ids[row] for row in reversed(rows) if self.ids[row] != BACKGROUND)
-            self.chosen.emit(ids)
+            if rows and not ids:
+                self.background_chosen.emit()
+            else:
+                self.chosen.emit(ids)
 
     def _on_activated(self, index: QModelIndex) -> None:
         if id := index.data(PLACE):

@@ -173,7 +173,10 @@ def test_what_lies_on_the_screen_is_selected_and_dragged_into_another_order(desk
     assert [c.id for c in desk.components("2")] == ["hello", "who", "robot", "continue"]
     QTest.mouseClick(layers.viewport(), LEFT, pos=row_at(layers, 4))
     desk.used.settle()
-    assert desk.window.inspector.place == ("state", "2")
+    assert desk.window.inspector.place == ("state", "2", "screen")
+    assert [index.row() for index in layers.selectedIndexes()] == [4]
+    desk.used.fill(desk.window.inspector.form.field("background"), "lobby.png")
+    assert desk.document.state("2").screen.background == "lobby.png"
 
 
 def test_a_tag_is_put_into_a_text_by_a_press_or_a_drop(desk: Desk) -> None:
