@@ -17,6 +17,7 @@ from tests.benchmarks import (
     live,
     messages,
     problems,
+    scripts,
     window,
 )
 from tests.benchmarks.harness import ROUNDS, Bench, Missing, Result, measure, table
@@ -27,6 +28,7 @@ BENCHES: tuple[Bench, ...] = (
     *drawing.BENCHES,
     *editing.BENCHES,
     *problems.BENCHES,
+    *scripts.BENCHES,
     *window.BENCHES,
     *messages.BENCHES,
     *live.BENCHES,
