@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import permutations
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from situ.decide.all_ask import Holding, who_holds
+from situ.decide.all_ask import Holding, Requests
+from situ.decide.all_ask import who_holds as held_by
+
+
+def who_holds(
+    asking: Mapping[str, tuple[str, ...]], priorities: Mapping[str, int]
+) -> dict[str, Holding]:
+    return held_by(Requests(asking), priorities)
+
 
 MODULES = {
     "transfer": ("base", "head"),

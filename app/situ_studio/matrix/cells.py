@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QAbstractItemModel, QEvent, QObject, QRect, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QPainter, QPen
+from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPen
 from PySide6.QtWidgets import (
     QAbstractItemDelegate,
     QLabel,
@@ -15,11 +15,14 @@ from PySide6.QtWidgets import (
 
 from situ_studio import icons
 from situ_studio.matrix.edits import read
-from situ_studio.matrix.model import SHOWN, AnyIndex, Shown
+from situ_studio.matrix.model import AnyIndex, MatrixModel
 from situ_studio.theme import BODY, CAPTION, LABEL, Theme, font
 
 MARK = 14
 """Px of the icon beside a number."""
+SHORT = 4
+"""So many letters fit into any column."""
+CENTRE, MIDDLE = int(Qt.AlignmentFlag.AlignCenter), int(Qt.AlignmentFlag.AlignVCenter)
 
 _FACES: dict[str, tuple[str, float, int]] = {
     "own": ("text", BODY, 600),
@@ -42,46 +45,53 @@ class Cells(QStyledItemDelegate):
     moved = Signal(int, int)
     """An editor was left: how far across and down."""
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(self, theme: Theme, model: MatrixModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.theme = theme
+        self._model = model
+        self.set_theme(theme)
         self.rows: frozenset[int] = frozenset()
         self.columns: frozenset[int] = frozenset()
         self.by_typing = False
         self._fonts = {kind: font(size, weight) for kind, (_, size, weight) in _FACES.items()}
 
+    def set_theme(self, theme: Theme) -> None:
+        self.theme = theme
+        self._colors: dict[str, QColor] = {}
+
+    def _color(self, token: str) -> QColor:
+        # A frame has hundreds of cells: a colour is made of its text once.
+        found = self._colors.get(token)
+        if found is None:
+            found = self._colors[token] = self.theme.color(token)
+        return found
+
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
-        shown = index.data(SHOWN)
-        if not isinstance(shown, Shown):
-            return
-        theme, area = self.theme, option.rect
-        chosen = index.row() in self.rows or index.column() in self.columns
-        ground = "accent_soft" if chosen else "panel"
+        row, column = index.row(), index.column()
+        shown = self._model.shown(row, column)
         if shown.mark:
-            ground = f"{shown.mark}_soft"
-        painter.fillRect(area, theme.color(ground))
-        painter.setPen(theme.color("line"))
-        painter.drawLine(area.topRight(), area.bottomRight())
-        painter.drawLine(area.bottomLeft(), area.bottomRight())
+            painter.fillRect(option.rect, self._color(f"{shown.mark}_soft"))
+        elif row in self.rows or column in self.columns:
+            painter.fillRect(option.rect, self._color("accent_soft"))
         if not shown.text and not shown.mark:
             return
+        area = option.rect
+        token, size, _ = _FACES[shown.kind]
         painter.setFont(self._fonts[shown.kind])
-        painter.setPen(theme.color(shown.mark or _FACES[shown.kind][0]))
-        small = _FACES[shown.kind][1] == CAPTION
-        room = area.adjusted(2, 0, -3, -1) if small else area.adjusted(5, 0, -6, -1)
-        metrics = painter.fontMetrics()
-        wide = room.width() - (MARK + 5 if shown.mark else 0)
-        text = metrics.elidedText(shown.text, Qt.TextElideMode.ElideRight, wide)
+        painter.setPen(self._color(shown.mark or token))
+        room = area.adjusted(2, 0, -2, 0) if size == CAPTION else area.adjusted(5, 0, -5, 0)
+        text = shown.text
+        if len(text) > SHORT:
+            wide = room.width() - (MARK + 5 if shown.mark else 0)
+            elide = Qt.TextElideMode.ElideRight
+            text = painter.fontMetrics().elidedText(text, elide, wide)
         if not shown.mark:
-            painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter), text)
+            painter.drawText(room, CENTRE, text)
             return
-        took = metrics.horizontalAdvance(text) + (5 if text else 0) + MARK
+        took = painter.fontMetrics().horizontalAdvance(text) + (5 if text else 0) + MARK
         left = room.left() + (room.width() - took) / 2
-        painter.drawText(
-            QRectF(left, room.top(), took, room.height()), int(Qt.AlignmentFlag.AlignVCenter), text
-        )
+        painter.drawText(QRectF(left, room.top(), took, room.height()), MIDDLE, text)
         spot = QRectF(left + took - MARK, room.center().y() - MARK / 2 + 0.5, MARK, MARK)
-        icons.paint(painter, shown.mark, spot, theme.color(shown.mark))
+        icons.paint(painter, shown.mark, spot, self._color(shown.mark))
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
         return QSize(74, 28)

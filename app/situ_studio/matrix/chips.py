@@ -44,6 +44,8 @@ class Chip(QAbstractButton):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setAccessibleName(name)
+        self._size = QSize()
+        self._told: tuple[str, bool, str] | None = None
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
@@ -51,9 +53,14 @@ class Chip(QAbstractButton):
 
     def show_state(self, on: bool, value: str) -> None:
         """Whether it is on, and what stands behind its name."""
+        told = self.name, on, value
+        if told == self._told:
+            return
+        self._told = told
         self.setChecked(on)
         self._value = value
         self.setAccessibleName(f"{self.name}: {value}" if value else self.name)
+        self._size = QSize()
         self.updateGeometry()
         self.update()
 
@@ -63,10 +70,13 @@ class Chip(QAbstractButton):
         return f"{self.name}: {self._value}" if self._value else self.name
 
     def sizeHint(self) -> QSize:
+        if not self._size.isEmpty():
+            return self._size
         wide = self.fontMetrics().horizontalAdvance(self.shown) + 22
         wide += CHECK + 5 if self.isChecked() and not self._folds else 0
         wide += ARROW - 6 if self._more or self._folds else 0
-        return QSize(min(wide, 260), HIGH)
+        self._size = QSize(min(wide, 260), HIGH)
+        return self._size
 
     # -- being used ------------------------------------------------------------------
 

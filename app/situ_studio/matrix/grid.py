@@ -11,7 +11,7 @@ from functools import cached_property
 
 from msgspec import Struct
 
-from situ.decide.all_ask import Holding, who_holds
+from situ.decide.all_ask import Holding, Requests, who_holds
 from situ.document.analysis_modules import tied
 from situ.document.check_application import used_resources
 from situ.document.project import Project
@@ -51,39 +51,47 @@ class Asked:
 
     def __init__(self, by_module: Asking) -> None:
         self.by_module = by_module
+        self.requests = Requests(by_module)
         self.sets = {module: frozenset(several) for module, several in by_module.items()}
 
 
 class Line:
     """One situation: its cells and holders, worked out when they are first looked at.
 
-    chain: the situation and those from which it takes over, in order.
+    chain: the situation and those from which it takes over, in order. counts: what its modules'
+    priorities are, taken: what they would be without its own.
     """
 
-    def __init__(self, script: Spds, chain: tuple[Situation, ...], asked: Asked) -> None:
+    def __init__(
+        self,
+        chain: tuple[Situation, ...],
+        counts: Mapping[str, int],
+        taken: Mapping[str, int],
+        asked: Asked,
+    ) -> None:
         self.situation = chain[0]
         self.chain = chain
         self.asked = asked
-        self._script = script
+        self._counts, self._taken = counts, taken
 
     @cached_property
     def cells(self) -> dict[str, Cell]:
         """By module; those that are not in it are empty."""
-        script, situation = self._script, self.situation
-        counts = script.priorities(situation)
-        above = self.chain[1] if len(self.chain) > 1 else None
-        taken = script.priorities(above) if above is not None else {}
+        counts, taken = self._counts, self._taken
         rivals: dict[str, list[str]] = {}
         for one, other in tied(counts, self.asked.sets):
             rivals.setdefault(one, []).append(other)
             rivals.setdefault(other, []).append(one)
-        own = {entry.module for entry in situation.entries}
+        own = {entry.module for entry in self.situation.entries}
+        sources: dict[str, str] = {}
+        for above in self.chain[:0:-1]:
+            sources.update((entry.module, above.name) for entry in above.entries)
         return {
             module: Cell(
                 priority=counts.get(module),
                 own=module in own,
                 taken=taken.get(module),
-                source=self._source(module) if module in taken else "",
+                source=sources[module] if module in taken else "",
                 rivals=tuple(rivals.get(module, ())),
             )
             for module in dict.fromkeys((*counts, *own))
@@ -92,16 +100,10 @@ class Line:
     @cached_property
     def holdings(self) -> dict[str, Holding]:
         """Who holds each resource when all ask."""
-        return who_holds(self.asked.by_module, self._script.priorities(self.situation))
+        return who_holds(self.asked.requests, self._counts)
 
     def cell(self, module: str) -> Cell:
         return self.cells.get(module, EMPTY)
-
-    def _source(self, module: str) -> str:
-        for one in self.chain[1:]:
-            if any(entry.module == module for entry in one.entries):
-                return one.name
-        return ""
 
 
 class Grid:
@@ -112,11 +114,17 @@ class Grid:
         same = before is not None and before.asked.by_module == asking
         self.asked: Asked = before.asked if before is not None and same else Asked(asking)
         self.modules = tuple(asking)
-        self.resources = tuple(dict.fromkeys(r for several in asking.values() for r in several))
+        self.resources = self.asked.requests.resources
         named: dict[str, Situation] = {}
         for situation in script.situations:
             named.setdefault(situation.name, situation)
         kept = {one.situation.name: one for one in before.lines} if before is not None else {}
+        self._counts = {
+            id(situation): priorities
+            for situation, priorities in zip(
+                script.situations, script.every_priorities(), strict=True
+            )
+        }
         self.lines: tuple[Line, ...] = tuple(self._line(s, named, kept) for s in script.situations)
 
     def _line(
@@ -135,7 +143,8 @@ class Grid:
             and all(one is other for one, other in zip(old.chain, chain, strict=True))
         ):
             return old
-        return Line(self.script, tuple(chain), self.asked)
+        taken = self._counts[id(chain[1])] if len(chain) > 1 else {}
+        return Line(tuple(chain), self._counts[id(situation)], taken, self.asked)
 
     def row(self, name: str) -> int:
         """The row of a situation; -1 where there is none of that name."""

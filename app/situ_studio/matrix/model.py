@@ -9,6 +9,7 @@ from msgspec import Struct
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
+from situ.decide.all_ask import Holding
 from situ.document.problem import Problem
 from situ_studio.language import said
 from situ_studio.matrix.grid import Cell, Grid, Line
@@ -16,7 +17,7 @@ from situ_studio.matrix.marks import Marks
 
 AnyIndex = QModelIndex | QPersistentModelIndex
 SHOWN = Qt.ItemDataRole.UserRole
-"""A role: what the delegate and the headers paint, as ``Shown`` or ``Head``."""
+"""A role: what the headers paint, as ``Head``."""
 
 
 class Shown(Struct, frozen=True):
@@ -25,6 +26,12 @@ class Shown(Struct, frozen=True):
     text: str
     kind: str
     mark: str = ""
+
+
+_BLANK = Shown("", "taken")
+# Asked of every cell that is painted.
+_READ = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+_TYPED = _READ | Qt.ItemFlag.ItemIsEditable
 
 
 class Head(Struct, frozen=True):
@@ -131,10 +138,7 @@ class MatrixModel(QAbstractTableModel):
     def flags(self, index: AnyIndex) -> Qt.ItemFlag:
         if not index.isValid():
             return Qt.ItemFlag.NoItemFlags
-        found = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
-        if index.column() < len(self.modules):
-            found |= Qt.ItemFlag.ItemIsEditable
-        return found
+        return _TYPED if index.column() < len(self.modules) else _READ
 
     def setData(self, index: AnyIndex, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
         if role != Qt.ItemDataRole.EditRole or index.column() >= len(self.modules):
@@ -150,15 +154,29 @@ class MatrixModel(QAbstractTableModel):
             return self._of_module(row, column, role)
         return self._of_resource(row, self.grid.resources[column - len(self.modules)], role)
 
+    def shown(self, row: int, column: int) -> Shown:
+        """A cell as it is painted."""
+        assert self.grid is not None
+        modules, line = self.grid.modules, self.grid.lines[row]
+        if column >= len(modules):
+            held = line.holdings[self.grid.resources[column - len(modules)]]
+            kind = "tie" if held.rivals else "holder" if held.module else "nobody"
+            return Shown(self._holder(held), kind)
+        cell = line.cells.get(modules[column])
+        if cell is None:
+            return _BLANK
+        mark = self.marks.cell(line.situation.name, modules[column])
+        text = self.tr("none") if cell.text == "none" else cell.text
+        kind = "own" if cell.own else "taken"
+        return Shown(text, kind, mark or ("warning" if cell.rivals else ""))
+
+    def _holder(self, held: Holding) -> str:
+        return self.tr("tie") if held.rivals else held.module or self.tr("nobody")
+
     def _of_module(self, row: int, column: int, role: int) -> Any:
         cell = self.cell(row, column)
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return self.tr("none") if cell.text == "none" else cell.text
-        if role == SHOWN:
-            mark = self.marks.cell(self.line(row).situation.name, self.modules[column])
-            kind = "own" if cell.own else "taken"
-            text = self.tr("none") if cell.text == "none" else cell.text
-            return Shown(text, kind, mark or ("warning" if cell.rivals else ""))
         if role == Qt.ItemDataRole.ToolTipRole:
             return "\n".join(self._told(row, column, cell)) or None
         if role == Qt.ItemDataRole.AccessibleTextRole:
@@ -197,14 +215,11 @@ class MatrixModel(QAbstractTableModel):
 
     def _of_resource(self, row: int, resource: str, role: int) -> Any:
         held = self.line(row).holdings[resource]
-        holder = held.module or self.tr("nobody")
-        text = self.tr("tie") if held.rivals else holder
         if role == Qt.ItemDataRole.DisplayRole:
-            return text
-        if role == SHOWN:
-            return Shown(text, "tie" if held.rivals else "holder" if held.module else "nobody")
+            return self._holder(held)
         if role in (Qt.ItemDataRole.ToolTipRole, Qt.ItemDataRole.AccessibleTextRole):
             name = self.line(row).situation.name
+            holder = held.module or self.tr("nobody")
             who = self.tr("{0} in {1}, when all ask: {2}").format(resource, name, holder)
             if not held.rivals:
                 return who

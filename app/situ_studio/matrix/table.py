@@ -84,7 +84,7 @@ class MatrixTable(QTableView):
         self._model = model
         self._fill: Area | None = None
         self.setAccessibleName(name)
-        self.cells = Cells(theme, self)
+        self.cells = Cells(theme, model, self)
         self.setItemDelegate(self.cells)
         self.heads = ModuleHeader(theme, self)
         self.setHorizontalHeader(self.heads)
@@ -92,7 +92,6 @@ class MatrixTable(QTableView):
         self.setVerticalHeader(self.rows)
         self.rows.setDefaultSectionSize(ROW)
         self.setModel(model)
-        self.setShowGrid(False)
         self.setWordWrap(False)
         self.setCornerButtonEnabled(False)
         self.setTabKeyNavigation(False)
@@ -111,8 +110,10 @@ class MatrixTable(QTableView):
         self.cells.moved.connect(self.step)
 
     def set_theme(self, theme: Theme) -> None:
-        self._theme = self.cells.theme = theme
+        self._theme = theme
+        self.cells.set_theme(theme)
         self.setStyleSheet(
+            f"QTableView {{ gridline-color: {theme.line}; }}"
             f"QTableCornerButton::section {{ background: {theme.panel}; border: 0;"
             f" border-right: 1px solid {theme.line}; border-bottom: 1px solid {theme.line}; }}"
         )

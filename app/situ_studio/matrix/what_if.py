@@ -137,10 +137,11 @@ class WhatIf(QWidget):
         """Judges another script, for the same suppositions where they are still about it."""
         if script is self._script and asking == self._asking:
             return
-        self._script, self._asking = script, dict(asking)
-        self._kinds = {observed.tag: observed.type for observed in script.observe}
-        self._presets = presets(script)
-        self.values = {n: v for n, v in self.values.items() if n in self._presets}
+        before, self._script, self._asking = self._script, script, dict(asking)
+        if before is None or not _looks_at_the_same(before, script):
+            self._kinds = {observed.tag: observed.type for observed in script.observe}
+            self._presets = presets(script)
+            self.values = {n: v for n, v in self.values.items() if n in self._presets}
         self.silent &= set(asking)
         self._make_chips()
         self._judge()
@@ -275,6 +276,14 @@ class WhatIf(QWidget):
         self.data.setMinimumWidth(self.data.row.wide + 2 if beside else 0)
         self.data.settle()
         self.who.settle()
+
+
+def _looks_at_the_same(before: Spds, script: Spds) -> bool:
+    """Whether conditions and observed data are the very same values."""
+    if before.observe is not script.observe or len(before.situations) != len(script.situations):
+        return False
+    pairs = zip(before.situations, script.situations, strict=True)
+    return all(a.condition is b.condition and a.until is b.until for a, b in pairs)
 
 
 def value_words(value: Any) -> str:

@@ -6,6 +6,7 @@ management's own.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 
 from msgspec import Struct
@@ -22,38 +23,49 @@ class Holding(Struct, frozen=True):
     rivals: tuple[str, ...] = ()
 
 
-def who_holds(
-    asking: Mapping[str, Iterable[str]], priorities: Mapping[str, int]
-) -> dict[str, Holding]:
-    """Every resource that somebody asks for, and who holds it; None: nobody.
-
-    asking: module to the resources that it asks for, all of them or none, in the order in which
-    they ask; nobody holds anything before.
+class Requests:
+    """What modules ask for: each all of its resources or none, in the order given; nobody holds
+    anything before.
     """
-    requests = {
-        module: Request(tuple(resources), (), order)
-        for order, (module, resources) in enumerate(asking.items())
-    }
-    found = granted(requests, {}, priorities)
+
+    def __init__(self, asking: Mapping[str, Iterable[str]]) -> None:
+        self.by_module = {
+            module: Request(tuple(resources), (), order)
+            for order, (module, resources) in enumerate(asking.items())
+        }
+        self.resources = tuple(
+            dict.fromkeys(r for one in self.by_module.values() for r in one.resources)
+        )
+
+
+def who_holds(requests: Requests, priorities: Mapping[str, int]) -> dict[str, Holding]:
+    """Every resource that somebody asks for, and who holds it; None: nobody."""
+    every = requests.by_module
+    found = granted(every, {}, priorities)
     others: dict[str, set[str]] = {}
-    for module in _refused_by_equals(requests, found, priorities):
-        first = {**requests, module: Request(requests[module].resources, (), -1)}
+    for module in _refused_by_equals(every, found, priorities):
+        first = {**every, module: Request(every[module].resources, (), -1)}
         then = granted(first, {}, priorities)
         for resource in found.keys() | then.keys():
             if found.get(resource) != then.get(resource):
                 others.setdefault(resource, set()).add(then.get(resource, module))
-    every = dict.fromkeys(r for request in requests.values() for r in request.resources)
-    return {r: Holding(found.get(r), tuple(sorted(others.get(r, ())))) for r in every}
+    return {
+        resource: Holding(found.get(resource), tuple(sorted(others.get(resource, ()))))
+        for resource in requests.resources
+    }
 
 
 def _refused_by_equals(
     requests: Mapping[str, Request], found: Mapping[str, str], priorities: Mapping[str, int]
 ) -> Iterable[str]:
     """Modules that got nothing because one of their own priority had asked before them."""
+    many = Counter(priorities.values())
     for module, request in requests.items():
         mine = priorities.get(module)
+        if mine is None or many[mine] == 1:
+            continue
         holders = {found.get(resource) for resource in request.resources} - {None}
-        if mine is None or module in holders:
+        if module in holders:
             continue
         if any(holder is not None and priorities[holder] == mine for holder in holders):
             yield module

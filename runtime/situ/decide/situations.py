@@ -63,7 +63,7 @@ class Situations:
         self._step = step
         self._board = board
         self._sources = spds.situations
-        self.priorities = [spds.priorities(source) for source in self._sources]
+        self.priorities = spds.every_priorities()
         self._conditions: list[Compiled | None] = []
         self._untils: list[Compiled | None] = []
         self._flips: dict[str, Flips] = {}

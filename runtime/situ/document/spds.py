@@ -78,3 +78,30 @@ class Spds(Struct, frozen=True, gc=False):
             for entry in one.entries:
                 found[entry.module] = entry.priority
         return {module: p for module, p in found.items() if p is not None}
+
+    def every_priorities(self) -> list[dict[str, int]]:
+        """``priorities`` of every situation, in their order; what several take over is worked out
+        once.
+        """
+        named: dict[str, Situation] = {}
+        for situation in self.situations:
+            named.setdefault(situation.name, situation)
+        known: dict[int, dict[str, int | None]] = {}
+        found: list[dict[str, int]] = []
+        for situation in self.situations:
+            chain: list[Situation] = []
+            at: Situation | None = situation
+            while at is not None and id(at) not in known and len(chain) <= len(self.situations):
+                chain.append(at)
+                at = named.get(at.extends) if at.extends is not None else None
+            if len(chain) > len(self.situations):
+                # In a circle what a situation takes over hangs on where it is entered.
+                found.append(self.priorities(situation))
+                continue
+            every = known[id(at)] if at is not None else {}
+            for one in reversed(chain):
+                every = {**every, **{entry.module: entry.priority for entry in one.entries}}
+                known[id(one)] = every
+            every = known[id(situation)]
+            found.append({module: p for module, p in every.items() if p is not None})
+        return found

@@ -13,7 +13,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from situ.decide.all_ask import Holding, who_holds
+from situ.decide.all_ask import Holding, Requests, who_holds
 from situ.decide.board import Board
 from situ.decide.conditions import Conditions
 from situ.decide.situations import Situations
@@ -51,11 +51,12 @@ def what_if(script: Spds, values: Mapping[str, Any], asking: Mapping[str, Iterab
             board.tell(name, None)
     situations.observe()
     current = situations.current
-    priorities = script.priorities(current) if current is not None else {}
     seen = zip(script.situations, situations.state.observations, strict=True)
     holds = tuple(situation.name for situation, one in seen if one.condition)
     return Answer(
-        current.name if current is not None else None, holds, who_holds(asking, priorities)
+        current.name if current is not None else None,
+        holds,
+        who_holds(Requests(asking), situations.granted()),
     )
 
 
