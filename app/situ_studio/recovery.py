@@ -7,22 +7,23 @@ before is offered when the project is opened next.
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
 
-import msgspec
 from PySide6.QtCore import QLockFile, QObject, QTimer
 
 from situ.document import folder
 from situ.document.catalogue import Catalogue
 from situ.document.rbd import Application
 from situ.errors import SituError
-from situ_studio import edit
+from situ_studio import edit, kept
 from situ_studio.claim import key, lock
 from situ_studio.edit import Written
+from situ_studio.kept import Kept, Wanted
 from situ_studio.panels.notice import Notice
 from situ_studio.session import Session
+from situ_studio.worker import Worker, module
 
 _log = logging.getLogger("situ.studio")
 
@@ -30,12 +31,10 @@ SOON = 2000
 """Milliseconds after an edit at which it is kept."""
 
 
-class Kept(msgspec.Struct, frozen=True):
-    """What a recovery file holds: the unsaved documents of one project, as their files' text."""
+LARGE = 60
+"""States and situations above which they are kept by another process: about 15 ms of work."""
 
-    root: str
-    at: datetime
-    files: dict[str, str]
+COMMAND = module("situ_studio.keep_process")
 
 
 class Recovery(QObject):
@@ -51,51 +50,96 @@ class Recovery(QObject):
         home: Path,
         notice: Notice,
         now: Callable[[], datetime] = datetime.now,
+        command: Sequence[str] = COMMAND,
     ) -> None:
         super().__init__(notice)
         self._session, self._home, self._notice, self._now = session, home, notice, now
         self._file: Path | None = None
         self._lock: QLockFile | None = None
         self._kept: dict[str, Written] = {}
+        self._asked: dict[str, Written] = {}
+        self._worker = Worker(command, self)
+        self._worker.answered.connect(self._on_written)
+        self._worker.said.connect(lambda said: _log.error("keeping changes failed: %s", said))
+        self._worker.gone.connect(self._on_worker_gone)
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.setInterval(SOON)
-        self._soon.timeout.connect(self.keep)
+        self._soon.timeout.connect(self._keep_soon)
         session.opened.connect(self._on_opened)
         session.stack_changed.connect(self._on_stack)
 
     # -- keeping -----------------------------------------------------------------
 
     def keep(self) -> None:
-        """Keeps what is not saved now; forgets what was kept where all is saved."""
+        """Keeps what is not saved, now; forgets what was kept where all is saved."""
+        wanted = self._begin()
+        if wanted is not None:
+            self._worker.end()
+            self._write(wanted)
+
+    def _keep_soon(self) -> None:
+        """The same without holding up the window: another process writes what is large."""
+        wanted = self._begin()
+        if wanted is None:
+            return
+        if sum(_size(value) for value in wanted.values.values()) <= LARGE:
+            self._worker.end()
+            self._write(wanted)
+        else:
+            self._asked = wanted.values
+            self._worker.ask(wanted)
+
+    def _begin(self) -> Wanted | None:
+        """What is to be kept, and where; None where nothing is that is not kept already."""
         self._soon.stop()
-        dirty = {f: self._session.value(f) for f in self._session.dirty}
-        wanted = {
-            file: document
-            for file, document in dirty.items()
-            if document is not None and not self._session.is_incomplete(file)
+        unsaved = {f: self._session.value(f) for f in self._session.dirty}
+        values = {
+            file: value
+            for file, value in unsaved.items()
+            if value is not None and not self._session.is_incomplete(file)
         }
-        if not wanted:
+        if not values:
             self.forget()
-            return
-        if wanted == self._kept and all(wanted[f] is self._kept[f] for f in wanted):
-            return
-        root = str(self._session.root.resolve())
-        files = {file: edit.write(document).decode() for file, document in wanted.items()}
+            return None
+        last = self._asked if self._worker.is_busy else self._kept
+        if values.keys() == last.keys() and all(values[f] is last[f] for f in values):
+            return None
         try:
             if self._file is None:
                 self._home.mkdir(parents=True, exist_ok=True)
                 self._file, self._lock = self._free(self._session.root)
-            folder.write(self._file, msgspec.json.encode(Kept(root, self._now(), files)))
-        except (SituError, OSError) as error:
-            _log.warning("unsaved changes can not be kept: %s", error)
-            return
-        self._kept = wanted
+        except OSError as error:
+            _tell(str(error))
+            return None
+        return Wanted(self._file, str(self._session.root.resolve()), self._now(), values)
+
+    def _write(self, wanted: Wanted) -> None:
+        try:
+            kept.write(wanted)
+        except SituError as error:
+            _tell(str(error))
+        else:
+            self._kept = wanted.values
+
+    def _on_written(self, refused: str) -> None:
+        if refused:
+            _tell(refused)
+        else:
+            self._kept = self._asked
+
+    def _on_worker_gone(self) -> None:
+        """Rather the window waits than that something is lost."""
+        _log.error("the process that keeps changes has ended: they are kept here")
+        self.keep()
 
     def forget(self) -> None:
         """Takes away what this window kept: it is saved, or was given up by a person."""
         self._soon.stop()
         self._kept = {}
+        if self._worker.is_busy:
+            self._worker.end()
+            folder.clear_unfinished(self._home)
         if self._file is not None:
             self._file.unlink(missing_ok=True)
         if self._lock is not None:
@@ -124,29 +168,30 @@ class Recovery(QObject):
         # Another project is open: what the last one had was saved, or given up.
         self.forget()
         self._notice.hide()
+        folder.clear_unfinished(self._home)
         root = str(self._session.root.resolve())
         for file in sorted(self._home.glob(f"{key(self._session.root)}-*.json")):
             held = lock(file)
             if not held.tryLock(0):
                 continue
-            kept = read(file)
+            found = kept.read(file)
             held.unlock()
-            if kept is not None and kept.root == root:
-                self._offer(file, kept)
+            if found is not None and found.root == root:
+                self._offer(file, found)
                 return
 
-    def _offer(self, file: Path, kept: Kept) -> None:
-        names = ", ".join(kept.files)
+    def _offer(self, file: Path, found: Kept) -> None:
+        names = ", ".join(found.files)
         text = self.tr("There are changes to {0} of {1} that were not saved.")
         self._notice.ask(
-            text.format(names, f"{kept.at:%Y-%m-%d %H:%M}"),
-            (self.tr("Bring them back"), lambda: self._restore(file, kept)),
+            text.format(names, f"{found.at:%Y-%m-%d %H:%M}"),
+            (self.tr("Bring them back"), lambda: self._restore(file, found)),
             (self.tr("Forget them"), lambda: file.unlink(missing_ok=True)),
         )
 
-    def _restore(self, file: Path, kept: Kept) -> None:
+    def _restore(self, file: Path, found: Kept) -> None:
         """As one step a document, that can be undone."""
-        for name, text in kept.files.items():
+        for name, text in found.files.items():
             document, _ = edit.read(text.encode(), name)
             now = self._session.value(name)
             # A part that was made, and not saved, is known to no file of the project yet.
@@ -158,9 +203,9 @@ class Recovery(QObject):
         file.unlink(missing_ok=True)
 
 
-def read(file: Path) -> Kept | None:
-    """What was kept in ``file``; None where that can not be read."""
-    try:
-        return msgspec.json.decode(file.read_bytes(), type=Kept)
-    except (OSError, msgspec.MsgspecError):
-        return None
+def _size(value: Written) -> int:
+    return len(value.states) if isinstance(value, Application) else 0
+
+
+def _tell(why: str) -> None:
+    _log.warning("unsaved changes can not be kept: %s", why)

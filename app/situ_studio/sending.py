@@ -1,4 +1,4 @@
-"""A project sent to another process again and again, where mostly little of it is another.
+"""Documents sent to another process again and again, where mostly little of it is another.
 
 Documents are values: a state or situation that is the same object as before is sent as a number.
 """
@@ -11,7 +11,6 @@ import struct
 from collections.abc import Iterator
 from typing import Any, BinaryIO
 
-from situ.document.project import Project
 from situ.document.rbd import State
 from situ.document.spds import Situation
 
@@ -53,18 +52,18 @@ class Frames:
 
 
 class Sending:
-    """What one receiver has of the projects that it was sent."""
+    """What one receiver has of the values that it was sent."""
 
     def __init__(self) -> None:
         # The values themselves are kept, so that no other gets the id of one that is gone.
         self._there: dict[int, Any] = {}
 
-    def pack(self, project: Project, number: int) -> Iterator[bytes]:
-        """The frames that make ``project``, called ``number``, of what was sent before.
+    def pack(self, value: Any, number: int) -> Iterator[bytes]:
+        """The frames that make ``value``, called ``number``, of what was sent before.
 
-        May be left after any of them, for another project.
+        May be left after any of them, for another value.
         """
-        body = io.BytesIO()
+        whole, body = value, io.BytesIO()
         used: dict[int, Any] = {}
 
         class Naming(pickle.Pickler):
@@ -74,7 +73,7 @@ class Sending:
                 used[id(value)] = value
                 return id(value)
 
-        Naming(body, pickle.HIGHEST_PROTOCOL).dump(project)
+        Naming(body, pickle.HIGHEST_PROTOCOL).dump(whole)
         new = [key for key in used if key not in self._there]
         for at in range(0, len(new), PIECE):
             values = [(key, used[key]) for key in new[at : at + PIECE]]
@@ -92,8 +91,8 @@ class Receiving:
     def __init__(self) -> None:
         self._there: dict[int, Any] = {}
 
-    def unpack(self, message: bytes) -> tuple[int, Project] | None:
-        """A project and its number; None for what only prepares one."""
+    def unpack(self, message: bytes) -> tuple[int, Any] | None:
+        """A value and its number; None for what only prepares one."""
         came = pickle.loads(message)
         if isinstance(came, list):
             self._there.update(came)
@@ -105,7 +104,7 @@ class Receiving:
             def persistent_load(self, key: int) -> Any:
                 return there[key]
 
-        project: Project = Named(io.BytesIO(body)).load()
+        value = Named(io.BytesIO(body)).load()
         for key in gone:
             del there[key]
-        return number, project
+        return number, value

@@ -85,6 +85,7 @@ class Group(QWidget):
         while self.documents.count() > 1:
             # A page is made anew where it is shown again.
             page = self.documents.widget(1)
+            assert page is not None
             self.documents.removeWidget(page)
             page.setParent(None)
             page.deleteLater()

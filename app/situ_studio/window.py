@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication
 
+from situ.document import folder
 from situ.document.mend import mends
 from situ.document.problem import Problem
 from situ.document.rbd import Application
@@ -163,7 +164,9 @@ class MainWindow(Frame):
 
     def _on_open(self, path: Path) -> None:
         self.remember(path)
-        if not self.claim.take(self.session.root):
+        if self.claim.take(self.session.root):
+            folder.clear_unfinished(self.session.root)
+        else:
             self.notice.ask(
                 self.tr(
                     "This project is open in another Situ Studio too. What is saved there is told "

@@ -14,6 +14,7 @@ from tests.benchmarks import (
     documents_read,
     drawing,
     editing,
+    keeping,
     live,
     matrix,
     messages,
@@ -33,6 +34,7 @@ BENCHES: tuple[Bench, ...] = (
     *problems.BENCHES,
     *screens.BENCHES,
     *scripts.BENCHES,
+    *keeping.BENCHES,
     *window.BENCHES,
     *messages.BENCHES,
     *live.BENCHES,
@@ -58,6 +60,7 @@ FIGURES = (
     "layout",
     "matrix",
     "problems",
+    "keeping",
     "start",
     *UNBUILT,
 )

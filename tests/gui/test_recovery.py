@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import resource
+import signal
 import subprocess
 import sys
 from collections.abc import Callable
@@ -11,7 +12,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from msgspec.structs import replace
+from PySide6.QtCore import QEventLoop, QSettings, Qt, QTimer
+
+from situ.document import codec
+from situ.document.rbd import Application, State
+from situ_studio.recovery import LARGE
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 FILE = "reception.rbd.xml"
@@ -188,12 +194,14 @@ import os, random, signal, sys
 from pathlib import Path
 from PySide6.QtCore import QSettings
 from situ.document import codec
+from situ.document.folder import clear_unfinished
 from situ_studio import main, places
-from situ_studio.recovery import read
+from situ_studio.kept import read
 FILE = "reception.rbd.xml"
 folder, home = Path(sys.argv[1]), Path(sys.argv[2]).parent / "recovery"
 window = main.create_window(folder, QSettings(sys.argv[2], QSettings.Format.IniFormat))
 random.seed(int(sys.argv[3]))
+unfinished = False
 for turn in range(12):
     ears, mouth = os.pipe()
     child = os.fork()
@@ -216,6 +224,10 @@ for turn in range(12):
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
     os.close(ears)
+    unfinished |= any(file.name.startswith(".") for file in folder.iterdir())
+    clear_unfinished(folder)
+    left = [file.name for file in folder.iterdir() if file.name.startswith(".")]
+    assert not left, (turn, left)
     data = (folder / FILE).read_bytes()
     document, problems = codec.read(data, FILE)
     assert document is not None and not problems, (turn, problems)
@@ -278,3 +290,120 @@ def test_recovery_goes_on_once_there_is_room_again(
     assert "can not be kept" in caplog.text
     used.window.recovery.keep()
     assert b"kept later" in kept(settings)[0].read_bytes()
+
+
+_BEGUN = """
+import os, signal, sys
+from situ.document import folder
+os.replace = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
+folder.write(sys.argv[1], b"half")
+"""
+
+
+def test_what_a_killed_writer_left_is_gone_at_the_next_start(
+    studio: Start, project: Copy, settings: QSettings
+) -> None:
+    folder, home = project("reception"), Path(settings.fileName()).parent / "recovery"
+    home.mkdir()
+    (folder / ".mine").write_text("stays")
+    for file in (folder / FILE, folder / "scenarios" / "a.toml", home / "a.json"):
+        file.parent.mkdir(exist_ok=True)
+        done = subprocess.run([sys.executable, "-c", _BEGUN, str(file)], check=False)
+        assert done.returncode == -signal.SIGKILL
+    held = folder / f".{FILE}.{os.getpid()}.unfinished-x"
+    held.write_text("somebody writes this now")
+    hidden = [p for root in (folder, home) for p in root.rglob(".*")]
+    assert len(hidden) == 5
+    studio(folder)
+    assert {p.name for root in (folder, home) for p in root.rglob(".*")} == {".mine", held.name}
+
+
+def large(folder: Path) -> None:
+    """Makes the application of ``folder`` one that another process keeps."""
+    document, _ = codec.read((folder / FILE).read_bytes(), FILE)
+    assert isinstance(document, Application)
+    more = tuple(State(no=str(1000 + n), name=f"more {n}") for n in range(LARGE))
+    whole = replace(document, states=(*document.states, *more))
+    (folder / FILE).write_bytes(codec.write(whole))
+
+
+def come(ends: Callable[[], bool]) -> None:
+    """Waits until it is so."""
+    loop, look = QEventLoop(), QTimer()
+    look.timeout.connect(lambda: loop.quit() if ends() else None)
+    look.start(5)
+    loop.exec()
+
+
+def test_a_large_document_is_kept_by_another_process_and_then_what_changed_meanwhile(
+    studio: Start, project: Copy, settings: QSettings
+) -> None:
+    folder = project("reception")
+    large(folder)
+    used = studio(folder)
+    keeping = used.window.recovery
+    rename(used, "first")
+    keeping._soon.timeout.emit()
+    assert keeping._worker.is_busy
+    assert kept(settings) == []
+    rename(used, "second")
+    keeping._soon.timeout.emit()
+    come(lambda: not keeping._worker.is_busy)
+    (file,) = kept(settings)
+    assert b"second" in file.read_bytes()
+    # What is kept already is not written again.
+    keeping._soon.timeout.emit()
+    assert not keeping._worker.is_busy
+    rename(used, "third")
+    keeping._soon.timeout.emit()
+    used.key(Qt.Key.Key_S, CONTROL)
+    assert kept(settings) == []
+    assert not keeping._worker.is_busy
+
+
+def test_what_another_process_can_not_keep_is_kept_here(
+    studio: Start, project: Copy, settings: QSettings, caplog: pytest.LogCaptureFixture
+) -> None:
+    folder = project("reception")
+    large(folder)
+    used = studio(folder)
+    keeping = used.window.recovery
+    keeping._worker._command = (sys.executable, "-c", "import sys; sys.exit(3)")
+    rename(used, "not lost")
+    keeping._soon.timeout.emit()
+    come(lambda: not keeping._worker.is_busy)
+    assert b"not lost" in kept(settings)[0].read_bytes()
+    assert "has ended" in caplog.text
+
+
+_KEEPING = """
+import os, signal, sys
+from pathlib import Path
+from PySide6.QtCore import QSettings
+from situ_studio import main, places
+FILE = "reception.rbd.xml"
+window = main.create_window(Path(sys.argv[1]), QSettings(sys.argv[2], QSettings.Format.IniFormat))
+keeping = window.recovery
+document = window.session.document(FILE)
+window.commit(places.change(document, ("state", "2"), name="killed"), "Rename")
+keeping._keep_soon()
+worker = keeping._worker
+while worker._turn.isActive():
+    main.application().processEvents()
+process = worker._processes[0]
+process.waitForBytesWritten(10000)
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_what_was_sent_is_kept_though_the_studio_is_killed_before_it_is_written(
+    studio: Start, project: Copy, settings: QSettings, tmp_path: Path
+) -> None:
+    folder = project("reception")
+    large(folder)
+    ended = ran(_KEEPING, str(folder), settings.fileName(), home=tmp_path)
+    assert ended.returncode == -signal.SIGKILL, ended.stderr
+    come(lambda: kept(settings) != [])
+    used = studio(folder)
+    used.click(used.window.recovered.buttons[0])
+    assert used.session.document(FILE).state("2").name == "killed"

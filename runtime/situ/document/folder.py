@@ -6,6 +6,7 @@ that lead out.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import tempfile
 from collections.abc import Mapping
@@ -27,6 +28,8 @@ from situ.errors import UsageError
 PROJECT_FILE = "situ.toml"
 LOCAL_FILE = "robot.local.toml"
 TEXTS_FOLDER = "texts"
+UNFINISHED = ".unfinished-"
+"""In the names of files that ``write`` has not put in their places yet."""
 
 _KINDS: dict[str, tuple[type, str]] = {
     "applications": (Application, "an application"),
@@ -136,7 +139,9 @@ def write(path: str | Path, data: bytes) -> None:
         mode = _mode(target)
         if not mode & 0o222:
             raise UsageError(f"{path}: is read-only: allow it to be written, or write a copy")
-        handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
+        # The name says who writes, for ``clear_unfinished``.
+        begun = f".{target.name}.{os.getpid()}{UNFINISHED}"
+        handle, temporary = tempfile.mkstemp(prefix=begun, dir=target.parent)
         try:
             with os.fdopen(handle, "wb") as file:
                 file.write(data)
@@ -154,6 +159,30 @@ def write(path: str | Path, data: bytes) -> None:
             os.close(folder)
     except OSError as error:
         raise UsageError(f"{path}: cannot be written: {_reason(error)}") from error
+
+
+def clear_unfinished(folder: str | Path) -> None:
+    """Takes away what ``write`` left in a folder of writers that were killed meanwhile.
+
+    Only what lies in it and in its folders, not deeper; what can not be taken away stays.
+    """
+    root = Path(folder)
+    for pattern in (f".*{UNFINISHED}*", f"*/.*{UNFINISHED}*"):
+        for file in root.glob(pattern):
+            writer = file.name.rpartition(UNFINISHED)[0].rpartition(".")[2]
+            if writer.isdigit() and not _runs(int(writer)):
+                with contextlib.suppress(OSError):
+                    file.unlink()
+
+
+def _runs(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    return True
 
 
 def _mode(target: Path) -> int:
