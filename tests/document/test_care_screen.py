@@ -13,7 +13,7 @@ from tests.document.care_projects import always, app, mended, places, state, tol
 from situ.document import care_screen as care
 from situ.document.analysis_search import Search
 from situ.document.colours import NAMED, Colour, colour, contrast, luminance
-from situ.document.rbd import Application
+from situ.document.rbd import Application, Button, Input, Text
 
 PAGE = Path(__file__).resolve().parents[2] / "resources" / "screen"
 LONG = (
@@ -307,24 +307,14 @@ def test_the_page_writes_a_button_as_is_easier_to_read(fill: Colour) -> None:
 
 
 def test_the_page_has_the_colours_and_sizes_that_are_taken_for_granted() -> None:
-    css = (PAGE / "screen.css").read_text()
-    for name, value in (
-        ("ink", care.INK),
-        ("ink-soft", care.INK_SOFT),
-        ("accent", care.ACCENT),
-        ("ground", care.GROUND[1]),
-    ):
-        assert f"--{name}: {value};" in css
-    ground = (
-        f"linear-gradient(180deg, {care.GROUND[0]} 0%, var(--ground) 55%, {care.GROUND[2]} 100%)"
-    )
-    assert ground in css
-    rules = dict(re.findall(r"^\.(text|button) \{(.*?)^\}", css, re.MULTILINE | re.DOTALL))
-    assert "line-height: 1.18;" in rules["text"]
-    assert "line-height: 1.15;" in rules["button"]
-    assert "padding: 0.25em 0.5em;" in rules["button"]
-    components = (PAGE / "components.js").read_text()
-    assert components.count("(component.size ?? 6) * unit") == 2
-    assert f"size >= {care.SOFT}" in components
-    assert "(component.size ?? 7) * unit" in (PAGE / "input.js").read_text()
-    assert f"> {care.LIGHT};" in (PAGE / "colours.js").read_text()
+    table = dict(re.findall(r"--([a-z-]+): ([^;]+);", (PAGE / "measures.css").read_text()))
+    grounds = (table["ground-top"], table["ground"], table["ground-bottom"])
+    assert grounds == care.GROUND
+    colours = (table["ink"], table["ink-soft"], table["accent"])
+    assert colours == (care.INK, care.INK_SOFT, care.ACCENT)
+    sizes = {Text: "text-size", Button: "button-size", Input: "input-size"}
+    assert {kind: float(table[name]) for kind, name in sizes.items()} == care.SIZES
+    high = float(table["button-line"]) + 2 * float(table["button-high"])
+    assert {Text: float(table["text-line"]), Button: high} == care.LINE
+    assert float(table["body-from"]) == care.SOFT
+    assert float(table["light"]) == care.LIGHT

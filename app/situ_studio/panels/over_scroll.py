@@ -24,9 +24,9 @@ class OverScroll(QScrollArea):
         own.valueChanged.connect(self._bar.setValue)
         self._bar.valueChanged.connect(own.setValue)
 
-    def takeWidget(self) -> QWidget | None:
+    def takeWidget(self) -> QWidget:
         """Without what it held there is nothing to scroll."""
-        held: QWidget | None = super().takeWidget()
+        held = super().takeWidget()
         self.verticalScrollBar().setRange(0, 0)
         return held
 
