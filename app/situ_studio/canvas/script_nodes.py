@@ -99,11 +99,27 @@ class ScriptItem(NodeFace):
     ) -> None:
         look, node = self.look, self.face
         assert look is not None
+        if look.level in ("quarter", "tiny"):
+            area = QRectF(0, 0, node.width, node.height)
+            painter.fillRect(area, look["live"] if self._lit(look) else look[node.kind])
+        elif widget is None or isinstance(look.live, LiveScript):
+            # A picture for print keeps its lines; what a robot does to a node is another each time.
+            self._paint_near(painter)
+        else:
+            state = (
+                look.version,
+                self.isSelected(),
+                self.isUnderMouse(),
+                self.hovered,
+                self.chosen_rows,
+            )
+            look.pictures.paint(painter, self.uid, node, state, self._rect, self._paint_near)
+
+    def _paint_near(self, painter: QPainter) -> None:
+        look, node = self.look, self.face
+        assert look is not None
         area = QRectF(0, 0, node.width, node.height)
         lit = self._lit(look)
-        if look.level in ("quarter", "tiny"):
-            painter.fillRect(area, look["live"] if lit else look[node.kind])
-            return
         self._lay_out(look)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if lit and node.kind == "situation":

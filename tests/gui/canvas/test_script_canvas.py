@@ -176,7 +176,9 @@ def test_the_way_through_the_selected_situation_is_lit(made: Any) -> None:
 
 
 @pytest.mark.parametrize("looks", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
-def test_it_is_painted_live_and_marked(made: Any, script: Spds, looks: theme.Theme) -> None:
+def test_it_is_painted_live_and_marked(
+    made: Any, script: Spds, looks: theme.Theme, farthest: Callable[..., int]
+) -> None:
     canvas = made.canvas
     place = ("situation", "sound", "entry", "0")
     canvas.show_document(
@@ -193,10 +195,10 @@ def test_it_is_painted_live_and_marked(made: Any, script: Spds, looks: theme.The
             values={"slap": 40.0},
         )
     )
-    assert canvas.viewer.grab().toImage() != plain
+    assert farthest(canvas.viewer.grab().toImage(), plain) > 20
     agree_document = made.document
     canvas.set_live(None)
-    assert canvas.viewer.grab().toImage() == plain
+    assert farthest(canvas.viewer.grab().toImage(), plain) <= 2
     assert made.document is agree_document
     assert pipe(made, "situation sound", "module gaze").link.mark == "warning"
 
