@@ -18,14 +18,48 @@ _SENDS = Field(
 )
 _PLACE = Section(
     title="Place and size",
+    help="In percent of the screen.",
     fields=(
-        Field(attribute="x", label="X", editor="number", unit="%", fixed=True),
-        Field(attribute="y", label="Y", editor="number", unit="%", fixed=True),
-        Field(attribute="width", label="W", editor="number", unit="%", fixed=True),
-        Field(attribute="height", label="H", editor="number", unit="%", fixed=True),
+        Field(
+            attribute="x",
+            label="X",
+            editor="number",
+            unit="%",
+            help="How far from the left.",
+            fixed=True,
+        ),
+        Field(
+            attribute="y",
+            label="Y",
+            editor="number",
+            unit="%",
+            help="How far from the top.",
+            fixed=True,
+        ),
+        Field(
+            attribute="width",
+            label="W",
+            editor="number",
+            unit="%",
+            help="How wide it is.",
+            fixed=True,
+        ),
+        Field(
+            attribute="height",
+            label="H",
+            editor="number",
+            unit="%",
+            help="How high it is.",
+            fixed=True,
+        ),
     ),
 )
-_ALIGN = Section(title="Align", editor="align", hint="on the screen")
+_ALIGN = Section(
+    title="Align",
+    editor="align",
+    hint="on the screen",
+    help="Puts it to an edge or into the middle.",
+)
 _FIT = Section(
     title="Fit for touch and sight",
     editor="fit",
@@ -40,6 +74,7 @@ _ENDED = Section(
 )
 _LOOKS = Section(
     title="Looks",
+    help="Size and colours; by itself they fit the screen.",
     fields=(
         Field(
             attribute="size",
@@ -53,11 +88,31 @@ _LOOKS = Section(
             attribute="align",
             label="Align",
             editor="choice",
+            help="At which side of its place the text stands.",
             choices=(("", "by itself"), ("left", "left"), ("center", "centre"), ("right", "right")),
         ),
-        Field(attribute="color", label="Colour", editor="color", placeholder="by itself"),
-        Field(attribute="fill", label="Fill", editor="color", placeholder="by itself"),
+        Field(
+            attribute="color",
+            label="Colour",
+            editor="color",
+            help="Of its letters.",
+            placeholder="by itself",
+        ),
+        Field(
+            attribute="fill",
+            label="Fill",
+            editor="color",
+            help="Of the ground behind it.",
+            placeholder="by itself",
+        ),
     ),
+)
+_FILE = Field(
+    attribute="src",
+    label="File",
+    editor="media",
+    help="Of the project's media folder.",
+    empty="",
 )
 _SHOWN = Field(
     attribute="text",
@@ -77,6 +132,7 @@ TEXT = Kind(
     value=rbd.Text,
     title="Text",
     icon="text",
+    help="Words on the screen.",
     fields=(_SHOWN, _ID),
     sections=(_PLACE, _ALIGN, _FIT, _LOOKS),
     make=lambda name: rbd.Text(id=name, text="Text", size=8, **_box(10, 10, 80, 20)),
@@ -88,8 +144,9 @@ BUTTON = Kind(
     value=rbd.Button,
     title="Button",
     icon="button",
+    help="Is touched, and raises an event.",
     fields=(
-        Field(attribute="text", label="Text", empty=""),
+        Field(attribute="text", label="Text", help="What stands on it.", empty=""),
         _ID,
         _SENDS,
         Field(
@@ -113,7 +170,8 @@ IMAGE = Kind(
     value=rbd.Image,
     title="Image",
     icon="image",
-    fields=(Field(attribute="src", label="File", editor="media", empty=""), _ID),
+    help="A picture of the media folder.",
+    fields=(_FILE, _ID),
     sections=(_PLACE, _ALIGN, _LOOKS),
     make=lambda name: rbd.Image(id=name, src="picture.png", **_box(60, 30, 30, 40)),
     summary=lambda v: str(v.src),
@@ -124,10 +182,16 @@ MOVIE = Kind(
     value=rbd.Movie,
     title="Movie",
     icon="movie",
+    help="A film of the media folder, played once.",
     fields=(
-        Field(attribute="src", label="File", editor="media", empty=""),
+        _FILE,
         _ID,
-        Field(attribute="done", label="When done", editor="event"),
+        Field(
+            attribute="done",
+            label="When done",
+            editor="event",
+            help="The event that is raised at its end.",
+        ),
     ),
     sections=(_PLACE, _ALIGN, _ENDED, _LOOKS),
     make=lambda name: rbd.Movie(id=name, src="movie.webm", **_box(10, 30, 45, 40)),
@@ -139,6 +203,7 @@ INPUT = Kind(
     value=rbd.Input,
     title="Input",
     icon="input",
+    help="A field that people type into; what they type goes to a tag.",
     fields=(
         Field(
             attribute="tag",
@@ -152,6 +217,7 @@ INPUT = Kind(
             attribute="kind",
             label="What",
             editor="choice",
+            help="Which keys the robot offers.",
             choices=(
                 ("text", "text"),
                 ("number", "a number"),
@@ -160,7 +226,13 @@ INPUT = Kind(
             ),
             fixed=True,
         ),
-        Field(attribute="max", label="Longest", editor="whole", unit="characters"),
+        Field(
+            attribute="max",
+            label="Longest",
+            editor="whole",
+            help="More is not taken.",
+            unit="characters",
+        ),
         Field(
             attribute="event",
             label="Sends",
@@ -178,6 +250,7 @@ LIST = Kind(
     value=rbd.List,
     title="List",
     icon="list",
+    help="The entries of a list on the blackboard, to choose one.",
     fields=(
         Field(
             attribute="items",
@@ -196,7 +269,9 @@ LIST = Kind(
         Field(
             attribute="tag", label="Choice to", editor="tag", help="The tag that gets the entry."
         ),
-        Field(attribute="event", label="Sends", editor="event"),
+        Field(
+            attribute="event", label="Sends", editor="event", help="The event that a choice raises."
+        ),
     ),
     sections=(_PLACE, _ALIGN, _FIT, _TOUCHED, _LOOKS),
     make=lambda name: rbd.List(id=name, items="entries", **_box(10, 30, 80, 40)),

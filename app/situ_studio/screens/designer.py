@@ -74,6 +74,7 @@ class Designer(QWidget):
         self.shown = StateScreen(self.sheet, theme, media, self)
         self.sampling = Sampling(self.bar, theme, project, self)
         self.crumbs = _BareCrumbs(theme, self.ground)
+        self.crumbs.setAccessibleName(self.tr("Where you are"))
         self.preview: PreviewWindow | None = None
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from situ.document.project import Project
 from situ.errors import UsageError
+from situ_studio.language import tr
 
 PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".avif", ".svg")
 MOVIES = (".webm", ".mp4", ".ogv")
@@ -37,10 +38,9 @@ def bring(project: Project, source: Path, endings: tuple[str, ...] = (*PICTURES,
     try:
         size = source.stat().st_size
         if size > LARGEST:
-            raise UsageError(
-                f"{source.name}: has {size / 2**20:.0f} MB, and {LARGEST // 2**20} MB is the most: "
-                "make it smaller first"
-            )
+            said = tr("{0}: has {1} MB, and {2} MB is the most: make it smaller first")
+            most = LARGEST // 2**20
+            raise UsageError(said.format(source.name, f"{size / 2**20:.0f}", most))
         folder, prefix = _folder(project)
         folder.mkdir(parents=True, exist_ok=True)
         name = _twin(folder, source, size)
@@ -83,9 +83,10 @@ def free_name(folder: Path, name: str) -> str:
 
 def _judge(source: Path, endings: tuple[str, ...]) -> None:
     if source.suffix.lower() not in endings:
-        raise UsageError(f"{source.name}: the robot's screen takes {' '.join(endings)} only")
+        said = tr("{0}: the robot takes {1} only")
+        raise UsageError(said.format(source.name, " ".join(endings)))
     if not source.is_file():
-        raise UsageError(f"{source}: is no file")
+        raise UsageError(tr("{0}: is no file").format(source))
 
 
 def _folder(project: Project) -> tuple[Path, str]:
