@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QTransform
 
 from situ.decide.screens import Shown
 from situ_studio import icons
@@ -227,8 +227,19 @@ def _picture(painter: QPainter, stage: Stage, one: Shown, box: QRectF) -> None:
 
 def draw_picture(painter: QPainter, at: QRectF, found: Picture) -> None:
     """Draws a picture into ``at``, from one of as many px as that has on the device."""
-    pixels = found.at(painter.deviceTransform().mapRect(at).size().toSize())
-    painter.drawPixmap(at, pixels, QRectF(pixels.rect()))
+    to_device, world = painter.deviceTransform(), painter.worldTransform()
+    seen = to_device.mapRect(at).toRect()
+    pixels = found.at(seen.size())
+    if pixels.size() != seen.size():
+        painter.drawPixmap(at, pixels, QRectF(pixels.rect()))
+        return
+    # On whole px, as the page has it, a picture is as sharp as it is, and quickly drawn.
+    beyond = world.inverted()[0] * to_device
+    painter.setWorldTransform(
+        QTransform.fromTranslate(seen.x(), seen.y()) * beyond.inverted()[0], False
+    )
+    painter.drawPixmap(0, 0, pixels)
+    painter.setWorldTransform(world, False)
 
 
 def rounded(painter: QPainter, box: QRectF, corner: float, colour: QColor) -> None:

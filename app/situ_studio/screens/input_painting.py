@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen
 
@@ -15,7 +17,15 @@ from situ_studio.screens.measures import measures
 _WIDE = 1e6
 _PIN = Style(500, 1.25, 0.18, True)
 _TYPED = Style(500, 1.25, 0.0, True)
-_DATE = "MM/DD/YYYY"
+_ORDERS = {"en": "M/D/Y", "de": "D.M.Y", "fr": "D/M/Y", "es": "D/M/Y", "ja": "Y/M/D"}
+_SIGNS = {
+    "en": {"D": "DD", "M": "MM", "Y": "YYYY"},
+    "de": {"D": "TT", "M": "MM", "Y": "JJJJ"},
+    "fr": {"D": "JJ", "M": "MM", "Y": "AAAA"},
+    "es": {"D": "DD", "M": "MM", "Y": "AAAA"},
+}
+"""How a date is typed where the screen has keys of its own (dates.js)."""
+_DATE = re.compile(r"(?P<Y>\d{4})-(?P<M>\d\d)-(?P<D>\d\d)")
 
 
 def paint_input(painter: QPainter, stage: Stage, one: Shown) -> None:
@@ -46,8 +56,9 @@ def paint_input(painter: QPainter, stage: Stage, one: Shown) -> None:
     ink = css_colour(one.get("color")) or known.colour("ink")
     if one["kind"] == "pin":
         text = "\u2022" * len(text)
-    elif one["kind"] == "date" and not text:
-        text, ink = _DATE, known.colour("hint")
+    elif one["kind"] == "date":
+        ink = ink if text else known.colour("hint")
+        text = date(text, stage.content.language)
     if not text:
         return
     size = letters(stage, one, room)
@@ -59,6 +70,16 @@ def paint_input(painter: QPainter, stage: Stage, one: Shown) -> None:
     for line in set_lines(text, style, Fitted(size), _WIDE, False):
         draw_line(painter, line, size, room, below, ink, one.get("align", "left"))
     painter.restore()
+
+
+def date(text: str, language: str) -> str:
+    """A date, YYYY-MM-DD, as it is typed in a language; without one, what is to be typed."""
+    found = _DATE.fullmatch(text)
+    if text and found is None:
+        return text
+    order = _ORDERS.get(language[:2], _ORDERS["en"])
+    signs = found.groupdict() if found else _SIGNS.get(language[:2], _SIGNS["en"])
+    return "".join(signs.get(one, one) for one in order)
 
 
 def rooms(stage: Stage, one: Shown, text: str) -> tuple[QRectF, QRectF | None]:

@@ -18,11 +18,13 @@ Values = Mapping[str, Any]
 class Content(NamedTuple):
     """All that is on a screen, back to front, as the trace and the page have it.
 
-    A list's ``items`` is None where it is not known what it shows.
+    A list's ``items`` is None where it is not known what it shows. language: of the people before
+    it, who write dates in their order.
     """
 
     components: tuple[Shown, ...]
     background: str | None = None
+    language: str = "en"
 
 
 def content(
@@ -40,7 +42,10 @@ def content(
         board.write(tag, value, "", 0, None)
     shown = tuple(_program(one).show(board, _as_written, None) for one in components)
     background = screen.background
-    return Content(shown, template(background).text(board.look) if background else background)
+    if background:
+        background = template(background).text(board.look)
+    language = board.look("language")
+    return Content(shown, background, language if isinstance(language, str) else "en")
 
 
 def _written(component: rbd.Component) -> Shown:

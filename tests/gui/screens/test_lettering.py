@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 
 from situ.document import care_screen, rbd
 from situ_studio.screens.component_painting import Stage
+from situ_studio.screens.input_painting import date
 from situ_studio.screens.lettering import Style, fit, set_lines
 from situ_studio.screens.measures import measures
 from situ_studio.screens.painting import layer, paint_content
@@ -121,11 +122,29 @@ def test_texts_are_filled_in_as_the_robot_fills_them_in(qt: QApplication) -> Non
     assert image["src"] == "Ann.png"
     assert meals["items"] == [{"label": "Soup – 81", "value": "Soup"}]
     assert number["value"] == 81.0
-    assert content(screen, (), values).background == "lobby.png"
+    shown = content(screen, (), values | {"language": "de"})
+    assert (shown.background, shown.language) == ("lobby.png", "de")
     # Without values it is as it is written.
     written = content(screen)
     assert written.components[0]["text"] == "Hello {user.name}, {age} {{ok}} {none}"
     assert written.components[2]["items"] is None
+
+
+@pytest.mark.parametrize(
+    ("language", "typed", "asked"),
+    [
+        ("en", "05/07/1941", "MM/DD/YYYY"),
+        ("de", "07.05.1941", "TT.MM.JJJJ"),
+        ("ja", "1941/05/07", "YYYY/MM/DD"),
+        ("fi", "05/07/1941", "MM/DD/YYYY"),
+    ],
+)
+def test_a_date_is_shown_in_the_order_of_the_language(
+    language: str, typed: str, asked: str
+) -> None:
+    assert date("1941-05-07", language) == typed
+    assert date("", language) == asked
+    assert date("soon", language) == "soon"
 
 
 def test_a_list_whose_entries_are_not_known_shows_rows_all_the_same(qt: QApplication) -> None:
