@@ -47,7 +47,7 @@ def _samples() -> Iterator[Mapping[str, Sample]]:
         samples: dict[str, Sample] = {}
         shown = []
         for size, word in ((LARGE, "large"), (SMALL, "small")):
-            samples[f"opened, {word}"] = _sample(lambda turn, size=size: _close(_open(size, app)))
+            samples[f"opened, {word}"] = _sample(_opening(size, app))
             canvas = _open(size, app)
             shown.append(canvas)
             for name, work in _works(canvas).items():
@@ -77,6 +77,10 @@ def _open(size: tuple[int, int], app: Any) -> Any:
     canvas.edited.connect(lambda after, text: canvas.show_document(after))
     canvas.viewer.viewport().repaint()
     return canvas
+
+
+def _opening(size: tuple[int, int], app: Any) -> Callable[[int], None]:
+    return lambda turn: _close(_open(size, app))
 
 
 def _close(canvas: Any) -> None:

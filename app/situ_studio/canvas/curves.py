@@ -96,7 +96,7 @@ class CurvedPipe(RoutedPipe):
     def distance(self, spot: QPointF) -> float:
         if self.pill().contains(spot):
             return 0.0
-        points = [point for shape in self.path().toSubpathPolygons() for point in shape]
+        points = [p for shape in self.path().toSubpathPolygons() for p in shape.toList()]
         return min((_off(spot, a, b) for a, b in pairwise(points)), default=0.0)
 
     def selected(self) -> bool:

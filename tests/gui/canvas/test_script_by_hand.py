@@ -55,7 +55,8 @@ def typed(made: Any, text: str, end: Qt.Key = Qt.Key.Key_Return) -> None:
 
 # -- refused, with a sentence -----------------------------------------------------------------
 
-REFUSED: dict[str, tuple[Callable[[Any], None], str]] = {
+DELETE = Qt.Key.Key_Delete
+REFUSED: dict[str, tuple[Callable[[Any], object], str]] = {
     "a condition of the last": (
         lambda made: made.hand.drag(out(made, "data heat"), body(made, "situation rest")),
         "rest would be the last, and the last must always hold: first add one below",
@@ -75,10 +76,7 @@ REFUSED: dict[str, tuple[Callable[[Any], None], str]] = {
         "The situations would take over from each other in a circle",
     ),
     "dwell and until": (
-        lambda made: (
-            made.hand.drag(out(made, "data heat"), QPointF(660, 400)),
-            typed(made, "hot holds until"),
-        ),
+        lambda made: pull_until(made),
         "hot can either stay so long at least, or have an until or an end: not both",
     ),
     "two of a name": (
@@ -118,7 +116,11 @@ REFUSED: dict[str, tuple[Callable[[Any], None], str]] = {
         "",
     ),
 }
-DELETE = Qt.Key.Key_Delete
+
+
+def pull_until(made: Any) -> None:
+    made.hand.drag(out(made, "data heat"), QPointF(660, 400))
+    typed(made, "hot holds until")
 
 
 def rename(made: Any, key: str, name: str) -> None:

@@ -242,16 +242,20 @@ def me(studio: Any, tmp_path: Path) -> Draughtsman:
     return Draughtsman(window)
 
 
+def studio_of(me: Draughtsman) -> Any:
+    return me.window
+
+
 def given(me: Draughtsman) -> None:
     """The script as it was, without a selection."""
     document, _ = codec.read(GIVEN.encode(), "ward.spds.xml")
-    me.window.commit(document, "as it was")
-    me.window.select_all(())
+    studio_of(me).commit(document, "as it was")
+    studio_of(me).select_all(())
     me.settle()
 
 
 def written(me: Draughtsman) -> str:
-    text = codec.write(me.window.current_document).decode()
+    text = codec.write(studio_of(me).current_document).decode()
     return "".join(line.strip() for line in text.splitlines())
 
 
@@ -289,5 +293,5 @@ def test_each_test_is_drawn(me: Draughtsman, row: str, word: str) -> None:
 
 def lines(me: Draughtsman) -> list[str]:
     """The lines of all conditions, as they are heard."""
-    canvas = me.window.current_view.canvas
+    canvas = studio_of(me).current_view.canvas
     return [f"{row.tag} {row.text}" for node in canvas.graph.cards.values() for row in node.rows]
