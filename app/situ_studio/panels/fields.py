@@ -14,6 +14,7 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QStringListModel, Qt, Signal
 from PySide6.QtGui import (
     QColor,
+    QDropEvent,
     QFocusEvent,
     QKeyEvent,
     QKeySequence,
@@ -111,6 +112,11 @@ class Line(QLineEdit):
         """What its tooltip says while nothing is refused."""
         self._help = words
         self.setToolTip(words)
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """What is dropped is an edit: nobody leaves the field afterwards."""
+        super().dropEvent(event)
+        self.on_finished()
 
     def on_finished(self) -> None:
         text = self.text()
@@ -235,6 +241,11 @@ class Paragraph(QPlainTextEdit):
     def on_size_changed(self) -> None:
         lines = min(8, max(2, int(self.document().size().height())))
         self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + 16)
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """What is dropped is an edit: nobody leaves the field afterwards."""
+        super().dropEvent(event)
+        self.finish()
 
     def finish(self) -> None:
         text = self.toPlainText()

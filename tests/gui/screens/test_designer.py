@@ -188,6 +188,15 @@ def test_a_tag_is_put_into_a_text_by_a_press_or_a_drop(desk: Desk) -> None:
     assert desk.components("2")[1].text.endswith("today? {user.name}")
     assert desk.drop(dragged("spo2.value"), 80, 90)
     assert desk.components("2")[-1].text == "{spo2.value}"
+    # Into a field of the form, at the place where it is dropped: an edit at once.
+    desk.used.select("state", "2", "screen", "continue")
+    field = desk.window.inspector.form.field("text")
+    at, data, copy = QPoint(2, 10), dragged("user.name"), Qt.DropAction.CopyAction
+    QCoreApplication.sendEvent(field, QDragEnterEvent(at, copy, data, LEFT, NONE))
+    QCoreApplication.sendEvent(field, QDropEvent(QPointF(at), copy, data, LEFT, NONE))
+    desk.used.settle()
+    said = next(c.text for c in desk.components("2") if c.id == "continue")
+    assert said == "{user.name}CONTINUE"
 
 
 def test_a_screen_of_another_size_changes_the_look_and_not_the_document(desk: Desk) -> None:
