@@ -197,10 +197,17 @@ class Rows(QScrollArea):
         self.row.show_widgets(every)
         self.settle()
 
+    def sizeHint(self) -> QSize:
+        return QSize(self.row.wide + 2, self.height())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(120, HIGH)
+
     def settle(self) -> None:
         """As high as its lines need, within bounds."""
         whole = self.row.high(self.width())
         self.row.setMinimumHeight(whole)
+        self.updateGeometry()
         self.setFixedHeight(max(HIGH, min(whole, self._lines * (HIGH + GAP) - GAP)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -91,7 +91,7 @@ class Line:
                 priority=counts.get(module),
                 own=module in own,
                 taken=taken.get(module),
-                source=sources[module] if module in taken else "",
+                source=sources.get(module, "") if module in taken else "",
                 rivals=tuple(rivals.get(module, ())),
             )
             for module in dict.fromkeys((*counts, *own))

@@ -16,6 +16,8 @@ from situ_studio.matrix.model import SHOWN, Head
 from situ_studio.theme import BODY, CAPTION, LABEL, Theme, font
 
 HIGH = 28
+NAME, SIGN = 59, 15
+"""Px: where the name of a situation begins, and what a sign behind it takes."""
 GRIP = 22
 """Px at the left of a situation where it is dragged."""
 SITUATION_WIDE, MODULE_WIDE = (132, 240), (74, 148)
@@ -151,13 +153,14 @@ class SituationHeader(_Header):
         """As wide as the names need, within bounds."""
         self.setFont(font(BODY, 500))
         metrics = self.fontMetrics()
-        names = (self.head(row) for row in range(self.count()))
-        widest = max((metrics.horizontalAdvance(h.text) for h in names if h is not None), default=0)
+        heads = [head for row in range(self.count()) if (head := self.head(row)) is not None]
+        widest = max((metrics.horizontalAdvance(head.text) for head in heads), default=0)
         least, most = SITUATION_WIDE
-        self.setFixedWidth(max(least, min(most, widest + 90)))
+        signs = 2 if any(head.mark for head in heads) else 1
+        self.setFixedWidth(max(least, min(most, NAME + widest + signs * SIGN + 16)))
 
     def name_area(self, section: int) -> QRect:
-        return self.area_of(section).adjusted(62, 1, -2, -2)
+        return self.area_of(section).adjusted(NAME - 2, 1, -2, -2)
 
     def paintSection(self, painter: QPainter, rect: QRect, section: int) -> None:
         head = self.head(section)
@@ -177,17 +180,17 @@ class SituationHeader(_Header):
         self._icon(painter, "grip", rect.left() + 6, middle, 14)
         painter.setFont(font(LABEL))
         painter.setPen(theme.color("text2"))
-        number = QRectF(rect.left() + 20, rect.top(), 22, rect.height() - 1)
+        number = QRectF(rect.left() + 19, rect.top(), 20, rect.height() - 1)
         painter.drawText(number, int(Qt.AlignmentFlag.AlignCenter), str(head.number))
-        self._icon(painter, "situation", rect.left() + 44, middle, 15)
+        self._icon(painter, "situation", rect.left() + 40, middle, 15)
         right = rect.right() - 6
         for icon in ("check" if head.holds else "", head.mark):
             if icon:
-                right -= 15
+                right -= SIGN
                 self._icon(painter, icon, right, middle, 14)
         painter.setFont(font(BODY, 600 if head.current else 500))
         painter.setPen(theme.color("live" if head.current else "text"))
-        left = rect.left() + 64
+        left = rect.left() + NAME
         text = painter.fontMetrics().elidedText(
             head.text, Qt.TextElideMode.ElideRight, int(right - left - 2)
         )

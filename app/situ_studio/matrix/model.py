@@ -86,18 +86,19 @@ class MatrixModel(QAbstractTableModel):
             self.dataChanged.emit(self.index(first, 0), end)
         return False
 
-    def show_problems(self, problems: Sequence[Problem]) -> None:
-        """Marks what a check has found."""
+    def show_problems(self, problems: Sequence[Problem]) -> bool:
+        """Marks what a check has found; whether that is anything else than before."""
         script = self.grid.script if self.grid is not None else None
         marks = Marks(problems, script)
         if marks == self.marks:
-            return
+            return False
         self.marks = marks
         if self.grid is not None and self.grid.lines and self.columnCount():
             self.dataChanged.emit(
                 self.index(0, 0), self.index(self.rowCount() - 1, self.columnCount() - 1)
             )
             self._heads_changed()
+        return True
 
     def show_situation(self, current: str | None, holds: frozenset[str]) -> None:
         """Marks the current situation, and those whose condition holds; None: none is marked."""

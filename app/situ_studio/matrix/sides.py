@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from situ_studio.matrix.model import MatrixModel
 from situ_studio.matrix.table import MatrixTable
@@ -28,20 +28,17 @@ class Sides(QWidget):
         super().__init__()
         self._model = model
         self.setProperty("role", "panel")
-        line = QHBoxLayout(self)
-        line.setContentsMargins(0, 0, 0, 0)
-        line.setSpacing(0)
+        self.setMinimumSize(240, 90)
         self.table = MatrixTable(theme, model, self.tr("Priorities"), self)
         self.holders = MatrixTable(theme, model, self.tr("Who holds it when all ask"), self)
         self.holders.rows.hide()
         self.holders.setEditTriggers(MatrixTable.EditTrigger.NoEditTriggers)
         self.holders.setSelectionModel(self.table.selectionModel())
-        self._bar = QFrame()
-        self._bar.setFixedWidth(BAR)
-        line.addWidget(self.table)
-        line.addWidget(self._bar)
-        line.addWidget(self.holders)
-        line.addStretch(1)
+        self._bar = QFrame(self)
+        self.hint = QLabel(self)
+        self.hint.setProperty("role", "dim")
+        self.hint.setContentsMargins(24, 0, 24, 0)
+        self.hint.setWordWrap(True)
         # The bar at the right end moves both.
         self.table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         mine, theirs = self.table.verticalScrollBar(), self.holders.verticalScrollBar()
@@ -72,6 +69,12 @@ class Sides(QWidget):
             self.table.setColumnHidden(column, column >= modules)
             self.holders.setColumnHidden(column, column < modules)
         self.table.rows.settle_width()
+        self._bar.setVisible(bool(every))
+        self.holders.setVisible(bool(every))
+        if not self._model.rowCount():
+            self.hint.setText(self.tr("There is no situation yet: add one."))
+        else:
+            self.hint.setText("" if every else self.tr("There is no module yet: add one."))
         self._divide()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -92,10 +95,14 @@ class Sides(QWidget):
         self.holders.heads.settle(range(count, every))
         modules = self.table.rows.width() + sum(widths[:count])
         holders = sum(widths[count:]) + SCROLL
-        theirs = min(holders, max(room - modules, int(room * MOST)))
-        mine = min(modules, room - theirs)
-        self.holders.setFixedWidth(max(0, theirs))
-        self.table.setFixedWidth(max(0, mine))
+        theirs = max(0, min(holders, max(room - modules, int(room * MOST))))
+        mine = max(0, min(modules, room - theirs))
+        # No layout: what the columns need is no reason for the window to be wider.
+        high, beside = self.height(), mine + BAR + theirs
+        self.table.setGeometry(0, 0, mine, high)
+        self._bar.setGeometry(mine, 0, BAR, high)
+        self.holders.setGeometry(mine + BAR, 0, theirs, high)
+        self.hint.setGeometry(beside, 0, max(0, self.width() - beside), high)
         scrolls = modules > mine or holders > theirs
         policy = Qt.ScrollBarPolicy
         for table in (self.table, self.holders):
@@ -122,7 +129,7 @@ class Sides(QWidget):
 def _fitting(wanted: list[int], narrow: list[int], room: int) -> list[int]:
     """The widths of columns: as wanted, or narrower where they all fit then without scrolling."""
     over, spare = sum(wanted) - room, sum(wanted) - sum(narrow)
-    if over <= 0:
+    if over <= 0 or not wanted:
         return wanted
     if over <= spare:
         pairs = zip(wanted, narrow, strict=True)

@@ -132,7 +132,8 @@ class MatrixView(QWidget):
                 if self.model.show(Grid(document, asked, before)):
                     self.sides.settle()
                     self._go_back(name, module)
-        self.model.show_problems(problems)
+        if self.model.show_problems(problems):
+            self.sides.settle()
         self.what_if.show_script(document, asked)
 
     def _at(self) -> tuple[str, str]:

@@ -273,7 +273,6 @@ class WhatIf(QWidget):
         ways = QBoxLayout.Direction
         self._lines.setDirection(ways.LeftToRight if beside else ways.TopToBottom)
         self._then.setVisible(beside)
-        self.data.setMinimumWidth(self.data.row.wide + 2 if beside else 0)
         self.data.settle()
         self.who.settle()
 

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.gui.matrix.conftest import TIED
+from tests.gui.matrix.conftest import read as read_script
 
 from situ.document.spds import Entry, Spds
 from situ_studio.matrix import spreadsheet
@@ -146,6 +147,18 @@ def test_a_grid_that_takes_over_lines_shows_what_a_new_one_does(changes: dict) -
     for line in new.lines:
         counts = {m: c.priority for m, c in line.cells.items() if c.priority is not None}
         assert counts == script.priorities(line.situation)
+
+
+def test_a_circle_of_situations_that_take_over_from_each_other_is_shown_too() -> None:
+    """It is an error, but one that is mended here."""
+    script = read_script(
+        '<spds name="s"><situation name="a" extends="b"><module name="m" priority="1"/>'
+        '</situation><situation name="b" extends="a"><module name="n" priority="2"/></situation>'
+        '<situation name="c" extends="c"/></spds>'
+    )
+    shown = grid(script)
+    assert [line.cell("m").priority for line in shown.lines] == [1, 1, None]
+    assert shown.lines[1].cell("m").source == "a"
 
 
 # -- what spreadsheets write --------------------------------------------------------

@@ -354,6 +354,24 @@ def test_situations_and_modules_are_added_and_named_at_once(desk: Make) -> None:
     assert used.view.model.modules[-1] == "siren"
 
 
+def test_a_script_without_situations_or_modules_says_what_to_add(desk: Make) -> None:
+    used = desk(read('<spds name="s"/>'))
+    assert used.view.sides.hint.text() == "There is no situation yet: add one."
+    used.view.add_situation()
+    used.key(ENTER)
+    assert used.view.sides.hint.text() == "There is no module yet: add one."
+    spot = used.table.rows.area_of(0).center()
+    QTest.mouseClick(used.table.rows.viewport(), Qt.MouseButton.LeftButton, pos=spot)
+    assert used.chosen[-1] == (("situation", "situation"),)
+    used.view.add_module()
+    used.key(ENTER)
+    assert used.view.sides.hint.text() == ""
+    used.table.choose(Area(0, 0))
+    used.type("3")
+    used.key(ENTER)
+    assert own(used.document, "situation") == {"module": 3}
+
+
 def test_what_is_selected_elsewhere_is_shown_without_being_told(desk: Make) -> None:
     used = desk()
     used.click("sound", "nod")
@@ -388,6 +406,8 @@ def test_names_and_holders_stay_where_they_are_while_the_cells_are_scrolled(desk
     used = desk(read(BIG))
     holders, header = used.view.sides.holders, used.table.rows
     before = (header.x(), holders.x())
+    assert used.view.width() == 900
+    assert holders.geometry().right() < 900
     used.table.choose(Area(0, 0))
     used.key(Qt.Key.Key_End)
     assert used.area() == Area(0, 29)

@@ -139,6 +139,18 @@ def test_other_values_are_chosen_from_the_menu_or_typed(desk: Make) -> None:
     assert answer(used)[0] == "off"
 
 
+def test_the_strip_takes_no_more_room_than_there_is(desk: Make) -> None:
+    used = desk()
+    view = used.view
+    for width in (1600, 900, 420, 1600):
+        view.resize(width, 420)
+        used.settle()
+        assert view.width() == width
+        beside = view.what_if.holders.y() == view.what_if.data.y()
+        assert beside == (width == 1600)
+        assert view.what_if.asks.geometry().right() <= width
+
+
 def test_what_is_supposed_of_data_that_nobody_looks_at_any_more_is_forgotten(desk: Make) -> None:
     used = desk(TIED)
     press(used, "asked")
