@@ -18,7 +18,7 @@ from pathlib import Path
 import msgspec
 import runtime_texts
 
-from situ_studio import actions, kinds, shortcuts
+from situ_studio import actions, help_texts, kinds, shortcuts
 from situ_studio.kinds import said
 from situ_studio.language import LANGUAGES
 from situ_studio.panels import conditions
@@ -56,6 +56,14 @@ def gathered() -> Iterator[tuple[str, str]]:
         for pair in keys:
             for text in pair:
                 yield "actions", text
+    for page in help_texts.PAGES:
+        for text in (page.title, *page.paragraphs):
+            yield "help", text
+    for text in help_texts.COMMANDS.values():
+        yield "help", text
+    for panel in help_texts.PANELS.values():
+        yield "help", panel.title
+        yield "help", panel.text
 
 
 def _shown(value: msgspec.Struct) -> Iterator[str]:

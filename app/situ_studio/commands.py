@@ -431,6 +431,12 @@ class Commands(FileCommands):
     def context_menu(self) -> None:
         self._window.context_menus.open_at_selection()
 
+    def show_help(self) -> None:
+        self._window.helping.open()
+
+    def ask_what_this_is(self) -> None:
+        self._window.helping.ask()
+
     def show_shortcuts(self) -> None:
         Shortcuts(self._window.keys.every(), self._window).show()
 

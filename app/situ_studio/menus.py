@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
 from situ_studio import icons
 from situ_studio.actions import COMMANDS, MENUS, SUBMENU_ICONS, Command
+from situ_studio.help_texts import explained
 from situ_studio.theme import Theme
 
 
@@ -49,8 +50,9 @@ class Actions(QObject):
     def _action(self, command: Command, parent: QWidget) -> QAction:
         action = QAction(translated(command.text), parent)
         action.setObjectName(command.id)
-        if command.tip:
-            action.setToolTip(translated(command.tip))
+        # A button without words is named by its tip, which is the text as it is at the moment.
+        if command.tip or not command.toolbar:
+            action.setToolTip(explained(command))
         handler: Callable[..., Any] = getattr(self._handlers, command.handler)
         if command.argument is None:
             action.triggered.connect(lambda _=False: handler())
@@ -130,6 +132,11 @@ class Actions(QObject):
                 below[tail].setIcon(icons.icon(name, self._theme.color("text2"), 18))
             below.get(tail, menu).addAction(action)
         return menu
+
+    @property
+    def menus(self) -> tuple[QMenu, ...]:
+        """Those of the menu bar, with their submenus."""
+        return tuple(self._menus.values())
 
     def menu(self, title: str) -> QMenu:
         """A menu by its title in the table."""

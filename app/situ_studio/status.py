@@ -13,6 +13,8 @@ import situ
 from situ.document.rbd import Always, Application, State
 from situ.document.spds import Spds
 from situ_studio.edit import Document
+from situ_studio.help_texts import PANELS, helped
+from situ_studio.help_topics import HELP
 from situ_studio.icon_widgets import IconLabel, ThemedButton
 from situ_studio.theme import Theme
 from situ_studio.working import WorkStrip
@@ -75,6 +77,10 @@ class Status(QStatusBar):
         self._silence.setSingleShot(True)
         self._silence.setInterval(SAID_FOR)
         self._silence.timeout.connect(self.said.clear)
+        for name in ("link", "errors", "warnings", "selection", "counts", "saved"):
+            item: QWidget = getattr(self, name)
+            item.setProperty(HELP, f"status/{name}")
+            item.setToolTip(helped(PANELS[f"status/{name}"].text))
         self.show_problems(0, 0)
         self.show_saved(0, None, False)
 

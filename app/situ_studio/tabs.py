@@ -174,6 +174,11 @@ class BottomPanels(QWidget):
         if not shown and self.current == name:
             self.choose(next(iter(self._buttons)))
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of all panels, as their tabs stand."""
+        return tuple(self._buttons)
+
     def set_count(self, name: str, count: int) -> None:
         """A number behind the tab's words; 0 shows none."""
         self._buttons[name].set_count(count)

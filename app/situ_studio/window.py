@@ -26,6 +26,7 @@ from situ_studio.document_view import DocumentView
 from situ_studio.edit import Document, Place
 from situ_studio.exporting import ExportingSide
 from situ_studio.frame import Frame
+from situ_studio.helping import HelpSide
 from situ_studio.live.link import RobotLink
 from situ_studio.looking import FindingSide
 from situ_studio.menus import Actions
@@ -91,6 +92,7 @@ class MainWindow(Frame):
         self.exporting = ExportingSide(self)
         self.context_menus = ContextMenus(self)
         self.add_commands(Actions(self.commands, self.theme, self))
+        self.helping = HelpSide(self)
         self.search.clicked.connect(self.commands.find)
         self._wire()
         self.set_theme(self.theme)

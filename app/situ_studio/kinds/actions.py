@@ -43,7 +43,9 @@ _KEEP = Field(
     editor="flag",
     help="It runs on when the state is left.",
 )
-_ENDING = Section(title="Ending", fields=(_WAIT, _DONE, _FAILED))
+_ENDING = Section(
+    title="Ending", help="What happens when it has ended.", fields=(_WAIT, _DONE, _FAILED)
+)
 _PARAMS = Section(
     title="Values sent",
     attribute="params",
@@ -141,6 +143,7 @@ SERVICE = Kind(
         Field(
             attribute="method",
             label="Method",
+            help="GET asks; the others change something there.",
             editor="choice",
             choices=tuple((m, m) for m in ("GET", "POST", "PUT", "PATCH", "DELETE")),
             fixed=True,
@@ -198,7 +201,13 @@ SOUND = Kind(
     icon="sound",
     help="Plays a sound of the media folder.",
     fields=(
-        Field(attribute="src", label="File", editor="media", fixed=True),
+        Field(
+            attribute="src",
+            label="File",
+            editor="media",
+            help="Of the project's media folder.",
+            fixed=True,
+        ),
         _OPTIONAL,
     ),
     sections=(_ENDING,),
@@ -249,11 +258,24 @@ TAKE = Kind(
     icon="take",
     help="Moves one entry of a list to a tag.",
     fields=(
-        Field(attribute="source", label="From list", editor="tag", fixed=True),
-        Field(attribute="tag", label="To", editor="tag", fixed=True),
+        Field(
+            attribute="source",
+            label="From list",
+            editor="tag",
+            help="The tag at which the list stands.",
+            fixed=True,
+        ),
+        Field(
+            attribute="tag",
+            label="To",
+            editor="tag",
+            help="The tag that gets the entry.",
+            fixed=True,
+        ),
         Field(
             attribute="order",
             label="Which",
+            help="The entry that is taken; it is in the list no more.",
             editor="choice",
             choices=(("first", "the first"), ("random", "a random one")),
             fixed=True,
@@ -270,7 +292,15 @@ CLEAR = Kind(
     title="Clear",
     icon="clear",
     help="Deletes the tags that fit a pattern: user.** is everything below user.",
-    fields=(Field(attribute="tag", label="Pattern", editor="tag", fixed=True),),
+    fields=(
+        Field(
+            attribute="tag",
+            label="Pattern",
+            editor="tag",
+            help="A tag; * stands for one name in it, ** for all below.",
+            fixed=True,
+        ),
+    ),
     sections=(_ENDING,),
     make=lambda _: rbd.Clear(tag="user.**"),
     summary=lambda v: str(v.tag),

@@ -15,19 +15,25 @@ _TIMEOUT = Field(
     placeholder="none",
 )
 _COMPONENT_LIST = Section(
-    title="On the screen", attribute="components", editor="components", hint="back to front"
+    title="On the screen",
+    attribute="components",
+    editor="components",
+    hint="back to front",
+    help="Its components; those further down lie in front.",
 )
 _EVENTS = Section(
     title="Expected events",
     attribute="events",
     editor="events",
     hint="the first that fits",
+    help="What is waited for, and where each leads.",
 )
 SCREEN = Kind(
     name="screen",
     value=rbd.Screen,
     title="Screen",
     icon="screen",
+    help="What the robot shows, until another screen comes.",
     fields=(
         Field(
             attribute="background",
@@ -48,7 +54,12 @@ SCREEN = Kind(
     summary=lambda v: f"{len(v.components)}",
 )
 _STATE_NAME = (
-    Field(attribute="name", label="Name", empty=""),
+    Field(
+        attribute="name",
+        label="Name",
+        help="What you call it; a few words will do.",
+        empty="",
+    ),
     Field(
         attribute="no",
         label="Number",
@@ -56,8 +67,15 @@ _STATE_NAME = (
         fixed=True,
     ),
 )
+_SHOWN = Section(
+    title="Screen",
+    attribute="screen",
+    editor="components",
+    help="What the robot shows. Without one, what was shown before stays.",
+)
 _MORE = Section(
     title="More",
+    help="What is seldom needed.",
     closed=True,
     fields=(
         Field(
@@ -102,8 +120,13 @@ STATE = Kind(
     help="What the robot shows, says and waits for.",
     fields=(*_STATE_NAME, _TIMEOUT),
     sections=(
-        Section(title="Screen", attribute="screen", editor="components"),
-        Section(title="Actions on entry", attribute="actions", editor="actions"),
+        _SHOWN,
+        Section(
+            title="Actions on entry",
+            attribute="actions",
+            editor="actions",
+            help="What the robot says and does when the state is entered.",
+        ),
         _EVENTS,
         _MORE,
     ),
@@ -118,7 +141,7 @@ ALWAYS = Kind(
     icon="always",
     help="What is part of every state: a Home button, a timeout, what people may say at any time.",
     fields=(_TIMEOUT,),
-    sections=(Section(title="Screen", attribute="screen", editor="components"), _EVENTS),
+    sections=(_SHOWN, _EVENTS),
     make=lambda _: rbd.Always(),
     summary=lambda v: ", ".join(e.name or "" for e in v.events),
     palette="application",
@@ -157,7 +180,12 @@ EVENT = Kind(
             editor="says",
             help="What people may say instead.",
         ),
-        Section(title="Actions on the way", attribute="actions", editor="actions"),
+        Section(
+            title="Actions on the way",
+            attribute="actions",
+            editor="actions",
+            help="What is done before the next state is entered.",
+        ),
     ),
     make=lambda name: rbd.Event(name=name),
     summary=lambda v: str(v.next or ""),
@@ -170,7 +198,14 @@ TIMEOUT = Kind(
     icon="timeout",
     help="What happens when nothing happens.",
     fields=(
-        Field(attribute="seconds", label="After", editor="seconds", unit="s", fixed=True),
+        Field(
+            attribute="seconds",
+            label="After",
+            editor="seconds",
+            unit="s",
+            help="How long the state waits.",
+            fixed=True,
+        ),
         Field(
             attribute="next",
             label="Leads to",
@@ -200,12 +235,26 @@ COLORS = (
     ("#8a5f00", "Yellow"),
 )
 """The colours of notes and frames: those of the kinds on light ground, for any ground."""
+_COLOR = Field(
+    attribute="color",
+    label="Colour",
+    editor="choice",
+    help="To tell it from others at a glance.",
+    choices=COLORS,
+    empty="",
+)
 _SIZE = Section(
     title="Place and size",
+    help="On the drawing.",
     closed=True,
     fields=tuple(
-        Field(attribute=name, label=label, editor="number", fixed=True)
-        for name, label in (("x", "X"), ("y", "Y"), ("width", "Width"), ("height", "Height"))
+        Field(attribute=name, label=label, editor="number", help=help, fixed=True)
+        for name, label, help in (
+            ("x", "X", "How far from the left."),
+            ("y", "Y", "How far from the top."),
+            ("width", "Width", "How wide it is."),
+            ("height", "Height", "How high it is."),
+        )
     ),
 )
 NOTE = Kind(
@@ -216,8 +265,8 @@ NOTE = Kind(
     tint="condition",
     help="A few words for those who draw; the robot does not see them.",
     fields=(
-        Field(attribute="text", label="Text", editor="long", empty=""),
-        Field(attribute="color", label="Colour", editor="choice", choices=COLORS, empty=""),
+        Field(attribute="text", label="Text", editor="long", help="What it says.", empty=""),
+        _COLOR,
     ),
     sections=(_SIZE,),
     make=lambda text: drawing.Note(text=text),
@@ -232,8 +281,8 @@ FRAME = Kind(
     tint="module",
     help="Goes round states that belong together, and moves with them.",
     fields=(
-        Field(attribute="title", label="Title", empty=""),
-        Field(attribute="color", label="Colour", editor="choice", choices=COLORS, empty=""),
+        Field(attribute="title", label="Title", help="Stands at its upper edge.", empty=""),
+        _COLOR,
     ),
     sections=(_SIZE,),
     make=lambda title: drawing.Frame(title=title),
@@ -247,7 +296,7 @@ APPLICATION = Kind(
     icon="state",
     help="States and what leads from one to the next.",
     fields=(
-        Field(attribute="name", label="Name", fixed=True),
+        Field(attribute="name", label="Name", help="How the robot calls it.", fixed=True),
         Field(
             attribute="start",
             label="Starts with",

@@ -16,7 +16,7 @@ SITUATION = Kind(
     tint="situation",
     help="What is going on, and who may use the robot then.",
     fields=(
-        Field(attribute="name", label="Name", fixed=True),
+        Field(attribute="name", label="Name", help="Unique; others call it so.", fixed=True),
         Field(
             attribute="extends",
             label="Takes over",
@@ -52,8 +52,13 @@ SITUATION = Kind(
             editor="condition",
             help="Once current it holds until this does.",
         ),
-        Section(title="Priorities", attribute="entries", editor="entries"),
-        Section(title="In words", editor="words"),
+        Section(
+            title="Priorities",
+            attribute="entries",
+            editor="entries",
+            help="Of each module in this situation; the higher wins.",
+        ),
+        Section(title="In words", editor="words", help="The same as a sentence."),
     ),
     make=lambda name: spds.Situation(name=name),
     palette="script",
@@ -64,8 +69,15 @@ ENTRY = Kind(
     title="Priority",
     icon="module",
     tint="module",
+    help="How much a module counts in a situation; the highest one that asks wins.",
     fields=(
-        Field(attribute="module", label="Module", editor="module", fixed=True),
+        Field(
+            attribute="module",
+            label="Module",
+            editor="module",
+            help="Whose priority it is.",
+            fixed=True,
+        ),
         Field(
             attribute="priority",
             label="Priority",
@@ -85,7 +97,7 @@ MODULE = Kind(
     tint="module",
     help="A program that moves the robot when it has the authority.",
     fields=(
-        Field(attribute="name", label="Name", fixed=True),
+        Field(attribute="name", label="Name", help="Unique; others call it so.", fixed=True),
         Field(
             attribute="resources",
             label="Resources",
@@ -102,6 +114,7 @@ _TYPE = Field(
     attribute="type",
     label="Type",
     editor="choice",
+    help="What its values are.",
     choices=(("", "not said"), *TYPES),
 )
 DATA = Kind(
@@ -112,7 +125,13 @@ DATA = Kind(
     tint="data",
     help="A value on the blackboard that situations look at.",
     fields=(
-        Field(attribute="tag", label="Tag", editor="tag", fixed=True),
+        Field(
+            attribute="tag",
+            label="Tag",
+            editor="tag",
+            help="Where the value stands on the blackboard, such as user.name.",
+            fixed=True,
+        ),
         _TYPE,
         Field(attribute="unit", label="Unit", help="Such as deg or m."),
     ),
@@ -128,8 +147,21 @@ CONDITION = Kind(
     tint="condition",
     help="One test of a value on the blackboard; a situation holds while all of its tests do.",
     fields=(
-        Field(attribute="tag", label="Tag", editor="tag", fixed=True),
-        Field(attribute="test", label="Test", editor="choice", choices=TESTS, fixed=True),
+        Field(
+            attribute="tag",
+            label="Tag",
+            editor="tag",
+            help="Where the value stands on the blackboard, such as user.name.",
+            fixed=True,
+        ),
+        Field(
+            attribute="test",
+            label="Test",
+            editor="choice",
+            help="How it is compared.",
+            choices=TESTS,
+            fixed=True,
+        ),
         Field(attribute="value", label="Value", help="Of exists: true or false.", fixed=True),
         Field(
             attribute="within",
@@ -157,7 +189,7 @@ SCRIPT = Kind(
     icon="situation",
     tint="situation",
     help="Situations in their order, and the modules' priorities in each.",
-    fields=(Field(attribute="name", label="Name", fixed=True),),
+    fields=(Field(attribute="name", label="Name", help="How the robot calls it.", fixed=True),),
     summary=lambda v: f"{len(v.situations)}",
 )
 INFORMATION = Kind(
@@ -168,7 +200,7 @@ INFORMATION = Kind(
     tint="module",
     help="What its developer says of a module.",
     fields=(
-        Field(attribute="name", label="Name", fixed=True),
+        Field(attribute="name", label="Name", help="Unique; others call it so.", fixed=True),
         Field(
             attribute="resources",
             label="Resources",
@@ -176,11 +208,24 @@ INFORMATION = Kind(
             help="What it may ask for, such as: head base",
             placeholder="none",
         ),
-        Field(attribute="description", label="Does", editor="long", empty=""),
+        Field(
+            attribute="description",
+            label="Does",
+            editor="long",
+            help="What it is for, in a sentence or two.",
+            empty="",
+        ),
     ),
     sections=(
-        Section(title="Needs", attribute="requires", editor="requires"),
-        Section(title="Provides", attribute="provides", editor="provides"),
+        Section(
+            title="Needs", attribute="requires", editor="requires", help="The values that it reads."
+        ),
+        Section(
+            title="Provides",
+            attribute="provides",
+            editor="provides",
+            help="The values that it writes.",
+        ),
     ),
     make=lambda name: modules.Module(name=name),
     summary=lambda v: str(v.description),

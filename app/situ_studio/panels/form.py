@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from situ.document import rbd
 from situ_studio import changes, places, words
+from situ_studio.help_topics import HELP, field_topic
 from situ_studio.icon_widgets import IconButton
 from situ_studio.kinds import Field, Kind, Section
 from situ_studio.language import translated
@@ -158,6 +159,7 @@ class Form(QWidget):
         else:
             widget.setToolTip(translated(field.help))
         widget.setAccessibleDescription(translated(field.help))
+        widget.setProperty(HELP, field_topic(self.kind, field))
         if isinstance(widget, Line):
             widget.refused.connect(self.refused)
             if field.placeholder:
@@ -175,6 +177,7 @@ class Form(QWidget):
         label.setProperty("role", "label")
         label.setFixedWidth(LABEL)
         label.setToolTip(translated(field.help))
+        label.setProperty(HELP, field_topic(self.kind, field))
         label.setBuddy(widget)
         if isinstance(widget, Paragraph):
             label.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -201,6 +204,7 @@ class Form(QWidget):
         heading.setProperty("role", "heading")
         heading.setFixedHeight(32)
         heading.setContentsMargins(MARGIN, 0, MARGIN, 0)
+        heading.setToolTip(translated(section.help))
         column.addWidget(heading)
         small = all(len(f.label) == 1 for f in section.fields)
         if not small:
@@ -216,6 +220,8 @@ class Form(QWidget):
             label = QLabel(translated(field.label))
             label.setProperty("role", "label")
             label.setMinimumWidth(14)
+            label.setToolTip(translated(field.help))
+            label.setProperty(HELP, field_topic(self.kind, field))
             # The second one stands a little away from the first one's field.
             label.setContentsMargins(4 if at else 0, 0, 0, 0)
             widget = self._widget(field)

@@ -13,6 +13,7 @@ from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio import icons
 from situ_studio.edit import Document
+from situ_studio.help_topics import HELP
 from situ_studio.icon_widgets import ThemedButton
 from situ_studio.kinds import KINDS, MIME, Kind
 from situ_studio.language import translated
@@ -52,6 +53,7 @@ class PaletteItem(ThemedButton):
         )
         self.kind = kind
         self.setToolTip(translated(kind.help))
+        self.setProperty(HELP, f"kind/{kind.name}")
         self._theme = theme
         self._press: QPoint | None = None
 
