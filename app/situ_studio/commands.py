@@ -99,6 +99,14 @@ class Commands(FileCommands):
     def can_paste(self) -> bool:
         return self.is_application() or self.cells is not None
 
+    def has_cells(self) -> bool:
+        return self.cells is not None
+
+    def on_cells(self, method: str) -> None:
+        """Of the matrix what a spreadsheet does with a range."""
+        if self.cells is not None:
+            getattr(self.cells.range, method)()
+
     @property
     def cells(self) -> Any:
         """The matrix of a script, where it is what somebody works in; None elsewhere."""
@@ -452,6 +460,17 @@ class Commands(FileCommands):
 
     def disconnect_robot(self) -> None:
         self._window.disconnect_robot()
+
+    def open_recording(self) -> None:
+        path = self._window.dialogs.recording()
+        if path is not None:
+            self._window.robot.open_recording(path)
+
+    def close_recording(self) -> None:
+        self._window.robot.close_recording()
+
+    def has_recording(self) -> bool:
+        return self._window.robot.recording is not None
 
     def about(self) -> None:
         self._window.dialogs.tell(

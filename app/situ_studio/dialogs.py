@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject, QRectF
@@ -120,6 +121,16 @@ class Dialogs(QObject):
             return dialog.selectedFiles()[0] if dialog.exec() else None
         finally:
             dialog.deleteLater()
+
+    def recording(self) -> Path | None:
+        """The file of a recorded run; None: nothing was chosen."""
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._window,
+            self.tr("Open recording"),
+            "",
+            self.tr("Recordings ({0})").format("*.mcap"),
+        )
+        return Path(chosen) if chosen else None
 
     def media_file(self, endings: tuple[str, ...]) -> str | None:
         """A file for a screen or a sound; None: nothing was chosen."""

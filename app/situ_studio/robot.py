@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -11,10 +12,12 @@ from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.live.follower import Follower
 from situ_studio.live.link import RobotLink
+from situ_studio.live.recordings import ReadingRecording, Recording
 from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
 from situ_studio.panels.trace import Trace
 from situ_studio.theme import Theme
+from situ_studio.working import Work
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -42,6 +45,13 @@ class RobotSide(QObject):
             window.bottom.add(name, title, panel)
             window.bottom.set_shown(name, False)
         self.follower = Follower(self, self.link, self.blackboard, self.authority, self.trace, self)
+        self.recording: Recording | None = None
+        """The one that is looked at, instead of the robot."""
+        self._reading = ReadingRecording(self)
+        self._reading.read.connect(self._show_recording)
+        self._reading.refused.connect(self._on_refused)
+        self._reading.went_on.connect(self._on_went_on)
+        self._work: Work | None = None
         self.link.state_changed.connect(self.settle)
         window.session.changed.connect(self._on_changed)
         window.session.opened.connect(self.follower.compare)
@@ -70,6 +80,7 @@ class RobotSide(QObject):
 
     def connect_robot(self, endpoint: str) -> None:
         """Raises UsageError where ``endpoint`` is no address."""
+        self.close_recording()
         self.link.connect_robot(endpoint)
 
     def disconnect_robot(self) -> None:
@@ -78,6 +89,47 @@ class RobotSide(QObject):
     def set_theme(self, theme: Theme) -> None:
         for panel in self.panels:
             panel.set_theme(theme)
+
+    # -- recordings ----------------------------------------------------------
+
+    def open_recording(self, path: Path) -> None:
+        """Reads it, and lets all views show it from its beginning."""
+        self._end_work()
+        words = self.tr("Reading {0}").format(path.name)
+        self._work = self._window.status.work.begin(words, self._reading.cancel)
+        self._reading.start(path)
+
+    def close_recording(self) -> None:
+        """The views show the robot again, if there is one."""
+        self._reading.cancel()
+        self._end_work()
+        if self.recording is not None:
+            self.recording = None
+            self.follower.show_link()
+            self.settle()
+
+    def _show_recording(self, recording: Recording) -> None:
+        self._end_work()
+        self.disconnect_robot()
+        self.recording = recording
+        self.follower.show_recording(recording)
+        if recording.torn:
+            said = self.tr("{0} ends without its end: the robot was still running, or was killed.")
+            self._window.say(said.format(recording.path.name))
+        self.settle()
+
+    def _on_refused(self, why: str) -> None:
+        self._end_work()
+        self._window.dialogs.tell(why)
+
+    def _on_went_on(self, done: float) -> None:
+        if self._work is not None:
+            self._work.tell(done)
+
+    def _end_work(self) -> None:
+        work, self._work = self._work, None
+        if work is not None:
+            work.end()
 
     # -- what the follower needs ---------------------------------------------
 
@@ -101,5 +153,5 @@ class RobotSide(QObject):
     def settle(self) -> None:
         """The robot's panels are there while there is a link."""
         for name in PANELS:
-            self._window.bottom.set_shown(name, self.connected)
+            self._window.bottom.set_shown(name, self.connected or self.recording is not None)
         self._window.actions_.refresh()

@@ -109,17 +109,20 @@ class Answers:
         self.conflicts.append(found)
         return self._take("conflict")
 
+    def recording(self) -> Any:
+        return self._take("recording")
+
     def picture_file(self, usual: str) -> Any:
         return self._take("picture_file")
-
-    def media_file(self, endings: tuple[str, ...]) -> Any:
-        return self._take("media_file")
 
     def translations_from(self) -> Any:
         return self._take("translations_from")
 
     def translations_to(self, usual: str) -> Any:
         return self._take("translations_to")
+
+    def media_file(self, endings: tuple[str, ...]) -> Any:
+        return self._take("media_file")
 
     def export(self, name: str, areas: Any) -> Any:
         """What was put in: what of the drawing, and the scale."""

@@ -17,10 +17,12 @@ from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.live.link import RobotLink
 from situ_studio.live.moment import ApplicationMoment, TraceFields
+from situ_studio.live.recordings import Recording
+from situ_studio.live.viewing import Viewing
 from situ_studio.live.views import live_script, live_view
 from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
-from situ_studio.panels.trace import Trace
+from situ_studio.panels.trace import LIMIT, Trace
 
 FRAME = 16
 """Milliseconds in which events are gathered before they are drawn."""
@@ -60,6 +62,10 @@ class Follower(QObject):
         self._authority = authority
         self._trace = trace
         self._at = 0.0
+        self.viewing = Viewing(link.log, self)
+        self.viewing.show(link.log, self._end)
+        self.viewing.moved.connect(self.refresh)
+        self._recording: Recording | None = None
         self._traced: list[TraceFields] = []
         self.same: bool | None = None
         self._soon = QTimer(self)
@@ -74,29 +80,47 @@ class Follower(QObject):
         link.came.connect(self._traced.extend)
         link.documents_came.connect(lambda _: self.compare())
 
+    def show_recording(self, recording: Recording) -> None:
+        """All views show that run, from its beginning."""
+        self._recording = recording
+        self.viewing.show(recording.log)
+        self.viewing.seek(recording.log.lanes.start)
+        self._trace.show_all(recording.log[-LIMIT:])
+        self.compare()
+
+    def show_link(self) -> None:
+        """All views show the link's robot again; as drawn where there is none."""
+        self._recording = None
+        self.viewing.show(self._link.log, self._end)
+        self._trace.show_all(self._link.log[-LIMIT:])
+        self.compare()
+        self._on_state()
+
+    @property
+    def _files(self) -> dict[str, str] | None:
+        """The documents of who is looked at."""
+        return self._recording.files if self._recording is not None else self._link.files
+
     def compare(self) -> None:
         """Whether the open documents are the robot's own; it has none of what only an editor needs,
         so the drawing does not count."""
-        files = self._link.files
+        files = self._files
         if files is None:
             self.same = None
-            return
-        self.same = all(
-            file in files and codec.read(files[file].encode(), file)[0] == document
-            for file, document in self._window.live_documents().items()
-        )
+        else:
+            self.same = all(
+                file in files and codec.read(files[file].encode(), file)[0] == document
+                for file, document in self._window.live_documents().items()
+            )
         self._tell()
 
     def refresh(self) -> None:
         """Draws the moment as it is now."""
         self._tell()
         traced, self._traced[:] = list(self._traced), []
-        if self._link.state.kind == "none":
+        if not self.shows:
             return
-        moment = self._link.log.now
-        t = moment.t
-        if self._link.connected:
-            t += max(self._link.clock() - self._at, 0.0)
+        moment, t = self.viewing.moment(), self.viewing.t
         for file, document in self._window.live_documents().items():
             if isinstance(document, Application):
                 mine = moment.applications.get(document.name, ApplicationMoment())
@@ -105,10 +129,22 @@ class Follower(QObject):
                 self._window.show_live(file, live_script(moment))
         self._blackboard.show_moment(moment, t)
         self._authority.show_moment(moment, t)
+        if self._recording is not None:
+            return
         if traced and traced[0]["seq"] == 1:
             self._trace.show_all(traced)
         else:
             self._trace.add(traced)
+
+    @property
+    def shows(self) -> bool:
+        """Whether there is anything live to be shown: a robot, or a log that is looked at."""
+        return self._link.state.kind != "none" or self._recording is not None
+
+    def _end(self) -> float:
+        """The robot's time now: while nothing comes it goes on all the same."""
+        t = self._link.log.now.t
+        return t + max(self._link.clock() - self._at, 0.0) if self._link.connected else t
 
     def _on_moment(self) -> None:
         self._at = self._link.clock()
@@ -119,16 +155,22 @@ class Follower(QObject):
         if self._link.state.kind == "none":
             self._soon.stop()
             self._tick.stop()
+        if not self.shows:
             self.same = None
             for file in self._window.live_documents():
                 self._window.show_live(file, None)
-        elif not self._tick.isActive():
+        elif self._recording is None and not self._tick.isActive():
             self._tick.start()
         self._tell()
 
     def _tell(self) -> None:
-        state = self._link.state
-        words = state.words(self._link.clock())
-        if state.kind == "live" and self.same is not None:
+        state, viewing = self._link.state, self.viewing
+        kind, words = state.kind, state.words(self._link.clock())
+        if self._recording is not None:
+            kind = "replaying"
+            words = self.tr("{0}, {1}").format(self._recording.path.name, viewing.clock())
+        elif not viewing.follows and kind != "none":
+            kind, words = "replaying", self.tr("replaying {0}").format(viewing.clock())
+        if kind in ("live", "replaying") and self.same is not None:
             words += self.tr(", same as the robot") if self.same else self.tr(", differs here")
-        self._window.show_link(state.kind, words)
+        self._window.show_link(kind, words)

@@ -8,7 +8,7 @@ moment before its first event; so a moment costs the events of one block at most
 from __future__ import annotations
 
 from array import array
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, overload
 
@@ -159,6 +159,10 @@ class TraceLog:
     def count(self, t: float) -> int:
         """How many of the kept events had happened at ``t``."""
         return bisect_right(self._times, t)
+
+    def earlier(self, t: float) -> int:
+        """How many of the kept events had happened before ``t``."""
+        return bisect_left(self._times, t)
 
     def at(self, t: float) -> Moment:
         """The robot as it was at ``t``, all events of that time included. Not to be changed.

@@ -1,0 +1,128 @@
+"""Recorded runs (MCAP) read into a trace log, a slice at a time: the window stays in use."""
+
+from __future__ import annotations
+
+import gc
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import islice
+from pathlib import Path
+from typing import IO
+
+from msgspec import Struct
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from situ.errors import UsageError
+from situ.rehearse import recorded
+from situ_studio.live.log import TraceLog
+
+SLICE = 0.012
+"""Seconds of reading at a time."""
+PIECE = 200
+"""Pieces of the file between two looks at the clock."""
+
+
+class Recording(Struct, frozen=True):
+    """A recorded run. files: the project's documents as they ran, path to text. torn: the file ends
+    without its end, for the robot still runs or was killed.
+    """
+
+    path: Path
+    project: str
+    masked: bool
+    files: dict[str, str]
+    log: TraceLog
+    torn: bool = False
+
+
+class ReadingRecording(QObject):
+    """Reads one file at a time; what was begun before is given up."""
+
+    read = Signal(object)
+    """A ``Recording``."""
+    refused = Signal(str)
+    """There is none: why, in one line."""
+    went_on = Signal(float)
+    """How much of the file is read, from 0 to 1."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._pieces: Iterator[recorded.Piece] = iter(())
+        self._file: IO[bytes] | None = None
+        self._slices = QTimer(self)
+        self._slices.setInterval(0)
+        self._slices.timeout.connect(self._go_on)
+
+    def start(self, path: Path) -> None:
+        """Begins; ``read`` or ``refused`` comes from the loop."""
+        self.cancel()
+        self._path = path
+        self._heading = recorded.Heading()
+        self._files: dict[str, str] = {}
+        self._log = TraceLog()
+        self._torn = False
+        try:
+            self._file = path.open("rb")
+            self._size = max(path.stat().st_size, 1)
+        except OSError as error:
+            self._refuse(f"{path}: {error.strerror or error}")
+            return
+        self._pieces = recorded.pieces(self._file, str(path))
+        self._slices.start()
+
+    def cancel(self) -> None:
+        """Nobody is told of what was begun."""
+        self._slices.stop()
+        if self._file is not None:
+            self._file.close()
+            self._file = None
+
+    def _go_on(self) -> None:
+        end = time.perf_counter() + SLICE
+        try:
+            with _no_collection():
+                while time.perf_counter() < end:
+                    if not self._take(list(islice(self._pieces, PIECE))):
+                        self._finish()
+                        return
+        except (UsageError, OSError, ValueError) as error:
+            self._refuse(str(error))
+            return
+        assert self._file is not None
+        self.went_on.emit(min(self._file.tell() / self._size, 1.0))
+
+    def _take(self, pieces: list[recorded.Piece]) -> bool:
+        """False where there is nothing more."""
+        self._log.add_lines(piece.text for piece in pieces if type(piece) is recorded.Line)
+        for piece in pieces:
+            if isinstance(piece, recorded.Heading):
+                self._heading = piece
+            elif isinstance(piece, recorded.Document):
+                self._files[piece.path] = piece.data.decode(errors="replace")
+            elif isinstance(piece, recorded.Torn):
+                self._torn = True
+        return bool(pieces)
+
+    def _finish(self) -> None:
+        self.cancel()
+        heading = self._heading
+        self.read.emit(
+            Recording(
+                self._path, heading.project, heading.masked, self._files, self._log, self._torn
+            )
+        )
+
+    def _refuse(self, why: str) -> None:
+        self.cancel()
+        self.refused.emit(why)
+
+
+@contextmanager
+def _no_collection() -> Iterator[None]:
+    """Python looks for circles meanwhile in none of what comes: it has none."""
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()

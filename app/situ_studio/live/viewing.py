@@ -1,0 +1,107 @@
+"""What every live view shows: one trace log and a cursor in it.
+
+The log is the connected robot's, a recording's or a rehearsal's: the views can not tell. While the
+cursor follows, it is at the end, wherever that goes; put elsewhere, it stays while events come.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import datetime, timedelta
+
+from PySide6.QtCore import QObject, Signal
+
+from situ_studio.live.log import TraceLog
+from situ_studio.live.moment import Moment
+
+
+class Viewing(QObject):
+    """t is seconds of the trace. end: when the log's end is, for one that goes on by itself."""
+
+    exchanged = Signal()
+    """``log`` is another one."""
+    moved = Signal()
+    """The cursor is elsewhere, or follows now, or does not any more."""
+
+    def __init__(self, log: TraceLog, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.log = log
+        self._end: Callable[[], float] = self._last
+        self._cursor: float | None = None
+
+    def show(self, log: TraceLog, end: Callable[[], float] | None = None) -> None:
+        """Another log, from its end."""
+        self.log = log
+        self._end = end or self._last
+        self._cursor = None
+        self.exchanged.emit()
+        self.moved.emit()
+
+    @property
+    def follows(self) -> bool:
+        """Whether the cursor is at the end and stays there."""
+        return self._cursor is None
+
+    @property
+    def t(self) -> float:
+        """Where the cursor is."""
+        end = self._end()
+        return end if self._cursor is None else min(self._cursor, end)
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From the first moment that can be looked at to the last."""
+        return (self.log.lanes.start, max(self._end(), self.log.lanes.start))
+
+    def moment(self) -> Moment:
+        """The robot at the cursor. Not to be changed."""
+        return self.log.now if self._cursor is None else self.log.at(self._cursor)
+
+    def clock(self) -> str:
+        """What the clock on the wall said at the cursor, as of here; seconds of the trace where it
+        does not tell.
+        """
+        log, t = self.log, self.t
+        count = log.count(t)
+        written = log[count - 1].get("time") if count else None
+        if not isinstance(written, str):
+            return f"{t:.1f} s"
+        then = datetime.fromisoformat(written) + timedelta(seconds=t - log.time(count - 1))
+        return then.astimezone().strftime("%H:%M:%S")
+
+    def seek(self, t: float) -> None:
+        """Puts the cursor there, as far as there is something."""
+        start, end = self.span
+        to = min(max(t, start), end)
+        if to != self._cursor:
+            self._cursor = to
+            self.moved.emit()
+
+    def follow(self) -> None:
+        """To the end, and with it."""
+        if self._cursor is not None:
+            self._cursor = None
+            self.moved.emit()
+
+    def pause(self) -> None:
+        """The cursor stays where it is, whatever comes."""
+        if self._cursor is None:
+            self._cursor = self.t
+            self.moved.emit()
+
+    def step(self, by: int) -> None:
+        """To the event after, or before: ``by`` is 1 or -1."""
+        log = self.log
+        if not len(log):
+            return
+        if by > 0:
+            after = log.count(self.t)
+            if after < len(log):
+                self.seek(log.time(after))
+        else:
+            # The last event that is earlier than the cursor.
+            before = log.earlier(self.t)
+            self.seek(log.time(before - 1) if before else log.lanes.start)
+
+    def _last(self) -> float:
+        return self.log.lanes.end

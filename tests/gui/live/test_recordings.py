@@ -1,0 +1,180 @@
+"""Recorded runs are looked at as a robot is: every view shows the moment of the cursor."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+from mcap.writer import Writer
+from PySide6.QtCore import QEventLoop, QTimer
+from tests.gui.live.test_log import played
+
+from situ.document.export import deployable
+from situ.document.ready import load_ready
+from situ.resources import examples
+from situ_studio.live.recordings import ReadingRecording
+from situ_studio.live.viewing import Viewing
+
+PATIENCE = 10_000
+
+
+def recording(file: Path, events: list[dict[str, Any]], project: Path, whole: bool = True) -> Path:
+    """A file as ``situ run --record`` writes it, of these events."""
+    with file.open("wb") as stream:
+        writer: Any = Writer(stream, chunk_size=20_000)
+        writer.start()
+        heading = {"runtime": "r", "project": project.name, "file": "situ.toml"}
+        writer.add_metadata("situ", {"heading": msgspec.json.encode(heading).decode()})
+        for path, text in deployable(load_ready(project)).items():
+            writer.add_attachment(0, 0, path, "text/plain", text)
+        channel = writer.register_channel("/trace", "json", 0)
+        for event in events:
+            stamped = {**event, "time": f"2026-11-22T10:00:{int(event['t']) % 60:02}+00:00"}
+            writer.add_message(channel, int(event["t"] * 1e9), msgspec.json.encode(stamped), 0)
+        writer.finish()
+    if not whole:
+        file.write_bytes(file.read_bytes()[: file.stat().st_size * 2 // 3])
+    return file
+
+
+def came(reading: ReadingRecording) -> list[Any]:
+    """What is told in the end: a recording, or why there is none."""
+    loop = QEventLoop()
+    told: list[Any] = []
+
+    def note(one: Any) -> None:
+        told.append(one)
+        loop.quit()
+
+    reading.read.connect(note)
+    reading.refused.connect(note)
+    late = QTimer()
+    late.setSingleShot(True)
+    late.timeout.connect(loop.quit)
+    late.start(PATIENCE)
+    loop.exec()
+    late.stop()
+    return told
+
+
+def test_a_recording_is_read_with_its_documents(qt: Any, tmp_path: Path) -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    project = Path(examples()["conversation"])
+    reading = ReadingRecording()
+    went: list[float] = []
+    reading.went_on.connect(went.append)
+    reading.start(recording(tmp_path / "run.mcap", events * 1, project))
+    (read,) = came(reading)
+    assert [event["seq"] for event in read.log] == [event["seq"] for event in events]
+    assert read.files["situ.toml"] == (project / "situ.toml").read_text()
+    assert read.project == "conversation"
+    assert not read.torn
+    assert went == sorted(went)
+
+
+def test_a_torn_file_is_read_as_far_as_it_is_whole(qt: Any, tmp_path: Path) -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    many = [{**event, "seq": n} for n, event in enumerate(events * 8, 1)]
+    file = recording(tmp_path / "run.mcap", many, Path(examples()["conversation"]), whole=False)
+    reading = ReadingRecording()
+    reading.start(file)
+    (read,) = came(reading)
+    assert read.torn
+    assert 0 < len(read.log) < len(many)
+
+
+@pytest.mark.parametrize("content", [None, b"", b"not a recording at all, but long enough"])
+def test_what_is_no_recording_is_refused_in_one_line(
+    qt: Any, tmp_path: Path, content: bytes | None
+) -> None:
+    file = tmp_path / "x.mcap"
+    if content is not None:
+        file.write_bytes(content)
+    reading = ReadingRecording()
+    told: list[str] = []
+    reading.refused.connect(told.append)
+    reading.start(file)
+    said = told or came(reading)
+    assert len(said) == 1
+    assert "\n" not in said[0]
+    assert "x.mcap" in said[0]
+
+
+def test_the_cursor_goes_where_something_is_and_from_event_to_event(qt: Any) -> None:
+    from situ_studio.live.log import TraceLog
+
+    _, _, events = played("conversation", "fig5.jsonl")
+    log = TraceLog()
+    log.add(events)
+    viewing: Any = Viewing(log)
+    assert viewing.follows
+    assert viewing.moment() is log.now
+    times = sorted({event["t"] for event in events})
+    viewing.seek(-5)
+    for t in times[1:]:
+        viewing.step(1)
+        assert viewing.t == t
+    viewing.step(1)
+    assert viewing.t == times[-1]
+    for t in reversed(times[:-1]):
+        viewing.step(-1)
+        assert viewing.t == t
+    viewing.seek(1e9)
+    assert viewing.t == events[-1]["t"]
+    assert not viewing.follows
+    viewing.follow()
+    assert viewing.follows
+
+
+def test_every_view_shows_the_moment_under_the_cursor(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    where = project("conversation")
+    it = studio(where)
+    file = recording(tmp_path / "run.mcap", events, where)
+    it.answers.put("recording", file)
+    robot = it.window.robot
+    it.window.commands.open_recording()
+    until_shown(it)
+    viewing = robot.follower.viewing
+    assert "run.mcap" in it.window.status.link.text()
+    assert "same as the robot" in it.window.status.link.text()
+    sound = next(e for e in events if e["kind"] == "situation" and e["to"] == "sound")
+    viewing.seek(sound["t"])
+    script = "conversation.spds.xml"
+    it.window.open_file(script)
+    it.settle()
+    robot.follower.refresh()
+    assert it.window.views[script].canvas.look.live.situation == "sound"
+    assert robot.blackboard.isEnabled()
+    board = {row.key: row.cells for row in robot.blackboard.rows.rows}
+    assert "sound.slap" in board
+    it.window.commands.close_recording()
+    assert it.window.status.link.text() == "no robot"
+    assert it.window.views[script].canvas.look.live is None
+
+
+def until_shown(it: Any) -> None:
+    loop, late = QEventLoop(), QTimer()
+    it.window.robot.follower.viewing.exchanged.connect(loop.quit)
+    late.setSingleShot(True)
+    late.timeout.connect(loop.quit)
+    late.start(PATIENCE)
+    loop.exec()
+    assert late.isActive(), "no recording came"
+    late.stop()
+    it.settle()
+
+
+def test_a_recording_that_can_not_be_read_leaves_everything_as_it_is(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    it = studio(project("conversation"))
+    it.window.robot.open_recording(tmp_path / "gone.mcap")
+    assert "gone.mcap" in it.answers.told[0]
+    assert it.window.robot.recording is None
+    assert it.window.status.work.going == []
