@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,8 @@ from situ_studio.screens.lettering import REFERENCE, Fitted, Line, Style, base, 
 from situ_studio.screens.measures import is_light, measures
 from situ_studio.screens.media_pictures import Picture, picture
 from situ_studio.screens.shown import Content
+
+_HERE = QPointF(0, 0)
 
 
 class Stage:
@@ -37,13 +40,18 @@ class Stage:
         self.first = plain[0] if 0 < len(plain) <= 3 else None
         self._alike: dict[tuple[Any, ...], Fitted] | None = None
         self._fits: dict[str, Fitted] = {}
+        self._boxes: dict[str, QRectF] = {}
 
     def box(self, one: Shown) -> QRectF:
         """Where a component lies, px."""
-        across, down = self.size.width() / 100, self.size.height() / 100
-        return QRectF(
-            one["x"] * across, one["y"] * down, one["width"] * across, one["height"] * down
-        )
+        found = self._boxes.get(one["id"])
+        if found is None:
+            across, down = self.size.width() / 100, self.size.height() / 100
+            found = QRectF(
+                one["x"] * across, one["y"] * down, one["width"] * across, one["height"] * down
+            )
+            self._boxes[one["id"]] = found
+        return found
 
     def fitted(self, one: Shown) -> Fitted:
         """The letters of a text or button; of buttons that are alike, as those of the smallest."""
@@ -81,19 +89,26 @@ def _kind(button: Shown) -> tuple[Any, ...]:
 
 def padding(one: Shown) -> tuple[float, float]:
     """What is left free beside a component's text, and above and below it, in em."""
-    if one["type"] == "text" and not one.get("fill"):
-        return 0.0, 0.0
-    known, kind = measures(), one["type"]
+    return (0.0, 0.0) if one["type"] == "text" and not one.get("fill") else _padding(one["type"])
+
+
+@lru_cache(maxsize=2)
+def _padding(kind: str) -> tuple[float, float]:
+    known = measures()
     return known[f"{kind}-wide"], known[f"{kind}-high"]
 
 
 def style_of(one: Shown) -> Style:
     """The letters of a text or a button."""
+    return _style("button" if one["type"] == "button" else rank_of(one))
+
+
+@lru_cache(maxsize=4)
+def _style(kind: str) -> Style:
     known = measures()
-    if one["type"] == "button":
+    if kind == "button":
         return Style(int(known["button-weight"]), known["button-line"])
-    rank = rank_of(one)
-    return Style(int(known[f"{rank}-weight"]), known["text-line"], known[f"{rank}-spacing"])
+    return Style(int(known[f"{kind}-weight"]), known["text-line"], known[f"{kind}-spacing"])
 
 
 def rank_of(one: Shown) -> str:
@@ -187,13 +202,13 @@ def draw_line(
     free = room.width() - line.width * size
     side = {"left": 0.0, "center": max(free, 0.0) / 2, "right": max(free, 0.0)}[align]
     scale = size / REFERENCE
-    painter.save()
+    world = painter.worldTransform()
     painter.translate(room.left() + side, round(below) - line.base * size)
     painter.scale(scale, scale)
     painter.setPen(ink)
     for glyphs in line.glyphs:
-        painter.drawGlyphRun(QPointF(0, 0), glyphs)
-    painter.restore()
+        painter.drawGlyphRun(_HERE, glyphs)
+    painter.setWorldTransform(world)
 
 
 def _picture(painter: QPainter, stage: Stage, one: Shown, box: QRectF) -> None:

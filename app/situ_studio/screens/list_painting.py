@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
-from PySide6.QtCore import QRectF, Qt
+import msgspec
+from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPixmap
 
 from situ.decide.screens import Shown
@@ -14,6 +15,7 @@ from situ_studio.screens.component_painting import Stage, draw_line, edge, round
 from situ_studio.screens.css_colours import css_colour
 from situ_studio.screens.lettering import Fitted, Line, Style, base, set_lines
 from situ_studio.screens.measures import measures
+from situ_studio.screens.shown import Content
 
 
 class Row(NamedTuple):
@@ -37,7 +39,10 @@ def paint_list(painter: QPainter, stage: Stage, one: Shown) -> None:
         for row in every:
             _row(painter, stage, one, row)
     else:
-        _fading(painter, stage, one, every)
+        here = msgspec.json.encode(one | {"x": 0, "y": 0})
+        zoom = painter.deviceTransform().m11()
+        seen = _fading(here, stage.size.width(), stage.size.height(), zoom)
+        painter.drawPixmap(box, seen, QRectF(seen.rect()))
     painter.restore()
 
 
@@ -103,25 +108,26 @@ def _row(painter: QPainter, stage: Stage, one: Shown, row: Row) -> None:
         draw_line(painter, line, em, room, below, ink, one.get("align", "left"))
 
 
-def _fading(painter: QPainter, stage: Stage, one: Shown, every: Sequence[Row]) -> None:
-    """The rows as seen through a mask that lets less through at the lower end."""
+@lru_cache(maxsize=64)
+def _fading(written: bytes, wide: float, high: float, zoom: float) -> QPixmap:
+    """A list's rows as seen through a mask that lets less through at the lower end.
+
+    written: the list, at the left upper corner. wide, high: px of the screen. zoom: of the picture.
+    """
+    one: Shown = msgspec.json.decode(written)
+    stage = Stage(QSizeF(wide, high), Content((one,)), None)
     box = stage.box(one)
-    on_device = painter.deviceTransform()
-    zoom = on_device.m11()
-    layer = QPixmap(max(1, round(box.width() * zoom)), max(1, round(box.height() * zoom)))
-    layer.fill(Qt.GlobalColor.transparent)
-    inner = QPainter(layer)
-    inner.setRenderHints(painter.renderHints())
-    inner.scale(layer.width() / box.width(), layer.height() / box.height())
-    inner.translate(-box.topLeft())
-    for row in every:
-        _row(inner, stage, one, row)
-    mask = QLinearGradient(box.bottomLeft(), box.bottomLeft())
-    mask.setStart(0, box.bottom() - measures()["fade"])
-    mask.setFinalStop(0, box.bottom())
+    seen = QPixmap(max(1, round(box.width() * zoom)), max(1, round(box.height() * zoom)))
+    seen.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(seen)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.scale(seen.width() / box.width(), seen.height() / box.height())
+    for row in rows(stage, one):
+        _row(painter, stage, one, row)
+    mask = QLinearGradient(0, box.bottom() - measures()["fade"], 0, box.bottom())
     mask.setColorAt(0, QColor(0, 0, 0, 255))
     mask.setColorAt(1, QColor(0, 0, 0, 0))
-    inner.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
-    inner.fillRect(box, mask)
-    inner.end()
-    painter.drawPixmap(box, layer, QRectF(layer.rect()))
+    painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
+    painter.fillRect(box, mask)
+    painter.end()
+    return seen

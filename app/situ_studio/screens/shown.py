@@ -34,7 +34,10 @@ def content(
 
     above: the components that Always adds.
     """
-    components = (*screen.components, *above)
+    kept: dict[str, rbd.Component] = {}
+    for one in (*screen.components, *above):
+        kept.setdefault(one.id, one)  # the robot leaves out what has the id of another
+    components = tuple(kept.values())
     if values is None:
         return Content(tuple(_written(one) for one in components), screen.background)
     board = Board()

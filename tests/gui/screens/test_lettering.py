@@ -130,6 +130,13 @@ def test_texts_are_filled_in_as_the_robot_fills_them_in(qt: QApplication) -> Non
     assert written.components[2]["items"] is None
 
 
+def test_what_has_the_id_of_another_is_left_out_as_on_the_robot(qt: QApplication) -> None:
+    place: dict[str, Any] = {"x": 0.0, "y": 0.0, "width": 50.0, "height": 20.0}
+    own, always = (rbd.Text(id="t", text=text, **place) for text in ("own", "always"))
+    shown = content(rbd.Screen(components=(own,)), (always,)).components
+    assert [one["text"] for one in shown] == ["own"]
+
+
 @pytest.mark.parametrize(
     ("language", "typed", "asked"),
     [
