@@ -107,6 +107,14 @@ class Commands(FileCommands):
         if self.cells is not None:
             getattr(self.cells.range, method)()
 
+    def has_cells(self) -> bool:
+        return self.cells is not None
+
+    def on_cells(self, method: str) -> None:
+        """Of the matrix what a spreadsheet does with a range."""
+        if self.cells is not None:
+            getattr(self.cells.range, method)()
+
     @property
     def cells(self) -> Any:
         """The matrix of a script, where it is what somebody works in; None elsewhere."""

@@ -54,7 +54,8 @@ class ContextMenus(QObject):
             return
         if place and place not in view.selected:
             window.select(place)
-        self._pop_up(context_of(view.selected) if place else "ground", at)
+        cells = self._window.commands.has_cells()
+        self._pop_up(self._context(view.selected) if place or cells else "ground", at)
 
     def open_at_selection(self) -> None:
         """About what is selected, beside it."""
@@ -67,7 +68,10 @@ class ContextMenus(QObject):
             return
         shown = view.current_view()
         corner = view.call("menu_corner") or shown.mapToGlobal(shown.rect().center())
-        self._pop_up(chosen, corner)
+        self._pop_up(self._context(view.selected), corner)
+
+    def _context(self, selected: tuple[Place, ...]) -> str:
+        return "cells" if self._window.commands.has_cells() else context_of(selected)
 
     def _pop_up(self, context: str, at: QPoint) -> None:
         if self.shown is not None:

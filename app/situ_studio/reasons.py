@@ -42,6 +42,7 @@ def reasons() -> dict[str, str]:
         "can_undo": tr("nothing was changed"),
         "has_cards": card,
         "has_cells": tr("only in the matrix of a script"),
+        "has_cells": tr("only in the matrix of a script"),
         "has_data": tr("select data in the graph first"),
         "has_document": tr("open a document first"),
         "has_drawn_exit": exit,
