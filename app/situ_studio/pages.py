@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -14,6 +13,8 @@ from situ.document.catalogue import Catalogue
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER
 from situ_studio.edit import Written
 from situ_studio.project_form import writing
+from situ_studio.project_form.form import ProjectForm
+from situ_studio.project_form.sections import LANGUAGE
 from situ_studio.sides import Group
 from situ_studio.texts.exchange import Exchange
 from situ_studio.texts.listening import Listening
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 
 TEXTS = TEXTS_FOLDER
 """What the tab of all texts goes by, as others go by their file."""
-LANGUAGE = re.compile(r"[A-Za-z]{2,3}([-_][A-Za-z0-9]{2,8})*")
 
 
 class PagesSide(QObject):
@@ -45,12 +45,13 @@ class PagesSide(QObject):
         self._session.opened.connect(self._settle)
         self._session.changed.connect(lambda _: self._settle())
         self._session.listed.connect(self._settle)
+        self._session.problems_changed.connect(self._settle)
         window.sides.chosen.connect(self._on_tab)
 
     def has(self, key: str) -> bool:
         """Whether the project has that page."""
         project = self._session.project
-        return project is not None and project.toml is not None and key == TEXTS
+        return project is not None and project.toml is not None and key in (TEXTS, PROJECT_FILE)
 
     def key(self, file: str) -> str:
         """The page on which a file is shown; the file itself where it is a document."""
@@ -60,26 +61,33 @@ class PagesSide(QObject):
 
     def look(self, key: str) -> tuple[str, str, str]:
         """A page's words, icon and its colour, for its tab."""
-        return self.tr("Texts"), "language", "text2"
+        if key == TEXTS:
+            return self.tr("Texts"), "language", "text2"
+        return self.tr("Project"), "folder", "text2"
 
     def page(self, key: str) -> QWidget | None:
         """The widget of a page, up to date; None where the project has none of that key."""
         if not self.has(key):
             return None
         group = self._window.sides.current
-        return self._texts_of(group) or self._make_texts(group)
+        if key == TEXTS:
+            return self._texts_of(group) or self._make_texts(group)
+        return self._form_of(group) or self._make_form(group)
 
     def _texts_of(self, group: Group) -> TextsPage | None:
         """The page of a group of tabs; None before it was first shown there."""
-        return group.documents.findChild(TextsPage)  # type: ignore[no-any-return]
+        return group.documents.findChild(TextsPage)
+
+    def _form_of(self, group: Group) -> ProjectForm | None:
+        return group.documents.findChild(ProjectForm)
 
     def shows(self, file: str) -> bool:
         """Whether what changed in a file can be seen on the page that is shown."""
         shown = self._window.tabs.chosen_file
         project = self._session.project
-        if shown != TEXTS or not self.has(TEXTS) or project is None:
+        if shown is None or not self.has(shown) or project is None:
             return False
-        return file in project.flows or self.key(file) == TEXTS
+        return self.key(file) == shown or (shown == TEXTS and file in project.flows)
 
     def unsaved(self) -> list[str]:
         """The pages on which something is not saved."""
@@ -87,9 +95,9 @@ class PagesSide(QObject):
 
     def set_theme(self, theme: Theme) -> None:
         for group in self._window.sides.groups:
-            page = self._texts_of(group)
-            if page is not None:
-                page.set_theme(theme)
+            for page in (self._texts_of(group), self._form_of(group)):
+                if page is not None:
+                    page.set_theme(theme)
 
     # -- the texts ---------------------------------------------------------------
 
@@ -115,17 +123,24 @@ class PagesSide(QObject):
 
     def _on_tab(self, key: str) -> None:
         self._settle()
-        page = self._texts_of(self._window.sides.current)
-        if key == TEXTS and page is not None:
+        group = self._window.sides.current
+        page = self._texts_of(group) if key == TEXTS else self._form_of(group)
+        if self.has(key) and page is not None:
+            self._window.project_tree.show_current(key)
             page.begin()
 
     def _settle(self) -> None:
         """Brings the pages that are seen up to date."""
         project = self._session.project
+        if project is None:
+            return
         for group in self._window.sides.groups:
-            page = self._texts_of(group)
-            if page is not None and project is not None and group.tabs.chosen_file == TEXTS:
-                page.show_project(project, self._catalogues())
+            shown = group.tabs.chosen_file
+            texts, form = self._texts_of(group), self._form_of(group)
+            if texts is not None and shown == TEXTS:
+                texts.show_project(project, self._catalogues())
+            if form is not None and shown == PROJECT_FILE:
+                form.show_project(project, self._session.value, self._session.problems_of)
 
     def _catalogues(self) -> dict[str, Catalogue]:
         project = self._session.project
@@ -172,3 +187,19 @@ class PagesSide(QObject):
         languages = list(dict.fromkeys((*written_in, code)))
         after = writing.put(toml, "project", "languages", languages)
         session.commit(PROJECT_FILE, after, self.tr("Add {0}").format(language_name(code)))
+
+    # -- the form ----------------------------------------------------------------
+
+    def _make_form(self, group: Group) -> ProjectForm:
+        form = ProjectForm(self._window.theme)
+        form.edited.connect(self._session.commit)
+        form.refused.connect(self._window.say)
+        form.language_asked.connect(self.add_language)
+        group.documents.addWidget(form)
+        return form
+
+    def bring(self, file: str) -> None:
+        """Shows the file of a problem on the page that is shown."""
+        form = self._form_of(self._window.sides.current)
+        if form is not None and file in (PROJECT_FILE, LOCAL_FILE):
+            form.show_file(file)

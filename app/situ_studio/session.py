@@ -440,6 +440,7 @@ class Session(QObject):
         for file in beside.files(self._open_project()):
             if file not in stay:
                 self._take_beside(file)
+        self._called = {}
         if stay:
             self._project = beside.settled(self._open_project(), self._beside)
 
@@ -626,8 +627,10 @@ class Session(QObject):
             del self._beside[file]
         else:
             # It was saved before it was taken back.
-            self._beside[file] = Catalogue()
+            is_text = beside.language_of(file) is not None
+            self._beside[file] = Catalogue() if is_text else Toml("")
         self._project = project = beside.settled(before, self._beside)
+        self._called = {}
         if project.languages != before.languages:
             # A language that came may have had texts here before.
             self.disk.attend(self.files, beside.files(project))

@@ -344,7 +344,7 @@ def test_a_text_is_heard_and_silenced(qt: QApplication, tmp_path: Path) -> None:
         'case "$2" in xx) echo "no such voice" >&2; exit 1;; mi) exit 0;; esac\nexec sleep 60\n'
     )
     voice.chmod(0o755)
-    listening = Listening(qt, str(voice))
+    listening: Any = Listening(qt, str(voice))
     ended, failed = QSignalSpy(listening.changed), QSignalSpy(listening.failed)
     listening.toggle("Kia ora {user.name}, haere mai", "mi")
     while listening.going:

@@ -61,7 +61,7 @@ def put_in(toml: Toml, table: str, key: str, inner: str, value: Any) -> Toml:
 def rename_in(toml: Toml, table: str, key: str, old: str, new: str) -> Toml:
     """As ``rename``, in the table at ``table.key``."""
     document = tomlkit.parse(toml.text)
-    found: Any = document[table][key]  # type: ignore[index]
+    found: Any = document[table][key]
     found.value._replace(old, new, found[old])
     return _made(toml, document)
 

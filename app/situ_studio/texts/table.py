@@ -58,11 +58,11 @@ class TextsTable(QTableView):
         header.setHighlightSections(False)
         header.setMinimumSectionSize(80)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.sectionResized.connect(lambda *_: self._soon.start())
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.setInterval(0)
         self._soon.timeout.connect(self.settle_heights)
+        header.sectionResized.connect(lambda *_: self._soon.start())
         self.texts.modelReset.connect(self._on_reset)
         self.texts.dataChanged.connect(lambda *_: self._soon.start())
         self._columns = 0

@@ -236,7 +236,7 @@ class ProjectFile:
 
     def _mqtt(self) -> None:
         url = self.get("mqtt", "url")
-        if isinstance(url, str) and url and not _BROKER.fullmatch(url):
+        if isinstance(url, str) and url and not BROKER.fullmatch(url):
             said = "names no broker: give mqtt://HOST or mqtts://HOST, a user and a password"
             told = f"The url {said} stand in the robot's secrets.toml"
             self.problem("bad-value", told, "mqtt", "url")
@@ -244,7 +244,7 @@ class ProjectFile:
         if incoming is None:
             return
         for topic, target in list(incoming.items()):
-            if not topic or not _FILTER.fullmatch(topic):
+            if not topic or not FILTER.fullmatch(topic):
                 said = "is no topic filter: + is one whole level, # the rest of them"
                 self.problem("bad-value", f"{shown(topic)} {said}", "mqtt", "in", topic)
                 del incoming[topic]
@@ -256,8 +256,8 @@ class ProjectFile:
                 del incoming[topic]
 
 
-_BROKER = re.compile(r"mqtts?://(\[[0-9a-fA-F:.]+\]|[^\s/@:\[\]?#]+)(:\d{1,5})?/?")
-_FILTER = re.compile(r"#|([^+#/\0]*|\+)(/([^+#/\0]*|\+))*(/#)?")
+BROKER = re.compile(r"mqtts?://(\[[0-9a-fA-F:.]+\]|[^\s/@:\[\]?#]+)(:\d{1,5})?/?")
+FILTER = re.compile(r"#|([^+#/\0]*|\+)(/([^+#/\0]*|\+))*(/#)?")
 
 
 def _wrong_form(setting: dict[str, Any]) -> str | None:

@@ -1,0 +1,606 @@
+"""The sections of the project form: each shows a part of ``situ.toml`` and tells changes of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from situ.document import names
+from situ.document.beside import Toml
+from situ.document.project import SETTING_TYPES
+from situ.document.projectfile import BROKER, FILTER
+from situ_studio.icon_widgets import IconButton
+from situ_studio.language import tr
+from situ_studio.panels.fields import Choice, Line, Number
+from situ_studio.project_form import writing
+from situ_studio.project_form.rows import Checked, Column, Rows
+from situ_studio.project_form.values import ValueField
+from situ_studio.texts.model import language_name
+from situ_studio.theme import Theme
+
+Change = Callable[[Toml], Toml]
+Tables = Mapping[str, Any]
+LANGUAGE = re.compile(r"[A-Za-z]{2,3}([-_][A-Za-z0-9]{2,8})*")
+
+
+def tag(text: str) -> str:
+    """The tag that was typed; ValueError, in a sentence, where it is none."""
+    if not names.is_tag(text):
+        raise ValueError(tr("A tag is words of a to z, 0 to 9, _ and - with dots between."))
+    if names.is_reserved(text):
+        raise ValueError(tr("{0} is written by the robot itself only.").format(text))
+    return text
+
+
+def pattern(text: str) -> str:
+    """The tag or pattern that was typed; ValueError where it is none."""
+    if not names.is_pattern(text):
+        raise ValueError(tr("Write a tag, with * for one word and ** for any number of words."))
+    return text
+
+
+def named(text: str) -> str:
+    if not text:
+        raise ValueError(tr("This can not be left empty."))
+    return text
+
+
+def inside(text: str) -> str:
+    if text.startswith("/") or ".." in text.split("/") or "\\" in text:
+        raise ValueError(tr("A folder inside the project's own: no .. and no / at its beginning."))
+    return text
+
+
+def broker(text: str) -> str:
+    if text and not BROKER.fullmatch(text):
+        raise ValueError(tr("Write mqtt://HOST or mqtts://HOST; a password stays on the robot."))
+    return text
+
+
+def topic(text: str) -> str:
+    if not text or not FILTER.fullmatch(text):
+        raise ValueError(tr("A topic: + stands for one whole level, # for all that follow."))
+    return text
+
+
+def free(name: str, taken: Sequence[str] | Mapping[str, Any]) -> str:
+    """The name, with a number where it is taken."""
+    found, number = name, 2
+    while found in taken:
+        found, number = f"{name}{number}", number + 1
+    return found
+
+
+def once(check: Callable[[str], str], taken: Callable[[], Sequence[str]]) -> Callable[[str], str]:
+    """A check that refuses what is there already."""
+
+    def checked(text: str) -> str:
+        found = check(text)
+        if found in taken():
+            raise ValueError(tr("{0} is there already.").format(found))
+        return found
+
+    return checked
+
+
+class Section(QFrame):
+    """A box with a title, what it is for, and what is in it."""
+
+    edited = Signal(object, str)
+    """A ``Change``, and the name of the step."""
+    refused = Signal(str)
+
+    def __init__(self, theme: Theme, title: str, hint: str, plus: str = "") -> None:
+        super().__init__()
+        self.setProperty("role", "box")
+        self.theme = theme
+        self.setAccessibleName(title)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(16, 10, 12, 14)
+        column.setSpacing(8)
+        head = QHBoxLayout()
+        words = QLabel(title)
+        words.setProperty("role", "subject")
+        head.addWidget(words, 1)
+        self.plus = IconButton(theme, "plus", plus, "text2", 16)
+        self.plus.setVisible(bool(plus))
+        head.addWidget(self.plus)
+        column.addLayout(head)
+        if hint:
+            told = QLabel(hint)
+            told.setProperty("role", "words")
+            told.setWordWrap(True)
+            column.addWidget(told)
+        self.body = column
+
+    def show_tables(self, tables: Tables) -> None:
+        """Shows what the file says."""
+
+    def tell(self, change: Change, words: str) -> None:
+        self.edited.emit(change, words)
+
+
+class FieldsSection(Section):
+    """Single values. fields: (table, key, label, help, check)."""
+
+    def __init__(
+        self,
+        theme: Theme,
+        title: str,
+        hint: str,
+        fields: Sequence[tuple[str, str, str, str, Callable[[str], str]]],
+    ) -> None:
+        super().__init__(theme, title, hint)
+        form = QFormLayout()
+        form.setHorizontalSpacing(12)
+        form.setVerticalSpacing(6)
+        self.fields: dict[tuple[str, str], Checked] = {}
+        for table, key, label, help, check in fields:
+            field = Checked(check)
+            field.set_help(help)
+            field.setAccessibleName(label)
+            field.setPlaceholderText(help)
+            field.refused.connect(self.refused)
+            field.committed.connect(
+                lambda value, t=table, k=key, words=label: self._on_value(t, k, words, value)
+            )
+            words = QLabel(label)
+            words.setProperty("role", "label")
+            words.setFixedWidth(112)
+            words.setBuddy(field)
+            form.addRow(words, field)
+            self.fields[table, key] = field
+        self.body.addLayout(form)
+
+    def show_tables(self, tables: Tables) -> None:
+        for (table, key), field in self.fields.items():
+            value = _table(tables, table).get(key)
+            field.show_value(value if isinstance(value, str) else "")
+
+    def _on_value(self, table: str, key: str, label: str, value: str) -> None:
+        words = tr("Change {0}").format(label.lower())
+        self.tell(lambda toml: writing.put(toml, table, key, value or None), words)
+
+
+class RowsSection(Section):
+    """A list or table, a row each."""
+
+    noun = ""
+
+    def __init__(
+        self, theme: Theme, title: str, hint: str, columns: Sequence[Column], noun: str
+    ) -> None:
+        super().__init__(theme, title, hint, tr("Add {0}").format(noun))
+        self.noun = noun
+        self.rows = Rows(theme, columns, noun, self.movable)
+        self.rows.changed.connect(self.on_changed)
+        self.rows.removed.connect(self.on_removed)
+        self.rows.moved.connect(self.on_moved)
+        self.rows.refused.connect(self.refused)
+        self.plus.clicked.connect(self.on_added)
+        self.body.addWidget(self.rows)
+
+    movable = False
+
+    def show_values(self, values: Sequence[Sequence[Any]]) -> None:
+        self.rows.show_rows(values)
+        self.rows.setVisible(bool(values))
+
+    def on_changed(self, row: int, column: int, value: Any) -> None:
+        """A cell got another value."""
+
+    def on_removed(self, row: int) -> None: ...
+
+    def on_moved(self, row: int, to: int) -> None: ...
+
+    def on_added(self) -> None: ...
+
+    def added(self, change: Change) -> None:
+        """Tells one more row, and puts the cursor into it."""
+        before = len(self.rows)
+        self.tell(change, tr("Add {0}").format(self.noun))
+        if len(self.rows) > before:
+            self.rows.begin(len(self.rows) - 1)
+
+
+class LanguagesSection(RowsSection):
+    """The first is the one in which the documents are written."""
+
+    movable = True
+    language_asked = Signal()
+
+    def __init__(self, theme: Theme) -> None:
+        columns = (Column(title=""), Column(title="", share=3), Column(title="", share=3))
+        super().__init__(
+            theme,
+            tr("Languages"),
+            tr("The documents are written in the first one; the others have translations."),
+            columns,
+            tr("a language"),
+        )
+        self._codes: list[str] = []
+
+    def show_tables(self, tables: Tables) -> None:
+        self._codes = _texts(_table(tables, "project").get("languages"))
+        self.show_values(
+            [
+                (code, language_name(code), "" if at else tr("written in"))
+                for at, code in enumerate(self._codes)
+            ]
+        )
+
+    def on_added(self) -> None:
+        self.language_asked.emit()
+
+    def on_removed(self, row: int) -> None:
+        codes = [code for at, code in enumerate(self._codes) if at != row]
+        words = tr("Remove {0}").format(language_name(self._codes[row]))
+        self.tell(lambda toml: writing.put(toml, "project", "languages", codes or None), words)
+
+    def on_moved(self, row: int, to: int) -> None:
+        codes = list(self._codes)
+        codes.insert(to, codes.pop(row))
+        words = tr("Move {0}").format(language_name(self._codes[row]))
+        self.tell(lambda toml: writing.put(toml, "project", "languages", codes), words)
+
+
+class ApplicationsSection(RowsSection):
+    """Their order counts: what they do at one moment is done in it."""
+
+    movable = True
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__(
+            theme,
+            tr("Applications"),
+            tr("Where several have something to do at one moment, the upper one goes first."),
+            (Column(title=""),),
+            tr("an application"),
+        )
+        self.plus.hide()
+        self._files: list[str] = []
+
+    def show_tables(self, tables: Tables) -> None:
+        self._files = _texts(_table(tables, "project").get("applications"))
+        self.show_values([(file,) for file in self._files])
+        # Which there are is decided in the project's folder.
+        for row in range(len(self.rows)):
+            self.rows.buttons(row)[-1].hide()
+
+    def on_moved(self, row: int, to: int) -> None:
+        files = list(self._files)
+        files.insert(to, files.pop(row))
+        words = tr("Move {0}").format(self._files[row])
+        self.tell(lambda toml: writing.put(toml, "project", "applications", files), words)
+
+
+class PatternsSection(RowsSection):
+    """A list of tags and patterns at ``table.key``."""
+
+    def __init__(self, theme: Theme, table: str, key: str, title: str, hint: str) -> None:
+        self._table, self._key = table, key
+        self._patterns: list[str] = []
+        check = once(pattern, lambda: self._patterns)
+        columns = (Column(title="", make=lambda _, parent: Checked(check, parent)),)
+        super().__init__(theme, title, hint, columns, tr("a tag or pattern"))
+
+    def show_tables(self, tables: Tables) -> None:
+        self._patterns = _texts(_table(tables, self._table).get(self._key))
+        self.show_values([(one,) for one in self._patterns])
+
+    def _put(self, wanted: list[str], words: str) -> None:
+        self.tell(lambda toml: writing.put(toml, self._table, self._key, wanted), words)
+
+    def on_changed(self, row: int, column: int, value: Any) -> None:
+        wanted = list(self._patterns)
+        wanted[row] = value
+        self._put(wanted, tr("Change {0}").format(self._patterns[row]))
+
+    def on_removed(self, row: int) -> None:
+        wanted = [one for at, one in enumerate(self._patterns) if at != row]
+        self._put(wanted, tr("Remove {0}").format(self._patterns[row]))
+
+    def on_added(self) -> None:
+        wanted = [*self._patterns, free("new.*", self._patterns)]
+        self.added(lambda toml: writing.put(toml, self._table, self._key, wanted))
+
+
+class TableSection(RowsSection):
+    """A table whose keys are a designer's own: a name, and what stands there."""
+
+    def __init__(
+        self,
+        theme: Theme,
+        table: str,
+        title: str,
+        hint: str,
+        columns: Sequence[Column],
+        noun: str,
+        check: Callable[[str], str],
+    ) -> None:
+        self._table = table
+        self.values: dict[str, Any] = {}
+        named = once(check, lambda: list(self.values))
+        name = Column(title=tr("Name"), make=lambda _, parent: Checked(named, parent), share=2)
+        super().__init__(theme, title, hint, (name, *columns), noun)
+
+    def row(self, value: Any) -> Sequence[Any]:
+        """What the columns behind the name show of a value."""
+        return (value,)
+
+    def value(self, old: Any, column: int, typed: Any) -> Any:
+        """The value after a column behind the name (from 0) was changed."""
+        return typed
+
+    def beginning(self) -> tuple[str, Any]:
+        """Name and value of a new row."""
+        return "new", ""
+
+    def show_tables(self, tables: Tables) -> None:
+        self.values = dict(_table(tables, self._table))
+        self.show_values([(name, *self.row(value)) for name, value in self.values.items()])
+
+    def on_changed(self, row: int, column: int, value: Any) -> None:
+        name, old = list(self.values.items())[row]
+        if column == 0:
+            words = tr("Rename {0} to {1}").format(name, value)
+            self.tell(lambda toml: writing.rename(toml, self._table, name, value), words)
+            return
+        new = self.value(old, column - 1, value)
+        words = tr("Change {0}").format(name)
+        self.tell(lambda toml: writing.put(toml, self._table, name, new), words)
+
+    def on_removed(self, row: int) -> None:
+        name = list(self.values)[row]
+        words = tr("Remove {0}").format(name)
+        self.tell(lambda toml: writing.put(toml, self._table, name, None), words)
+
+    def on_added(self) -> None:
+        name, value = self.beginning()
+        name = free(name, self.values)
+        self.added(lambda toml: writing.put(toml, self._table, name, value))
+
+
+class TagsSection(TableSection):
+    """Values on the blackboard before the start."""
+
+    def __init__(self, theme: Theme, hint: str) -> None:
+        value = Column(title=tr("Value"), make=ValueField, share=4)
+        super().__init__(
+            theme, "tags", tr("Values at the start"), hint, (value,), tr("a value"), tag
+        )
+
+
+class PlacesSection(TableSection):
+    """Places in the robot's map."""
+
+    def __init__(self, theme: Theme) -> None:
+        numbers = (
+            Column(title="x", make=lambda _, parent: Number(parent, "m")),
+            Column(title="y", make=lambda _, parent: Number(parent, "m")),
+            Column(title=tr("Heading"), make=lambda _, parent: Number(parent, "°")),
+        )
+        super().__init__(
+            theme,
+            "places",
+            tr("Places"),
+            tr("Where the robot can be sent: metres and degrees in its map."),
+            numbers,
+            tr("a place"),
+            named,
+        )
+
+    def row(self, value: Any) -> Sequence[Any]:
+        good = isinstance(value, list) and len(value) == 3
+        return [one if isinstance(one, (int, float)) else 0 for one in value] if good else (0, 0, 0)
+
+    def value(self, old: Any, column: int, typed: Any) -> Any:
+        return [typed or 0 if at == column else one for at, one in enumerate(self.row(old))]
+
+    def beginning(self) -> tuple[str, Any]:
+        return "place", [0.0, 0.0, 0.0]
+
+
+class MqttSection(TableSection):
+    """What messages from outside mean here."""
+
+    def __init__(self, theme: Theme) -> None:
+        columns = (
+            Column(title=tr("Means"), make=_means, share=1),
+            Column(title=tr("Event or tag"), make=lambda _, p: Checked(named, p), share=2),
+        )
+        super().__init__(
+            theme,
+            "mqtt",
+            tr("Messages from outside"),
+            tr("Devices such as fall sensors and call buttons, by an MQTT broker."),
+            columns,
+            tr("a topic"),
+            topic,
+        )
+        self.broker = Checked(broker)
+        self.broker.setPlaceholderText("mqtt://127.0.0.1:1883")
+        self.broker.setAccessibleName(tr("Broker"))
+        self.broker.refused.connect(self.refused)
+        self.broker.committed.connect(
+            lambda value: self.tell(
+                lambda toml: writing.put(toml, "mqtt", "url", value or None), tr("Change broker")
+            )
+        )
+        line = QHBoxLayout()
+        label = QLabel(tr("Broker"))
+        label.setProperty("role", "label")
+        label.setFixedWidth(112)
+        label.setBuddy(self.broker)
+        line.addWidget(label)
+        line.addWidget(self.broker, 1)
+        self.body.insertLayout(2, line)
+
+    def show_tables(self, tables: Tables) -> None:
+        found = _table(tables, "mqtt")
+        url, incoming = found.get("url"), found.get("in")
+        self.broker.show_value(url if isinstance(url, str) else "")
+        self.values = dict(incoming) if isinstance(incoming, dict) else {}
+        self.show_values([(name, *self.row(value)) for name, value in self.values.items()])
+
+    def row(self, value: Any) -> Sequence[Any]:
+        kind, _, name = str(value).partition(":")
+        return kind, name
+
+    def value(self, old: Any, column: int, typed: Any) -> Any:
+        kind, name = self.row(old)
+        return f"{typed}:{name}" if column == 0 else f"{kind}:{typed}"
+
+    def on_changed(self, row: int, column: int, value: Any) -> None:
+        name, old = list(self.values.items())[row]
+        if column == 0:
+            words = tr("Rename {0} to {1}").format(name, value)
+            self.tell(lambda toml: writing.rename_in(toml, "mqtt", "in", name, value), words)
+            return
+        new = self.value(old, column - 1, value)
+        if new.startswith("tag:") and not names.is_tag(new.partition(":")[2]):
+            self.refused.emit(tr("A tag is words of a to z, 0 to 9, _ and - with dots between."))
+            self.show_values([(n, *self.row(v)) for n, v in self.values.items()])
+            return
+        words = tr("Change {0}").format(name)
+        self.tell(lambda toml: writing.put_in(toml, "mqtt", "in", name, new), words)
+
+    def on_removed(self, row: int) -> None:
+        name = list(self.values)[row]
+        words = tr("Remove {0}").format(name)
+        self.tell(lambda toml: writing.put_in(toml, "mqtt", "in", name, None), words)
+
+    def on_added(self) -> None:
+        name = free("room/topic", self.values)
+        self.added(lambda toml: writing.put_in(toml, "mqtt", "in", name, "event:called"))
+
+
+class SettingsSection(RowsSection):
+    """What those who use the robot may change, on its settings page."""
+
+    def __init__(self, theme: Theme) -> None:
+        columns = (
+            Column(
+                title=tr("Label"),
+                make=lambda _, parent: Checked(str, parent),
+                share=3,
+                help=tr("What stands beside the field."),
+            ),
+            Column(
+                title=tr("Value"),
+                make=lambda _, parent: Checked(tag, parent),
+                share=3,
+                help=tr("The tag that is changed; it outlives a restart of the robot."),
+            ),
+            Column(title=tr("Kind"), make=_setting_kind, share=2),
+            Column(
+                title=tr("Choices"),
+                make=lambda _, parent: _Choices(parent),
+                share=3,
+                help=tr("For a choice: two or more, with commas between."),
+            ),
+        )
+        super().__init__(
+            theme,
+            tr("Settings for those who use the robot"),
+            tr("Each is a field on the robot's settings page and changes a value there."),
+            columns,
+            tr("a setting"),
+        )
+        self._settings: list[dict[str, Any]] = []
+        self._durable: list[str] = []
+
+    def show_tables(self, tables: Tables) -> None:
+        listed = tables.get("setting")
+        self._settings = (
+            [one for one in listed if isinstance(one, dict)] if isinstance(listed, list) else []
+        )
+        self._durable = _texts(_table(tables, "durable").get("tags"))
+        self.show_values([self._row(one) for one in self._settings])
+        for row, one in enumerate(self._settings):
+            self.rows.field(row, 3).setEnabled(one.get("type") == "choice")
+
+    def _row(self, one: dict[str, Any]) -> Sequence[Any]:
+        kind = one.get("type", "text")
+        return one.get("label", ""), one.get("tag", ""), kind, _texts(one.get("choices"))
+
+    def _kept(self, toml: Toml, name: str) -> Toml:
+        """A setting that is lost at a restart is none."""
+        good = [one for one in self._durable if names.is_pattern(one)]
+        if any(names.matches(one, name) for one in good):
+            return toml
+        return writing.put(toml, "durable", "tags", [*self._durable, name])
+
+    def on_changed(self, row: int, column: int, value: Any) -> None:
+        one = self._settings[row]
+        words = tr("Change the setting {0}").format(one.get("label") or one.get("tag", ""))
+
+        def change(toml: Toml) -> Toml:
+            key = ("label", "tag", "type", "choices")[column]
+            toml = writing.put_setting(toml, row, key, value or None)
+            if key == "tag":
+                return self._kept(toml, value)
+            if key == "type" and value == "choice" and not one.get("choices"):
+                usual = [tr("first"), tr("second")]
+                return writing.put_setting(toml, row, "choices", usual)
+            if key == "type" and value != "choice":
+                return writing.put_setting(toml, row, "choices", None)
+            return toml
+
+        self.tell(change, words)
+
+    def on_removed(self, row: int) -> None:
+        one = self._settings[row]
+        words = tr("Remove the setting {0}").format(one.get("label") or one.get("tag", ""))
+        self.tell(lambda toml: writing.remove_setting(toml, row), words)
+
+    def on_added(self) -> None:
+        name = free("setting.new", [one.get("tag", "") for one in self._settings])
+        values = {"tag": name, "label": tr("New setting"), "type": "text"}
+        self.added(lambda toml: self._kept(writing.add_setting(toml, values), name))
+
+
+class _Choices(Line):
+    """The choices of a setting, with commas between."""
+
+    def written(self, value: Any) -> str:
+        return ", ".join(value or ())
+
+    def read(self, text: str) -> Any:
+        found = [one.strip() for one in text.split(",") if one.strip()]
+        if len(found) < 2 or len(set(found)) < len(found):
+            raise ValueError(self.tr("Two or more, each once, with commas between."))
+        return found
+
+
+def _setting_kind(theme: Theme, parent: QWidget) -> Choice:
+    words = {
+        "text": tr("Text"),
+        "number": tr("Number"),
+        "time": tr("Time"),
+        "date": tr("Date"),
+        "boolean": tr("Yes or no"),
+        "choice": tr("Choice"),
+    }
+    made = Choice(theme, parent)
+    made.offer(tuple((kind, words.get(kind, kind)) for kind in SETTING_TYPES))
+    return made
+
+
+def _means(theme: Theme, parent: QWidget) -> Choice:
+    made = Choice(theme, parent)
+    made.offer((("event", tr("an event")), ("tag", tr("a value"))))
+    return made
+
+
+def _table(tables: Tables, name: str) -> Mapping[str, Any]:
+    found = tables.get(name)
+    return found if isinstance(found, dict) else {}
+
+
+def _texts(value: Any) -> list[str]:
+    return [one for one in value if isinstance(one, str)] if isinstance(value, list) else []
