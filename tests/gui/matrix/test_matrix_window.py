@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -132,3 +133,34 @@ def test_a_problem_found_later_is_marked_at_its_cell(
     tip = matrix.model.index(row, column).data(Qt.ItemDataRole.ToolTipRole)
     assert "who asked first would win" in tip
     assert matrix.model.index(row, len(matrix.model.modules) + 1).data() == "tie"
+
+
+def test_the_context_menu_of_the_cells_has_what_is_done_with_a_range(
+    studio: Start, project: Copy
+) -> None:
+    used = script(studio, project("conversation"))
+    used.window.show_mode("matrix")
+    click(used, "called", "face-caller")
+    used.key(Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
+    table = used.window.current_view.piece("matrix").table
+    QApplication.postEvent(
+        table.viewport(),
+        QContextMenuEvent(
+            QContextMenuEvent.Reason.Mouse,
+            table.visualRect(table.currentIndex()).center(),
+            table.viewport().mapToGlobal(table.visualRect(table.currentIndex()).center()),
+        ),
+    )
+    used.settle()
+    menu = used.window.context_menus.shown
+    inside = [a for one in menu.actions() if one.menu() for a in one.menu().actions()]
+    texts = [a.text() for a in (*menu.actions(), *inside)]
+    wanted = ["Cut", "Copy", "Paste", "Fill down", "Fill to the right", "Clear the cells", "Rename"]
+    assert [text for text in wanted if text not in texts] == []
+    assert "Duplicate" not in texts
+    menu.close()
+    used.settle()
+    used.window.actions_.actions["cells.fill_down"].trigger()
+    assert own(used, "sound") == {"gaze-sound": 60, "face-caller": 70}
+    used.window.show_mode("graph")
+    assert not used.window.actions_.actions["cells.fill_down"].isEnabled()
