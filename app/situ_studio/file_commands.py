@@ -9,7 +9,7 @@ from pathlib import Path
 from situ.document.beginning import project_name
 from situ.errors import SituError
 from situ_studio import projects
-from situ_studio.opening import Found, Opening, is_large
+from situ_studio.opening import is_large, read_into
 from situ_studio.situation_commands import SituationCommands
 
 
@@ -78,28 +78,10 @@ class FileCommands(SituationCommands):
 
     def _read(self, path: Path) -> None:
         """Opens a project here; a large one is read beside the window, and can be cancelled."""
-        if not is_large(path):
+        if is_large(path):
+            read_into(self._window, path, self._window.dialogs.tell)
+        else:
             self._window.open_project(path)
-            return
-        window = self._window
-        opening = Opening(window)
-        work = window.status.work.begin(self.tr("Reading {0}").format(path.name), opening.cancel)
-        work.ended.connect(opening.deleteLater)
-
-        def taken(found: Found) -> None:
-            work.end()
-            # Somebody may have gone on with the one that is still open.
-            if window.may_leave():
-                self._try(lambda: window.take_project(found, path))
-
-        def refused(why: str) -> None:
-            work.end()
-            if why:
-                window.dialogs.tell(why)
-
-        opening.read.connect(taken)
-        opening.refused.connect(refused)
-        opening.start(path)
 
     def forget_recent(self, path: str) -> None:
         """Takes a project off the list of recent ones; its files stay."""

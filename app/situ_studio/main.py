@@ -199,6 +199,8 @@ def _use(qt: QApplication, options: argparse.Namespace, log: LogFile) -> int:
         if window is None:
             window = _window(options, windows)
             window.show()
+            if options.view is None:
+                windows.recall(window)
         if options.connect is not None:
             window.robot.connect_robot(options.connect)
         status = int(qt.exec())

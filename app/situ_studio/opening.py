@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, Signal
 
@@ -11,6 +13,9 @@ from situ.document import folder
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.errors import SituError
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
 
 LARGE = 500_000
 """Bytes of documents from which on a project is read in a thread."""
@@ -75,3 +80,31 @@ class Opening(QObject):
             raise found
         else:
             self.read.emit(found)
+
+
+def read_into(window: MainWindow, path: Path, refused: Callable[[str], object]) -> None:
+    """Reads a project beside ``window`` and opens it there; its strip shows it, with *Cancel*.
+
+    refused: gets why it can not be opened, in one line; "" where a fault was told already.
+    """
+    opening = Opening(window)
+    work = window.status.work.begin(window.tr("Reading {0}").format(path.name), opening.cancel)
+    work.ended.connect(opening.deleteLater)
+
+    def on_read(found: Found) -> None:
+        work.end()
+        # Somebody may have gone on with the one that is still open.
+        if not window.may_leave():
+            return
+        try:
+            window.take_project(found, path)
+        except (SituError, OSError) as error:
+            refused(str(error))
+
+    def on_refused(why: str) -> None:
+        work.end()
+        refused(why)
+
+    opening.read.connect(on_read)
+    opening.refused.connect(on_refused)
+    opening.start(path)

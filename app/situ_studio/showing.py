@@ -1,19 +1,31 @@
-"""What a window shows of its project, as a value: to be shown again by another window."""
+"""What a window shows of its project, as a value: to be shown again by another window, and when
+the project is opened the next time (kept in the settings, never in the project's files)."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+import msgspec
 from msgspec import Struct
+from msgspec.structs import replace
+from PySide6.QtCore import QEvent, QSettings
+from PySide6.QtWidgets import QApplication
 
 from situ_studio import places
+from situ_studio.claim import key
 from situ_studio.edit import Document, Place
+from situ_studio.recent import recent
 from situ_studio.session import Looking
 
 if TYPE_CHECKING:
     from situ_studio.document_view import DocumentView
     from situ_studio.sides import Group
     from situ_studio.window import MainWindow
+
+
+KEPT = "shown"
+"""Where the settings keep it."""
 
 
 class Shown(Struct, frozen=True):
@@ -66,6 +78,36 @@ def showing(window: MainWindow) -> Showing:
         window.bottom.is_folded,
         window.stack.currentIndex() == 0,
     )
+
+
+def keep(settings: QSettings, window: MainWindow) -> None:
+    """Keeps how the window's project is shown, for when it is opened again; of those that were
+    open lately. A window that was not seen yet has shown nothing."""
+    project = window.session.project
+    if project is None or project.toml is None or not window.isVisible():
+        return
+    root = window.session.root
+    known = {key(Path(path)) for path in recent(settings)} | {key(root)}
+    settings.beginGroup(KEPT)
+    for other in settings.childKeys():
+        if other not in known:
+            settings.remove(other)
+    settings.setValue(key(root), msgspec.json.encode(showing(window)).decode())
+    settings.endGroup()
+
+
+def recall(settings: QSettings, window: MainWindow) -> None:
+    """Shows the window's project as it was shown the last time, if that is known."""
+    if window.session.project is None:
+        return
+    try:
+        kept = str(settings.value(f"{KEPT}/{key(window.session.root)}", ""))
+        wanted = msgspec.json.decode(kept, type=Showing)
+    except msgspec.MsgspecError:
+        return
+    # Where a canvas looks hangs on its size, which it has once it is laid out.
+    QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+    show_again(window, replace(wanted, welcome=False))
 
 
 def _open(window: MainWindow, group: Group) -> Open:

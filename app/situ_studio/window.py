@@ -39,7 +39,8 @@ from situ_studio.parts import PartsSide
 from situ_studio.recovery import Recovery
 from situ_studio.robot import RobotSide
 from situ_studio.session import Looking, Session
-from situ_studio.showing import show_as, show_beside
+from situ_studio.showing import keep as keep_shown
+from situ_studio.showing import recall, show_as, show_beside
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Lexicon
 from situ_studio.welcome import Example
@@ -156,15 +157,19 @@ class MainWindow(Frame):
 
     def open_project(self, path: Path) -> None:
         """Opens a project; UsageError, with one line for the user, where it can not be read."""
+        keep_shown(self.settings, self)
         self.session.open(path)
         self._on_open(path)
 
     def take_project(self, found: Found, path: Path) -> None:
         """Opens what was read at ``path``; as ``open_project``."""
+        keep_shown(self.settings, self)
         self.session.take(*found, path)
         self._on_open(path)
 
     def _on_open(self, path: Path) -> None:
+        if self.isVisible():
+            recall(self.settings, self)
         self.remember(path)
         if self.claim.take(self.session.root):
             folder.clear_unfinished(self.session.root)
@@ -682,6 +687,7 @@ class MainWindow(Frame):
             return
         self.designing.leave()
         self.keep()
+        keep_shown(self.settings, self)
         self.recovery.forget()
         self.claim.release()
         self.disconnect_robot()

@@ -13,8 +13,9 @@ from PySide6.QtWidgets import QApplication
 from situ.errors import SituError
 from situ_studio.language import SYSTEM, Speaking, language_of
 from situ_studio.log_file import LogFile
+from situ_studio.opening import is_large, read_into
 from situ_studio.session import Session
-from situ_studio.showing import Showing, show_again, showing
+from situ_studio.showing import keep, recall, show_again, showing
 from situ_studio.welcome import Example
 from situ_studio.window import MainWindow
 
@@ -27,7 +28,7 @@ class Kept(Struct, frozen=True):
 
     root: str
     geometry: str
-    showing: Showing
+    welcome: bool = False
 
 
 class Windows(QObject):
@@ -51,6 +52,7 @@ class Windows(QObject):
         self._examples = examples
         self._theme = theme
         self._quitting = False
+        self._reading: dict[MainWindow, Kept] = {}
         self.log: LogFile | None = None
         self.windows: list[MainWindow] = []
         self.language = language or str(settings.value("language", SYSTEM))
@@ -98,6 +100,7 @@ class Windows(QObject):
             self._forget(window)
 
     def _forget(self, window: MainWindow) -> None:
+        self._reading.pop(window, None)
         if window in self.windows:
             self.windows.remove(window)
 
@@ -115,8 +118,27 @@ class Windows(QObject):
         return None
 
     def show_project(self, path: Path) -> None:
-        """Opens a project in a window of its own. Raises UsageError as ``open_window``."""
-        self._show(self.open_window(path))
+        """Opens a project in a window of its own, a large one once it is read. Raises UsageError
+        as ``open_window``."""
+        if not is_large(path):
+            window = self.open_window(path)
+            self._show(window)
+            recall(self._settings, window)
+            return
+        window = self.open_window()
+        self._show(window)
+        read_into(window, path, lambda why: self._on_refused(window, why))
+
+    def _on_refused(self, window: MainWindow, why: str) -> None:
+        """A project can not be read into its window: it is not in the way of the others."""
+        self._reading.pop(window, None)
+        if len(self.windows) > 1:
+            self._forget(window)
+            window.asked = True
+            window.close()
+            window.deleteLater()
+        if why and self.windows:
+            self.windows[0].say(why)
 
     def _show(self, window: MainWindow) -> None:
         window.move(window.pos() + ASIDE)
@@ -163,40 +185,61 @@ class Windows(QObject):
         """Keeps what is open for the next start."""
         if self._quitting:
             return
-        every = [
-            Kept(
-                str(window.session.root.resolve()),
-                bytes(window.saveGeometry().toBase64().data()).decode(),
-                showing(window),
-            )
-            for window in self.windows
-            if window.session.project is not None and window.session.project.toml is not None
-        ]
+        every = []
+        for window in self.windows:
+            project = window.session.project
+            if project is not None and project.toml is not None:
+                keep(self._settings, window)
+                geometry = bytes(window.saveGeometry().toBase64().data()).decode()
+                welcome = window.stack.currentIndex() == 0
+                every.append(Kept(str(window.session.root.resolve()), geometry, welcome))
+            elif window in self._reading:
+                every.append(self._reading[window])
         self._settings.setValue("open", msgspec.json.encode(every).decode())
 
     def restore(self) -> MainWindow | None:
         """Opens and shows what was open at the end, the first window of it; None where nothing
-        was, or nothing of it is there any more."""
+        was, or nothing of it is there any more. Large projects are read while their windows are
+        seen, each by itself."""
         try:
             every = msgspec.json.decode(str(self._settings.value("open", "[]")), type=list[Kept])
         except msgspec.MsgspecError:
             return None
         missing = []
         for one in every:
+            path = Path(one.root)
+            if is_large(path):
+                self._read_again(one)
+                continue
             try:
-                window = self.open_window(Path(one.root))
+                window = self.open_window(path)
             except SituError:
                 missing.append(one.root)
                 continue
-            window.restoreGeometry(QByteArray.fromBase64(one.geometry.encode()))
-            window.show()
-            QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
-            show_again(window, one.showing)
+            self._show_again(window, one)
+            recall(self._settings, window)
+            if one.welcome:
+                window.show_welcome()
         if missing:
             shown = self.windows[0] if self.windows else self.open_window()
             shown.show()
             shown.say(self.tr("Not there any more: {0}").format(", ".join(missing)))
         return self.windows[0] if self.windows else None
+
+    def recall(self, window: MainWindow) -> None:
+        """The window's project is shown as it was the last time."""
+        recall(self._settings, window)
+
+    def _show_again(self, window: MainWindow, one: Kept) -> None:
+        window.restoreGeometry(QByteArray.fromBase64(one.geometry.encode()))
+        window.show()
+
+    def _read_again(self, one: Kept) -> None:
+        window = self.open_window()
+        # Whoever quits before it is read has it open at the next start all the same.
+        self._reading[window] = one
+        self._show_again(window, one)
+        read_into(window, Path(one.root), lambda why: self._on_refused(window, why))
 
     def new_window(self) -> None:
         """A window with the welcome page, beside the others."""

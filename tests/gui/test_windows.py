@@ -15,6 +15,7 @@ from tests.gui.conftest import Studio
 
 from situ_studio.claim import Claim
 from situ_studio.language import Speaking
+from situ_studio.showing import showing
 from situ_studio.windows import Windows
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -131,6 +132,86 @@ def test_what_was_open_is_open_again(
     assert two.current_view is not None
     assert two.current_view.mode == "outline"
     Studio(one).settle()
+
+
+def test_a_project_comes_back_as_it_was_left_whenever_it_is_opened(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    window = used.window
+    folder = window.session.root
+    window.open_file("register.rbd.xml")
+    used.key(Qt.Key.Key_Backslash, CONTROL)
+    window.open_file("reception.rbd.xml")
+    used.key(Qt.Key.Key_3, CONTROL)
+    used.select("state", "11")
+    for _ in range(3):
+        used.key(Qt.Key.Key_Plus, CONTROL)
+    window.sides.set_sizes((300, 500))
+    used.settle()
+    left = showing(window)
+    assert left.groups[1].documents["reception.rbd.xml"].mode == "split"
+    window.open_project(project("conversation"))
+    used.settle()
+    assert len(window.sides.groups) == 1
+    window.open_project(folder)
+    used.settle()
+    assert showing(window) == left
+    assert window.inspector.place == ("state", "11")
+
+
+LARGE = "x" * 600_000
+
+
+def test_large_projects_are_read_again_each_by_itself_while_their_windows_are_seen(
+    studio: Start, project: Copy, settings: QSettings, qt: QApplication
+) -> None:
+    first = studio(project("reception"))
+    second = opened_beside(first, project("conversation"))
+    roots = [first.session.root, second.session.root]
+    second.window.show_mode("outline")
+    press(second, Qt.Key.Key_Q, CONTROL)
+    for root in roots:
+        (root / "unused.xml").write_text(LARGE)
+    (roots[0] / "situ.toml").unlink()
+    speaking = qt.findChild(Speaking)
+    assert speaking is not None
+    again = Windows(settings, speaking, list)
+    shown = again.restore()
+    assert shown is not None
+    failing, whole = again.windows
+    assert [w.session.project for w in again.windows] == [None, None]
+    assert [len(w.status.work.going) for w in again.windows] == [1, 1]
+    # Who leaves before they are read has them the next time.
+    again.remember()
+    assert all(str(root) in settings.value("open") for root in roots)
+    while whole.session.project is None or failing in again.windows:
+        QApplication.processEvents()
+    assert whole.current_view is not None
+    assert whole.current_view.mode == "outline"
+    assert whole.status.work.going == []
+    assert again.windows == [whole]
+    assert failing not in again.windows
+    assert "situ.toml" in whole.status.said.text()
+
+
+def test_a_large_project_whose_reading_is_cancelled_leaves_the_welcome_page(
+    studio: Start, project: Copy, settings: QSettings, qt: QApplication
+) -> None:
+    used = studio(project("reception"))
+    root = used.session.root
+    press(used, Qt.Key.Key_Q, CONTROL)
+    (root / "unused.xml").write_text(LARGE)
+    speaking = qt.findChild(Speaking)
+    assert speaking is not None
+    again = Windows(settings, speaking, list)
+    window = again.restore()
+    assert window is not None
+    window.status.work.cancel()
+    assert window.status.work.going == []
+    assert window.stack.currentIndex() == 0
+    Studio(window).settle()
+    assert window.session.project is None
 
 
 def test_windows_closed_one_by_one_leave_the_last_to_be_open_again(
