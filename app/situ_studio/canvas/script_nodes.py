@@ -16,6 +16,8 @@ from situ_studio.canvas.style import Label, Look
 from situ_studio.language import tr
 
 RADIUS = 8.0
+SMALLEST = 11.0
+"""Px on the screen of a name in a small drawing (tokens.md, *Level of detail*)."""
 
 
 class ScriptItem(NodeFace):
@@ -27,6 +29,7 @@ class ScriptItem(NodeFace):
         super().__init__(name, parent)
         self._laid: tuple[object, ...] | None = None
         self._texts: dict[str, Label] = {}
+        self._short_pixels = 13
         self.chosen_rows: frozenset[str] = frozenset()
         """Lines of a condition that are selected, by their paths."""
 
@@ -47,7 +50,8 @@ class ScriptItem(NodeFace):
     def _lay_out(self, look: Look) -> None:
         node = self.face
         detail = self._detail(look)
-        key = (id(node), look.version, detail)
+        half = round(look.zoom, 3) if look.level == "half" else 0.0
+        key = (id(node), look.version, detail, half)
         if self._laid == key:
             return
         self._laid = key
@@ -62,10 +66,22 @@ class ScriptItem(NodeFace):
             "joint": Label(joint_word(node.joint), 11, 600, STRIP - 2),
             "until": Label(tr("until"), 11, 600, STRIP - 2),
         }
+        if half:
+            # As large on the screen as can be read, and nothing else.
+            pixels = self._short_pixels = round(max(13.0, SMALLEST / half))
+            self._texts["short"] = Label(self._short(), pixels, 600, node.width - STRIP - 14)
         for row in node.rows:
             inner = room + 4 - INDENT * row.depth
             weight = 600 if row.group else 500
             self._texts[f"row {row.path}"] = Label(row.text, 12, weight, inner)
+
+    def _short(self) -> str:
+        """What a node says where it is small."""
+        node = self.face
+        if node.kind != "condition":
+            return node.name
+        tests = [row for row in node.rows if not row.group]
+        return tests[0].text if len(tests) == 1 else tr("{0} tests").format(len(tests))
 
     def _detail(self, look: Look) -> str:
         node, live = self.face, look.live
@@ -144,11 +160,14 @@ class ScriptItem(NodeFace):
         painter.drawRoundedRect(area, RADIUS, RADIUS)
         kind_color = look["live"] if lit else look[node.kind]
         self._paint_strip(painter, look, kind_color)
-        if node.kind == "condition":
+        if look.level == "half":
+            label = self._texts["short"]
+            label.draw(painter, 38, node.height / 2 + 0.36 * self._short_pixels, look["text"])
+        elif node.kind == "condition":
             self._paint_rows(painter, look)
         else:
             self._paint_lines(painter, look, detail=self._detail(look))
-        if node.number:
+        if node.number and look.level == "full":
             box = QRectF(node.width - 26, 8, 18, 16)
             box.moveTop(node.stack()[0][1] - 8)
             painter.setPen(Qt.PenStyle.NoPen)
