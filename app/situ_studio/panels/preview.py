@@ -76,20 +76,24 @@ class ScreenPreview(QWidget):
         if self.rect().contains(event.position().toPoint()):
             self.clicked.emit()
 
+    def paint_screen(self, painter: QPainter, rect: QRectF, screen: rbd.Screen) -> None:
+        """Paints a screen as this one is shown."""
+        paint_screen(
+            painter,
+            rect,
+            screen,
+            self._above,
+            self._media,
+            device=self._device,
+            values=self._values,
+        )
+
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         rect = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
         if self._screen is not None:
-            paint_screen(
-                painter,
-                rect,
-                self._screen,
-                self._above,
-                self._media,
-                device=self._device,
-                values=self._values,
-            )
+            self.paint_screen(painter, rect, self._screen)
             painter.setBrush(Qt.BrushStyle.NoBrush)
         else:
             painter.setBrush(self._theme.color("field"))

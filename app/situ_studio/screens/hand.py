@@ -53,6 +53,11 @@ class Hand:
         """The rubber band, while there is one."""
         return self._drag.box if isinstance(self._drag, Banding) else None
 
+    @property
+    def moves(self) -> bool:
+        """Whether components go with the mouse, as large as they are."""
+        return isinstance(self._drag, Moving)
+
     def press(self, at: QPointF, held: Qt.KeyboardModifier) -> None:
         sheet = self._sheet
         self.cancel()

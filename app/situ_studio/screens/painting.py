@@ -23,6 +23,7 @@ DEVICE = QSize(1280, 800)
 """The robot's screen in px, unless another is given."""
 ROUND = 4
 """px of the corners of what is painted."""
+ALL = slice(None)
 
 
 def paint_screen(
@@ -51,8 +52,13 @@ def paint_content(
     content: Content,
     media: Path | None = None,
     device: QSize = DEVICE,
+    part: slice = ALL,
 ) -> None:
-    """Paints what is on a robot's screen into ``rect``, as ``paint_screen``."""
+    """Paints what is on a robot's screen into ``rect``, as ``paint_screen``.
+
+    part: which of the components; the ground is painted with the first. All of them count for
+    the size of letters.
+    """
     size = layer(device)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -63,9 +69,10 @@ def paint_content(
     painter.translate(rect.topLeft())
     painter.scale(rect.width() / size.width(), rect.height() / size.height())
     whole = QRectF(0, (size.height() - device.height()) / 2, device.width(), device.height())
-    _ground(painter, whole, picture(media, content.background or ""))
+    if not part.start:
+        _ground(painter, whole, picture(media, content.background or ""))
     stage = Stage(size, content, media)
-    for one in content.components:
+    for one in content.components[part]:
         _component(painter, stage, one)
     painter.restore()
 

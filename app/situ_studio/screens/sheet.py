@@ -32,7 +32,8 @@ from situ_studio.screens import accessible, keyboard, marks, placing
 from situ_studio.screens.drags import Proposal
 from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import Box
-from situ_studio.screens.shown import Values
+from situ_studio.screens.resting import Resting
+from situ_studio.screens.shown import Values, content
 from situ_studio.screens.writing import Writing
 from situ_studio.theme import LIGHT, Theme
 
@@ -68,6 +69,9 @@ class Sheet(ScreenPreview):
         self._chosen: tuple[str, ...] = ()
         self._proposal: Proposal | None = None
         self._proposed: rbd.Screen | None = None
+        self._resting: Resting | None = None
+        self._kept: rbd.Screen | None = None
+        """The screen of the document, while what is proposed is painted in its place."""
         self._all_above: tuple[rbd.Component, ...] = ()
         self._shows_above = True
         self._hand = Hand(self)
@@ -168,6 +172,8 @@ class Sheet(ScreenPreview):
     def propose(self, proposal: Proposal | None) -> None:
         """Paints components where they would lie; None: where they do."""
         self._proposal = self._proposed = None
+        if proposal is None:
+            self._resting = None
         if proposal is not None and self._screen is not None:
             self._proposal = proposal
             self._proposed = placing.placed(self._screen, proposal.boxes)
@@ -301,13 +307,25 @@ class Sheet(ScreenPreview):
     # -- painting ------------------------------------------------------------------------
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        kept = self._screen
+        kept = self._kept = self._screen
         self._screen = self._proposed if self._proposed is not None else kept
         try:
             super().paintEvent(event)
             self._paint_marks()
         finally:
-            self._screen = kept
+            self._screen, self._kept = kept, None
+
+    def paint_screen(self, painter: QPainter, rect: QRectF, screen: rbd.Screen) -> None:
+        """What is not dragged is painted once in a drag, while no sizes change."""
+        before, proposal = self._kept, self._proposal
+        if before is None or proposal is None or not self._hand.moves:
+            super().paint_screen(painter, rect, screen)
+            return
+        if self._resting is None:
+            shown = content(before, self._above, self._values)
+            count = len(before.components)
+            self._resting = Resting(shown, count, proposal.boxes, self._media, self._device)
+        self._resting.paint(painter, rect, content(screen, self._above, self._values))
 
     def _paint_marks(self) -> None:
         # The robot's screen is light in both themes, and so is what stands on it.

@@ -52,9 +52,10 @@ class Player:
         if not boxes:
             return self.spot()
         box = self.random.choice(boxes)
-        return self.page.at(
+        at: QPoint = self.page.at(
             box.x + self.random.random() * box.width, box.y + self.random.random() * box.height
         )
+        return at
 
     # -- gestures ------------------------------------------------------------------------
 

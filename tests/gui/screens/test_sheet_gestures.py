@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 
 from situ_studio import places
 from situ_studio.screens import marks
+from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import around, box_of
 
 LEFT = Qt.MouseButton.LeftButton
@@ -170,3 +171,28 @@ def test_a_component_dropped_on_a_state_without_a_screen_makes_its_screen_in_one
     assert [c.element for c in made.components] == ["text"]
     page.undo()
     assert page.document == before
+
+
+@pytest.mark.parametrize("id", ["question", "robot", "goodbye"])
+def test_what_rests_while_one_is_moved_is_painted_as_if_all_were(
+    page: Page, id: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sheet = page.sheet
+    QTest.mousePress(sheet, LEFT, NONE, page.middle(id))
+    page.sheet_move(page.middle(id) + page.at(5, 6), ALT)
+    first = sheet.grab().toImage()
+    page.sheet_move(page.middle(id) + page.at(-4, -9), ALT)
+    moved = sheet.grab().toImage()
+    monkeypatch.setattr(Hand, "moves", False)
+    whole = sheet.grab().toImage()
+    assert first != whole
+    for y in range(0, whole.height(), 3):
+        for x in range(0, whole.width(), 3):
+            one, other = moved.pixelColor(x, y), whole.pixelColor(x, y)
+            for a, b in zip(one.getRgb(), other.getRgb(), strict=True):
+                assert abs(a - b) <= 3, (x, y)
+    QTest.keyClick(sheet, Qt.Key.Key_Escape)
+    QTest.mouseRelease(sheet, LEFT, NONE, page.middle(id))
+    monkeypatch.undo()
+    page.settle()
+    assert not sheet._resting
