@@ -49,7 +49,8 @@ class Breadcrumbs(QFrame):
         for level, name in enumerate(names[:-1]):
             button = QPushButton(name)
             button.setCursor(Qt.CursorShape.PointingHandCursor)
-            button.setAccessibleName(self.tr("Back to {0}").format(name))
+            button.setToolTip(self.tr("Back to {0}").format(name))
+            button.setAccessibleName(button.toolTip())
             button.clicked.connect(lambda _=False, at=level: self.asked.emit(at))
             self._line.addWidget(button)
             self._line.addWidget(QLabel("›"))

@@ -22,11 +22,14 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import recent, tab_order
+from situ_studio.actions import command
 from situ_studio.breadcrumbs import Breadcrumbs
 from situ_studio.docking import FOLDED, Docking
 from situ_studio.document_tabs import DocumentTabs
 from situ_studio.document_view import DocumentView
 from situ_studio.find import FindAnything
+from situ_studio.help_texts import explained
+from situ_studio.help_topics import HELP
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.keys import Keys
 from situ_studio.menus import Actions
@@ -217,6 +220,8 @@ class Frame(QMainWindow):
             "text3",
             14,
         )
+        self.search.setToolTip(explained(command("find")))
+        self.search.setProperty(HELP, "command/find")
         self.search.setFixedWidth(304)
         line = QHBoxLayout(self.search)
         line.setContentsMargins(0, 0, 7, 0)

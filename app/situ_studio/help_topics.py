@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from msgspec import Struct
+from PySide6.QtWidgets import QWidget
 
 from situ_studio import actions, kinds
 from situ_studio.actions import Command
@@ -48,6 +49,17 @@ def topics() -> dict[str, Topic]:
 def field_topic(kind: Kind, field: Field) -> str:
     """The id of a field's topic."""
     return f"field/{kind.name}.{field.attribute}"
+
+
+def explain(widget: QWidget, kind: str, attribute: str) -> None:
+    """Gives a widget the tip and the topic of a field of the table of kinds.
+
+    KeyError, or StopIteration, where there is no such field.
+    """
+    row = kinds.kind(kind)
+    field = next(one for one in row.fields if one.attribute == attribute)
+    widget.setToolTip(translated(field.help))
+    widget.setProperty(HELP, field_topic(row, field))
 
 
 def command_topic(command: Command) -> str:

@@ -134,7 +134,7 @@ class HelpWindow(QWidget):
     def found(self, text: str) -> list[Topic]:
         """The topics that have every word of ``text``; those whose title has them first."""
         wanted = text.casefold().split()
-        ranked = []
+        ranked: list[tuple[bool, int, int, Topic]] = []
         for topic in self._topics.values():
             rows = " ".join(f"{name} {said}" for name, said in topic.rows)
             whole = f"{topic.title} {' '.join(topic.paragraphs)} {rows}".casefold()

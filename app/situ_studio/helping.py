@@ -5,8 +5,8 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QHelpEvent, QKeyEvent
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF
+from PySide6.QtGui import QAction, QHelpEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWhatsThis, QWidget
 
 from situ_studio import kinds, places
@@ -48,8 +48,15 @@ class HelpSide(QObject):
     # -- asking ------------------------------------------------------------------------
 
     def open(self) -> None:
-        """Explains what has the keyboard, or what is selected there."""
-        self.show_topic(self.topic_at_focus())
+        """Explains the entry that is marked in an open menu; else what has the keyboard, or what is
+        selected there.
+        """
+        menu = QApplication.activePopupWidget()
+        marked = menu.activeAction() if isinstance(menu, QMenu) else None
+        topic = self.topic_of_action(marked) if marked is not None else self.topic_at_focus()
+        while (popup := QApplication.activePopupWidget()) is not None:
+            popup.close()
+        self.show_topic(topic)
 
     def ask(self) -> None:
         """The next click is explained, and does nothing else."""
@@ -154,7 +161,7 @@ class HelpSide(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if isinstance(watched, QMenu):
-            return self._in_menu(watched, event)
+            return self._in_menu(event)
         if event.type() == QEvent.Type.StyleChange and watched is self._window:
             self._settle_theme()
         if event.type() not in _ASKED or not isinstance(event, QHelpEvent):
@@ -175,16 +182,14 @@ class HelpSide(QObject):
         if self.shown is not None:
             self.shown.set_theme(self._window.theme)
 
-    def _in_menu(self, menu: QMenu, event: QEvent) -> bool:
-        """F1 explains the entry that is marked, and closes the menus."""
-        pressed = event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent)
-        if not pressed or event.key() != Qt.Key.Key_F1:  # type: ignore[attr-defined]
+    def _in_menu(self, event: QEvent) -> bool:
+        """Shortcuts do not reach an open menu: its keys are listened to."""
+        if event.type() != QEvent.Type.KeyPress or not isinstance(event, QKeyEvent):
             return False
-        action = menu.activeAction()
-        topic = self.topic_of_action(action) if action is not None else ""
-        while (popup := QApplication.activePopupWidget()) is not None:
-            popup.close()
-        self.show_topic(topic)
+        keys = self._window.actions_.actions["help"].shortcuts()
+        if QKeySequence(event.keyCombination()) not in keys:
+            return False
+        self.open()
         return True
 
     def _said(self, id: str) -> tuple[str, str]:

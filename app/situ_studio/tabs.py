@@ -49,6 +49,7 @@ class Segments(QFrame):
                 button = QPushButton(text)
             button.setCheckable(True)
             button.setAccessibleName(text)
+            button.setToolTip(f"{words}: {text}")
             button.clicked.connect(lambda _=False, n=name: self.chosen.emit(n))
             self._group.addButton(button)
             self._buttons[name] = button

@@ -44,6 +44,7 @@ class Chip(QAbstractButton):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setAccessibleName(name)
+        self.setToolTip(name)
         self._size = QSize()
         self._told: tuple[str, bool, str] | None = None
 

@@ -42,6 +42,8 @@ class MatrixView(QWidget):
     activated = Signal(tuple)
     status = Signal(str)
     menu_requested = Signal(tuple, QPoint)
+    supposed = Signal(object)
+    """What follows from *what if*, as a ``LiveScript``; None where nothing is supposed."""
 
     def __init__(self, setting: Setting) -> None:
         super().__init__(setting.parent)
@@ -86,6 +88,7 @@ class MatrixView(QWidget):
         ):
             button = ThemedButton(theme, "plus", text, "link", "text2", 12)
             button.setAccessibleName(self.tr("Add: {0}").format(text))
+            button.setToolTip(button.accessibleName())
             button.setObjectName(f"add_{icon}")
             # By keys the same is had from the menu, and the table is the first to have the focus.
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -186,6 +189,18 @@ class MatrixView(QWidget):
     def _on_answer(self, answer: Answer | None) -> None:
         self._answer = answer
         self._mark()
+        self.supposed.emit(self._as_live(answer) if answer is not None else None)
+
+    def _as_live(self, answer: Answer) -> LiveScript:
+        strip = self.what_if
+        asked = self.model.grid.asked.by_module if self.model.grid is not None else {}
+        return LiveScript(
+            answer.situation,
+            frozenset(answer.holds),
+            {resource: held.module for resource, held in answer.holdings.items()},
+            {module: uses for module, uses in asked.items() if module not in strip.silent and uses},
+            dict(strip.values),
+        )
 
     def _mark(self) -> None:
         answer, live = self._answer, self._live

@@ -11,6 +11,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, QWidget
 
 from situ.document.condition import Condition, Group, GroupName, Test
+from situ_studio.help_topics import explain
 from situ_studio.icon_widgets import IconButton, IconLabel
 from situ_studio.kinds import GROUPS, TESTS
 from situ_studio.language import translated
@@ -65,26 +66,24 @@ class TestBox(QFrame):
         column.addLayout(second)
         third = QHBoxLayout()
         third.setSpacing(6)
-        self.within = self._seconds(
-            third, self.tr("within"), self.tr("The tag was set less than so many seconds ago.")
-        )
-        self.hold = self._seconds(
-            third, self.tr("for"), self.tr("It has held without a break for so many seconds.")
-        )
+        self.within = self._seconds(third, self.tr("within"), "within")
+        self.hold = self._seconds(third, self.tr("for"), "hold")
         column.addLayout(third)
+        for name in ("tag", "test", "value", "within", "hold"):
+            explain(getattr(self, name), "condition", name)
         self.tag.committed.connect(lambda v: self._change(tag=v))
         self.test.committed.connect(self._on_test)
         self.value.committed.connect(self._on_value)
         self.within.committed.connect(lambda v: self._change(within=v))
         self.hold.committed.connect(lambda v: self._change(hold=v))
 
-    def _seconds(self, line: QHBoxLayout, words: str, tip: str) -> Number:
+    def _seconds(self, line: QHBoxLayout, words: str, name: str) -> Number:
         label = QLabel(words)
         label.setProperty("role", "label")
+        explain(label, "condition", name)
         line.addWidget(label)
         field = Number(unit=translated("s"), above=True)
         field.setAccessibleName(words)
-        field.setToolTip(tip)
         line.addWidget(field, 1)
         return field
 
@@ -176,6 +175,7 @@ class GroupBox(QFrame):
         first.addWidget(IconLabel(theme, "condition", "condition", 15))
         self.kind = Choice(theme)
         self.kind.setAccessibleName(self.tr("Group"))
+        self.kind.setToolTip(self.tr("How many of the tests in it must hold"))
         self.kind.offer(tuple((kind, translated(words)) for kind, words in GROUPS))
         self.kind.committed.connect(lambda kind: self.changed.emit(str(kind)))
         first.addWidget(self.kind, 1)

@@ -150,6 +150,7 @@ class PairsEditor(QWidget):
                     field = Line()
                     field.setPlaceholderText(translated(column.words))
                 field.setAccessibleName(translated(column.words))
+                field.setToolTip(translated(column.words))
                 field.setMinimumWidth(30)
                 field.committed.connect(
                     lambda v, i=index, c=column: self._change(i, c.attribute, v)

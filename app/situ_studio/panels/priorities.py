@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.document.spds import Entry, Situation, Spds
+from situ_studio.help_topics import explain
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import clear, rule
 from situ_studio.panels.fields import Choice, Number
@@ -74,7 +75,8 @@ class PrioritiesEditor(QFrame):
             priority = Number(whole=True)
             priority.setPlaceholderText(self.tr("none"))
             priority.setAccessibleName(self.tr("Priority"))
-            priority.setToolTip(self.tr("The higher wins; empty: taken away here."))
+            explain(module, "entry", "module")
+            explain(priority, "entry", "priority")
             priority.setFixedWidth(56)
             priority.committed.connect(lambda v, i=index: self._change(i, priority=v))
             line.addWidget(priority)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document import rbd
+from situ_studio.help_topics import explain
 from situ_studio.language import translated
 from situ_studio.panels.fields import (
     Choice,
@@ -44,7 +45,6 @@ class TimeoutRows(QWidget):
         self.seconds = Number(unit=translated("s"), above=True)
         self.seconds.setPlaceholderText(self.tr("none"))
         self.seconds.setAccessibleName(self.tr("Timeout"))
-        self.seconds.set_help(self.tr("After so many seconds without an event the state is left."))
         label.setBuddy(self.seconds)
         grid.addWidget(self.seconds, 0, 1)
         self._then = QLabel(self.tr("then to"))
@@ -54,11 +54,17 @@ class TimeoutRows(QWidget):
         self.next.setAccessibleName(self.tr("The timeout leads to"))
         grid.addWidget(self.next, 1, 1)
         self.idle = Flag(theme, self.tr("only when idle"))
-        self.idle.setToolTip(
-            self.tr("Counted anew after each touch and speech; still while the robot speaks.")
-        )
         grid.addWidget(self.idle, 2, 1)
         grid.setColumnStretch(1, 1)
+        for widget, name in (
+            (label, "seconds"),
+            (self.seconds, "seconds"),
+            (self._then, "next"),
+            (self.next, "next"),
+            (self.idle, "idle"),
+        ):
+            explain(widget, "timeout", name)
+        self.seconds.set_help(self.seconds.toolTip())
         self.seconds.committed.connect(self._on_seconds)
         self.next.committed.connect(lambda v: self._change(next=v))
         self.idle.committed.connect(lambda v: self._change(idle=v))
