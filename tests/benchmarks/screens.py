@@ -18,6 +18,7 @@ MANY, FEW = 100, 10
 SIZE = (1_000, 625)
 FRAME = 16.0
 STATES = 20
+BARE = "a bare widget that paints as many boxes"
 
 PROJECT = '[project]\nname = "bench"\napplications = ["screens.rbd.xml"]\n'
 
@@ -58,7 +59,7 @@ def _frames() -> Iterator[Mapping[str, Sample]]:
         app.processEvents()
         yield {
             "drag": _dragged(sheet),
-            "bare": each(lambda times: _painted(bare, times), CPU, 1e-3),
+            BARE: each(lambda times: _painted(bare, times), CPU, 1e-3),
         }
         for widget in (sheet, bare):
             widget.close()
@@ -139,7 +140,7 @@ def _edits() -> Iterator[Mapping[str, Sample]]:
     """From the mouse that is let go to the painted frame, in the whole window."""
     with qt() as app, contextlib.ExitStack() as opened:
         yield {
-            f"edit, {count}": _edit(opened.enter_context(_window(count, app)), app)
+            f"edit, {count} components": _edit(opened.enter_context(_window(count, app)), app)
             for count in (FEW, MANY)
         }
 
@@ -202,7 +203,7 @@ BENCHES = (
                 f"editor: frame while one of {MANY} components is dragged",
                 "frame",
                 "drag",
-                "bare",
+                BARE,
                 "ms",
                 Goal(1.5),
             ),
@@ -215,8 +216,8 @@ BENCHES = (
             Row(
                 f"editor: one edit on a screen of {MANY} components",
                 "edit",
-                f"edit, {MANY}",
-                f"edit, {FEW}",
+                f"edit, {MANY} components",
+                f"edit, {FEW} components",
                 "ms",
                 Goal(FRAME, of="ours"),
             ),

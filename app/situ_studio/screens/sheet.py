@@ -69,6 +69,7 @@ class Sheet(ScreenPreview):
         self._chosen: tuple[str, ...] = ()
         self._proposal: Proposal | None = None
         self._proposed: rbd.Screen | None = None
+        self._boxes: tuple[rbd.Screen | None, dict[str, Box]] = None, {}
         self._resting: Resting | None = None
         self._kept: rbd.Screen | None = None
         """The screen of the document, while what is proposed is painted in its place."""
@@ -188,7 +189,12 @@ class Sheet(ScreenPreview):
     def own(self) -> dict[str, Box]:
         """The boxes of the screen's own components, back to front."""
         screen = self._screen
-        return {c.id: placing.box_of(c) for c in screen.components} if screen is not None else {}
+        if screen is None:
+            return {}
+        # Asked for many times between two edits.
+        if self._boxes[0] is not screen:
+            self._boxes = screen, {c.id: placing.box_of(c) for c in screen.components}
+        return self._boxes[1]
 
     def selected_boxes(self) -> dict[str, Box]:
         own = self.own()
