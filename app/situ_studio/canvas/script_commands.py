@@ -52,6 +52,7 @@ class ScriptCommands(ScriptAsking):
         now = places.get(self.document, place)
         if not done and self.test_editor is not None and isinstance(now, Test):
             self.test_editor.show_test(now, self._tags())
+            self.test_editor.refuse()
 
     def _on_test_closed(self) -> None:
         self.test_editor = None

@@ -31,7 +31,7 @@ class TestEditor(QFrame):
         super().__init__(parent)
         self.place = place
         self._drawing = parent
-        self._gone = False
+        self._gone = self._stays = False
         self.setObjectName("testEditor")
         self.setAccessibleName(self.tr("Test"))
         self.setStyleSheet(
@@ -62,6 +62,10 @@ class TestEditor(QFrame):
         if isinstance(application, QApplication):
             application.focusChanged.connect(self._on_focus)
 
+    def refuse(self) -> None:
+        """What was typed is not taken: the Enter that ended it closes nothing."""
+        self._stays = True
+
     def settle_at(self, row: QRect) -> None:
         room = self._drawing.rect().adjusted(4, 4, -4, -4)
         self.adjustSize()
@@ -84,7 +88,9 @@ class TestEditor(QFrame):
         self.closed.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in (Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        stays, self._stays = self._stays, False
+        ends = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and not stays
+        if ends or event.key() == Qt.Key.Key_Escape:
             self.close_editor()
 
     def event(self, event: QEvent) -> bool:

@@ -11,13 +11,13 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
 from tests.gui.canvas.test_accessible import DESCRIPTION, NAME, tree
+from tests.gui.canvas.test_application_canvas import drop
 from tests.gui.canvas.test_script_canvas import agree, body, middle, out, pipe
 
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Question
 from situ.document.problem import Problem
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
-from situ_studio import kinds
 from situ_studio.canvas.script import ScriptCanvas
 
 ALT = Qt.KeyboardModifier.AltModifier
@@ -299,7 +299,7 @@ def test_a_pipe_dropped_on_a_pipe_goes_where_that_leads(made: Any) -> None:
 def test_what_is_dropped_belongs_to_what_it_is_dropped_on(
     made: Any, kind: str, on: str, edit: str
 ) -> None:
-    made.canvas.drop_kind(kinds.kind(kind), body(made, on))
+    drop(made, kind, body(made, on))
     assert made.edits == [edit]
     if kind == "situation":
         (test,) = made.document.situation("situation").condition.children
@@ -307,6 +307,32 @@ def test_what_is_dropped_belongs_to_what_it_is_dropped_on(
     if kind == "module":
         assert made.document.situation("called").entries == (Entry("module", 30),)
     agree(made)
+
+
+def test_a_condition_dropped_on_a_pipe_asks_which_data(made: Any) -> None:
+    """And what is chosen is edited at once."""
+    holds = pipe(made, "condition called", "situation called").path().pointAtPercent(0.5)
+    drop(made, "condition", QPointF(holds))
+    typed(made, "heat")
+    assert made.edits == ["Let called look at heat"]
+    assert made.canvas.test_editor.place == ("situation", "called", "condition", "1")
+    QTest.keyClick(made.canvas.test_editor.box.value, Qt.Key.Key_Escape)
+    drop(made, "condition", QPointF(640, 420))
+    assert made.said == ["Drop a condition on the situation that it is of"]
+
+
+def test_what_is_typed_into_the_fields_of_a_test_is_kept_from_being_wrong(made: Any) -> None:
+    made.canvas.edit_test(("situation", "called", "condition", "0"))
+    box = made.canvas.test_editor.box
+    box.tag.selectAll()
+    made.hand.type(box.tag, "Not A Tag!")
+    QTest.keyClick(box.tag, Qt.Key.Key_Return)
+    assert made.edits == []
+    assert len(made.said) == 1
+    assert box.tag.text() == "calling"
+    assert made.canvas.test_editor is not None
+    QTest.keyClick(box.tag, Qt.Key.Key_Return)
+    assert made.canvas.test_editor is None
 
 
 # -- heard --------------------------------------------------------------------------------------
@@ -381,3 +407,12 @@ def test_headings_stay_above_their_columns(made: Any) -> None:
         assert all(one[1] < two[0] for one, two in pairwise(edges))
     canvas.look_at((0.1, 0.0, 0.0))
     assert canvas.headings.areas() == {}
+
+
+def test_names_stay_readable_in_a_small_drawing(made: Any) -> None:
+    """11 px on the screen at least, from 40 to 75 % (tokens.md)."""
+    item = made.hand.card("data calling")
+    for zoom in (0.41, 0.5, 0.74):
+        made.canvas.set_zoom(zoom)
+        made.canvas.viewer.grab()
+        assert item._short_pixels * zoom > 10.7
