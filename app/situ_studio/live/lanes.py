@@ -7,9 +7,12 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
+from collections.abc import Callable
 from typing import Any
 
 from msgspec import Struct, field
+
+NAN = float("nan")
 
 
 class Lane(Struct):
@@ -51,9 +54,6 @@ class Series(Struct):
         del self.y[:index]
 
 
-NAN = float("nan")
-
-
 class Lanes(Struct):
     """All of a trace. states: of an application. data: of a tag whose values are numbers."""
 
@@ -64,26 +64,6 @@ class Lanes(Struct):
     start: float = 0.0
     end: float = 0.0
 
-    def take(self, event: dict[str, Any]) -> None:
-        """Goes on by one trace event."""
-        kind, t = event["kind"], event["t"]
-        self.end = t
-        if kind == "data":
-            value = event["value"]
-            if isinstance(value, int | float):
-                series = self.data.get(event["tag"])
-                if series is None:
-                    series = self.data[event["tag"]] = Series()
-                series.add(t, float(value))
-            elif event["tag"] in self.data:
-                self.data[event["tag"]].add(t, NAN)
-        elif kind == "enter":
-            self._lane(self.states, event["application"]).add(t, event["state"])
-        elif kind == "situation":
-            self.situation.add(t, event["to"])
-        elif kind == "authority":
-            self._lane(self.holders, event["resource"]).add(t, event["to"])
-
     def forget(self, before: float) -> None:
         """Drops what ended before that, of everything."""
         self.start = before
@@ -93,8 +73,40 @@ class Lanes(Struct):
         for series in self.data.values():
             series.forget(before)
 
-    def _lane(self, lanes: dict[str, Lane], name: str) -> Lane:
-        lane = lanes.get(name)
-        if lane is None:
-            lane = lanes[name] = Lane()
-        return lane
+
+def _data(lanes: Lanes, event: dict[str, Any]) -> None:
+    value, series = event["value"], lanes.data.get(event["tag"])
+    if isinstance(value, int | float):
+        if series is None:
+            series = lanes.data[event["tag"]] = Series()
+        series.add(event["t"], value)
+    elif series is not None:
+        series.add(event["t"], NAN)
+
+
+def _enter(lanes: Lanes, event: dict[str, Any]) -> None:
+    _lane(lanes.states, event["application"]).add(event["t"], event["state"])
+
+
+def _situation(lanes: Lanes, event: dict[str, Any]) -> None:
+    lanes.situation.add(event["t"], event["to"])
+
+
+def _authority(lanes: Lanes, event: dict[str, Any]) -> None:
+    _lane(lanes.holders, event["resource"]).add(event["t"], event["to"])
+
+
+def _lane(lanes: dict[str, Lane], name: str) -> Lane:
+    lane = lanes.get(name)
+    if lane is None:
+        lane = lanes[name] = Lane()
+    return lane
+
+
+TAKE: dict[str, Callable[[Lanes, dict[str, Any]], None]] = {
+    "data": _data,
+    "enter": _enter,
+    "situation": _situation,
+    "authority": _authority,
+}
+"""What a trace event of each kind adds; one of any other kind adds nothing."""

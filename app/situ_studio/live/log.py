@@ -16,6 +16,7 @@ import msgspec
 import zstandard
 from msgspec import Struct
 
+from situ_studio.live import lanes, moment
 from situ_studio.live.lanes import Lanes
 from situ_studio.live.moment import Moment, TraceFields
 
@@ -74,34 +75,42 @@ class TraceLog:
 
     def add(self, events: Iterable[TraceFields]) -> list[TraceFields]:
         """Takes what is new and gives it back."""
-        new = []
-        for event in events:
-            if event["seq"] > self._seq:
-                self._take(event)
-                self._lines.append(msgspec.json.encode(event))
-                if len(self._open) == self._size:
-                    self._close()
-                new.append(event)
+        before = self._seq
+        new = [event for event in events if event["seq"] > before]
+        self._take(zip(new, map(msgspec.json.encode, new), strict=True))
         return new
 
     def add_lines(self, lines: Iterable[bytes]) -> None:
         """Takes what is new of events as JSON, one each; raises msgspec.DecodeError."""
-        for line in lines:
-            event = _decode(line)
-            if event["seq"] > self._seq:
-                self._take(event)
-                self._lines.append(line)
-                if len(self._open) == self._size:
-                    self._close()
+        self._take((_decode(line), line) for line in lines)
 
-    def _take(self, event: TraceFields) -> None:
-        self._seq = event["seq"]
-        self.now.take(event)
-        if self._told is not self.now:
-            self._told.take(event)
-        self.lanes.take(event)
-        self._times.append(event["t"])
-        self._open.append(event)
+    def _take(self, pairs: Iterable[tuple[TraceFields, bytes]]) -> None:
+        # A million of them come at once: what is the same for all is looked up once.
+        seq, now, told, over_time = self._seq, self.now, self._told, self.lanes
+        on_moment, on_lanes = moment.ACCEPT.get, lanes.TAKE.get
+        for event, line in pairs:
+            if event["seq"] <= seq:
+                continue
+            seq, kind = event["seq"], event["kind"]
+            accept = on_moment(kind)
+            if accept is not None:
+                accept(now, event)
+                if told is not now:
+                    accept(told, event)
+            take = on_lanes(kind)
+            if take is not None:
+                take(over_time, event)
+            self._times.append(event["t"])
+            self._open.append(event)
+            self._lines.append(line)
+            if len(self._open) == self._size:
+                self._come_to(seq, event["t"])
+                self._close()
+        if self._times:
+            self._come_to(seq, self._times[-1])
+
+    def _come_to(self, seq: int, t: float) -> None:
+        self._seq, self.now.t, self._told.t, self.lanes.end = seq, t, t, t
 
     def _close(self) -> None:
         """The open block is full: it is packed."""
@@ -177,24 +186,24 @@ class TraceLog:
             return self.now
         number = count // self._size
         begun = number * self._size
-        shown, moment = self._shown
+        shown, then = self._shown
         if begun <= shown <= count:
             begun = shown
         else:
-            moment = self._before(number)
+            then = self._before(number)
         if begun < count:
-            moment = moment.copy()
+            then = then.copy()
             for event in self._block(number)[begun % self._size : count % self._size]:
-                moment.take(event)
-        self._shown = (count, moment)
-        return self._with_standing(moment)
+                then.take(event)
+        self._shown = (count, then)
+        return self._with_standing(then)
 
-    def _with_standing(self, moment: Moment) -> Moment:
+    def _with_standing(self, then: Moment) -> Moment:
         """With what the trace does not tell but stood there by then."""
-        told = [s for s in self._standing if s[0] <= moment.t]
+        told = [s for s in self._standing if s[0] <= then.t]
         if not told:
-            return moment
-        whole = moment.copy()
+            return then
+        whole = then.copy()
         for t, tag, value, writer in told:
             if whole.gone.get(tag, t) <= t:
                 whole.stand(tag, value, writer, t)

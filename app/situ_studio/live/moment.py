@@ -5,6 +5,7 @@ No Qt, no clock: time is the trace's own ``t``.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from msgspec import Struct, field
@@ -75,7 +76,7 @@ class Moment(Struct):
     def take(self, event: TraceFields) -> None:
         """Goes on by one event."""
         self.t = event["t"]
-        accept = _ACCEPT.get(event["kind"])
+        accept = ACCEPT.get(event["kind"])
         if accept is not None:
             accept(self, event)
 
@@ -194,7 +195,7 @@ def _resume(now: Moment, event: TraceFields) -> None:
     application.suspended, application.missing = False, ()
 
 
-_ACCEPT = {
+ACCEPT: dict[str, Callable[[Moment, TraceFields], None]] = {
     "data": _data,
     "condition": _condition,
     "situation": _situation,
@@ -210,3 +211,4 @@ _ACCEPT = {
     "suspend": _suspend,
     "resume": _resume,
 }
+"""What an event of each kind changes; one of any other kind changes only the time."""
