@@ -59,6 +59,7 @@ class DocumentView(QWidget):
         self._arranged: View | None = None
         self._shares: dict[str, list[int]] = {}
         self._live: Any = None
+        self._supposed: Any = None
         self._fresh: set[str] = set()
         self._telling = False
         column = QVBoxLayout(self)
@@ -172,6 +173,8 @@ class DocumentView(QWidget):
             self.current_view().setFocus()
         for piece in gone:
             piece.hide()
+        if self._supposed is not None:
+            self._show_live()
         self._divide()
 
     def _divide(self) -> None:
@@ -225,6 +228,8 @@ class DocumentView(QWidget):
                 getattr(piece, heard).connect(getattr(self, heard))
         if name == "graph":
             piece.viewer.clicked.connect(lambda *_: self._on_clicked())
+        if hasattr(piece, "supposed"):
+            piece.supposed.connect(self._on_supposed)
         if self._live is not None and hasattr(piece, "set_live"):
             piece.set_live(self._live)
 
@@ -278,9 +283,20 @@ class DocumentView(QWidget):
     def set_live(self, live: Any) -> None:
         """What the robot does at the moment, or None."""
         self._live = live
+        self._show_live()
+
+    def _on_supposed(self, supposed: Any) -> None:
+        if supposed is not None or self._supposed is not None:
+            self._supposed = supposed
+            self._show_live()
+
+    def _show_live(self) -> None:
+        """A robot goes before what is supposed, which is marked only where it can be seen."""
+        supposes = any(hasattr(self._pieces.get(name), "supposed") for name in self._view.pieces)
+        shown = self._live if self._live is not None else self._supposed if supposes else None
         for piece in self._pieces.values():
             if hasattr(piece, "set_live"):
-                piece.set_live(live)
+                piece.set_live(shown)
 
 
 class _Telling:

@@ -81,6 +81,15 @@ def test_a_cell_is_edited_below_the_graph_and_everything_shows_it(
     assert matrix.table.area == Area(*_at(matrix, "invited", "gaze-sound"))
     window.select(("module", "nod"))
     assert matrix.table.heads.chosen == {3}
+    # What is supposed is seen in the drawing above, while the strip is.
+    matrix.what_if.suppose("sound.slap", 0)
+    assert canvas.look.live.situation == "sound"
+    assert canvas.look.live.authority["head"] == "gaze-sound"
+    window.show_mode("graph")
+    assert canvas.look.live is None
+    window.show_mode("both")
+    matrix.what_if.suppose_nothing()
+    assert canvas.look.live is None
 
 
 def _at(matrix: Any, situation: str, module: str) -> tuple[int, int]:
