@@ -1,0 +1,284 @@
+"""The designer alone, without a window round it: its devices, values, preview and refusals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QMimeData,
+    QModelIndex,
+    QPoint,
+    QPointF,
+    Qt,
+    QTimer,
+    QUrl,
+)
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
+
+from situ.document import folder
+from situ_studio.screens.designer import Designer
+from situ_studio.screens.devices import DEVICES
+from situ_studio.screens.own_device import OwnDevice
+from situ_studio.screens.tag_chips import dragged
+from situ_studio.theme import LIGHT
+
+LEFT = Qt.MouseButton.LeftButton
+ALT = Qt.KeyboardModifier.AltModifier
+NONE = Qt.KeyboardModifier.NoModifier
+
+Copy = Callable[[str], Path]
+
+
+class Desk:
+    """A designer whose edits are kept, and hands that use it."""
+
+    def __init__(self, root: Path) -> None:
+        project, _ = folder.load(root)
+        assert project is not None
+        self.root = root
+        self.document: Any = next(iter(project.applications.values()))
+        self.selected: tuple[tuple[str, ...], ...] = ()
+        self.told: list[str] = []
+        self.steps: list[str] = []
+        self.designer = Designer(LIGHT, lambda: project, lambda: root / "media")
+        self.designer.edited.connect(self._on_edited)
+        self.designer.selection_changed.connect(self._on_selected)
+        self.designer.status.connect(self.told.append)
+        self.bar, self.sheet = self.designer.bar, self.designer.sheet
+        # In the window its panel stands in a dock.
+        self.holder = QWidget()
+        line = QHBoxLayout(self.holder)
+        line.addWidget(self.designer.side)
+        line.addWidget(self.designer, 1)
+        self.holder.resize(1100, 700)
+        self.holder.show()
+        self.designer.side.show()
+        self._show()
+        self.settle()
+
+    def _show(self) -> None:
+        self.designer.show_document(self.document, [])
+        self.designer.select(self.selected)
+
+    def _on_edited(self, after: Any, text: str) -> None:
+        self.document = after
+        self.steps.append(text)
+        self._show()
+
+    def _on_selected(self, chosen: tuple[tuple[str, ...], ...]) -> None:
+        self.selected = chosen
+
+    def settle(self) -> None:
+        for _ in range(3):
+            QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+            QApplication.processEvents()
+
+    def go_to(self, no: str) -> None:
+        self.designer.go_to(("state", no))
+        self.settle()
+
+    def components(self, no: str) -> Any:
+        return self.document.state(no).screen.components
+
+    def click(self, widget: QWidget, at: QPoint | None = None) -> None:
+        QTest.mouseClick(widget, LEFT, pos=at if at is not None else widget.rect().center())
+        self.settle()
+
+    def choose(self, combo: Any, text: str) -> None:
+        """By the arrow keys."""
+        combo.setFocus()
+        for _ in range(combo.count()):
+            if combo.currentText() == text:
+                return
+            QTest.keyClick(combo, Qt.Key.Key_Down)
+            self.settle()
+
+    def at(self, x: float, y: float) -> QPoint:
+        """A place of the screen, from percents of it."""
+        return QPoint(round(self.sheet.width() * x / 100), round(self.sheet.height() * y / 100))
+
+    def drop(self, data: QMimeData, x: float = 50, y: float = 50) -> bool:
+        """Drags something onto the sheet; whether it was taken."""
+        at, copy = self.at(x, y), Qt.DropAction.CopyAction
+        enter = QDragEnterEvent(at, copy, data, LEFT, NONE)
+        QCoreApplication.sendEvent(self.sheet, enter)
+        QCoreApplication.sendEvent(self.sheet, QDropEvent(QPointF(at), copy, data, LEFT, NONE))
+        self.settle()
+        return enter.isAccepted()
+
+
+@pytest.fixture
+def desk(qt: QApplication, project: Copy) -> Iterator[Desk]:
+    made = Desk(project("reception"))
+    yield made
+    made.holder.close()
+    made.holder.deleteLater()
+    made.settle()
+
+
+def test_a_screen_of_another_size_changes_the_look_and_not_the_document(desk: Desk) -> None:
+    desk.go_to("2")
+    before, wide = desk.document, desk.sheet.width()
+    assert desk.designer.ground.zoom == pytest.approx(wide / 1280)
+    desk.choose(desk.bar.devices, "7 inch, 1024 × 600")
+    assert desk.sheet.width() / desk.sheet.height() == pytest.approx(1024 / 600, abs=0.01)
+    desk.click(desk.bar.ways.button("upright"))
+    assert desk.sheet.width() / desk.sheet.height() == pytest.approx(600 / 1024, abs=0.01)
+    assert desk.bar.devices.currentText() == "7 inch, 600 × 1024"
+    assert desk.document is before
+
+
+def test_texts_are_filled_with_sample_values_that_a_person_chooses(desk: Desk) -> None:
+    desk.go_to("10")
+    before, filled = desk.document, desk.sheet.grab().toImage()
+    assert "user.name = Jack Nilsen" in desk.bar.samples.accessibleName()
+    desk.click(desk.bar.samples)
+    popup = desk.designer.sampling.popup
+    line = popup.fields["user.name"].lineEdit()
+    QTest.mouseClick(line, LEFT)
+    line.selectAll()
+    QTest.keyClicks(line, "Mere")
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    desk.settle()
+    assert desk.bar.samples.accessibleName() == "Sample values: user.name = Mere"
+    other = desk.sheet.grab().toImage()
+    assert other != filled
+    QTest.mouseClick(popup.use, LEFT, pos=QPoint(8, popup.use.height() // 2))
+    desk.settle()
+    assert desk.sheet.grab().toImage() not in (filled, other)
+    popup.close()
+    assert desk.document is before
+
+
+def test_what_is_in_every_state_can_be_hidden_while_one_designs(desk: Desk) -> None:
+    desk.go_to("2")
+    shown = desk.sheet.grab().toImage()
+    desk.click(desk.bar.always)
+    hidden = desk.sheet.grab().toImage()
+    assert hidden != shown
+    desk.click(desk.bar.always)
+    assert desk.sheet.grab().toImage() == shown
+
+
+def test_the_preview_shows_the_screen_without_marks_and_goes_with_a_key(desk: Desk) -> None:
+    desk.go_to("2")
+    desk.click(desk.sheet, QPoint(desk.sheet.width() // 2, desk.sheet.height() * 4 // 5))
+    desk.click(desk.bar.preview)
+    preview = desk.designer.preview
+    assert preview.isVisible()
+    assert preview.screen_.width() * 800 == pytest.approx(preview.screen_.height() * 1280, rel=0.01)
+    QTest.keyClick(preview, Qt.Key.Key_Escape)
+    desk.settle()
+    assert desk.designer.preview is None
+
+
+def test_a_state_that_runs_a_part_takes_no_component_template_or_file(
+    desk: Desk, tmp_path: Path
+) -> None:
+    part = next(s for s in desk.document.states if s.flow is not None)
+    desk.go_to(part.no)
+    before = desk.document
+    desk.click(desk.designer.side.templates.tiles["list"])
+    assert part.flow in desk.told[-1]
+    source = tmp_path / "mine.png"
+    QImage(8, 8, QImage.Format.Format_RGB32).save(str(source))
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(source))])
+    desk.drop(data)
+    assert desk.document is before
+    assert not (desk.root / "media" / "mine.png").exists()
+
+
+def test_a_screen_of_one_s_own_size_is_asked_for(desk: Desk) -> None:
+    def answer(tries: int) -> None:
+        asked = QApplication.activeModalWidget()
+        if not isinstance(asked, OwnDevice):
+            assert tries, "nobody asked"
+            QTimer.singleShot(0, lambda: answer(tries - 1))
+            return
+        for field, text in ((asked.wide, "600"), (asked.high, "1600")):
+            field.setFocus()
+            field.selectAll()
+            QTest.keyClicks(field, text)
+        QTest.keyClick(asked, Qt.Key.Key_Return)
+
+    QTimer.singleShot(0, lambda: answer(2000))
+    # By the arrow keys, past the phone, whose diagonal is offered then.
+    desk.bar.devices.setFocus()
+    for _ in DEVICES:
+        QTest.keyClick(desk.bar.devices, Qt.Key.Key_Down)
+        desk.settle()
+    device = desk.designer.device
+    assert (device.wide, device.high, device.key) == (600, 1600, "own")
+    assert desk.bar.devices.currentText() == "6 inch, 600 × 1600"
+    assert desk.sheet.height() > desk.sheet.width()
+
+
+def test_a_component_that_is_pressed_stands_in_the_middle_and_is_selected(desk: Desk) -> None:
+    desk.go_to("2")
+    desk.click(desk.designer.side.components.items["button"])
+    made = desk.components("2")[-1]
+    assert made.element == "button"
+    assert desk.selected == (("state", "2", "screen", made.id),)
+    assert abs(made.x + made.width / 2 - 50) <= 1
+
+
+def row_at(view: Any, row: int) -> QPoint:
+    found: QModelIndex = view.model().index(row, 0)
+    view.scrollTo(found)
+    point: QPoint = view.visualRect(found).center()
+    return point
+
+
+def test_a_template_gives_the_state_its_screen_and_events_in_one_step(desk: Desk) -> None:
+    desk.go_to("7")
+    desk.click(desk.designer.side.templates.tiles["two-answers"])
+    state = desk.document.state("7")
+    assert [c.id for c in state.screen.components] == ["question", "hint", "yes", "no"]
+    assert {"clickYes", "clickNo"} <= {event.name for event in state.events}
+    assert desk.steps == ["Template Two answers for state 7"]
+
+
+def test_what_lies_on_the_screen_is_selected_and_dragged_into_another_order(desk: Desk) -> None:
+    desk.go_to("2")
+    layers = desk.designer.side.layers
+    assert layers.ids == ["continue", "robot", "who", "hello", ""]
+    QTest.mouseClick(layers.viewport(), LEFT, pos=row_at(layers, 1))
+    desk.settle()
+    assert desk.selected == (("state", "2", "screen", "robot"),)
+    assert desk.sheet.selected == ("robot",)
+    # Onto the upper half of the first row: before all others.
+    port, start, end = layers.viewport(), row_at(layers, 1), row_at(layers, 0) - QPoint(0, 8)
+    QTest.mousePress(port, LEFT, pos=start)
+    for part in (1, 2, 3):
+        QTest.mouseMove(port, start + (end - start) * part / 3)
+    QTest.mouseRelease(port, LEFT, pos=end)
+    desk.settle()
+    assert [c.id for c in desk.components("2")] == ["hello", "who", "continue", "robot"]
+    assert desk.steps == ["Reorder robot"]
+    layers.setFocus()
+    QTest.keyClick(layers, Qt.Key.Key_Down, ALT)
+    desk.settle()
+    assert [c.id for c in desk.components("2")] == ["hello", "who", "robot", "continue"]
+    QTest.mouseClick(layers.viewport(), LEFT, pos=row_at(layers, 4))
+    desk.settle()
+    assert desk.selected == (("state", "2", "screen"),)
+    assert [index.row() for index in layers.selectedIndexes()] == [4]
+
+
+def test_a_tag_is_put_into_a_text_by_a_press_or_a_drop(desk: Desk) -> None:
+    desk.go_to("2")
+    desk.click(desk.sheet, desk.at(20, 25))
+    desk.click(desk.designer.side.tags.chip("user.name"))
+    assert desk.components("2")[0].text == "Hello! {user.name}"
+    assert desk.drop(dragged("user.name"), 20, 50)
+    assert desk.components("2")[1].text.endswith("today? {user.name}")
+    assert desk.drop(dragged("spo2.value"), 80, 90)
+    assert desk.components("2")[-1].text == "{spo2.value}"
