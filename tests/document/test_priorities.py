@@ -17,7 +17,7 @@ SITUATIONS = st.builds(
 
 
 @given(st.lists(SITUATIONS, max_size=7))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 def test_the_priorities_of_all_situations_are_those_of_each(several: list[Situation]) -> None:
     """In circles of ``extends`` too, and where two have one name."""
     script = Spds("s", situations=tuple(several))

@@ -100,10 +100,13 @@ class ModuleHeader(_Header):
 
     def narrow(self, section: int) -> int:
         """The width with which its name alone can be read, if it is not long."""
-        head = self.head(section)
-        text = self.fontMetrics().horizontalAdvance(head.text) if head is not None else 0
-        more = 15 + (17 if head is not None and head.mark else 0)
-        return max(NARROW, min(MODULE_WIDE[1], text + more))
+        head, metrics = self.head(section), self.fontMetrics()
+        if head is None:
+            return NARROW
+        name = metrics.horizontalAdvance(head.text) + 15 + (17 if head.mark else 0)
+        return max(
+            NARROW, min(MODULE_WIDE[1], max(name, metrics.horizontalAdvance(head.below) + 4))
+        )
 
     def settle(self, sections: Iterable[int]) -> None:
         """Icons stand before all names of these columns, or before none."""

@@ -36,7 +36,7 @@ _TYPED = _READ | Qt.ItemFlag.ItemIsEditable
 
 class Head(Struct, frozen=True):
     """A header as it is painted. number: of a situation; current, holds: what is supposed, or what
-    a robot does.
+    a robot does. below: the longest text that may stand below it.
     """
 
     text: str
@@ -45,6 +45,7 @@ class Head(Struct, frozen=True):
     mark: str = ""
     current: bool = False
     holds: bool = False
+    below: str = ""
 
 
 class MatrixModel(QAbstractTableModel):
@@ -249,7 +250,9 @@ class MatrixModel(QAbstractTableModel):
             return self._of_column(self.modules[section], role)
         resource = self.grid.resources[section - len(self.modules)]
         if role == SHOWN:
-            return Head(resource, "resource")
+            asked = self.grid.asked.by_module
+            askers = (module for module, several in asked.items() if resource in several)
+            return Head(resource, "resource", below=max(askers, key=len, default=""))
         if role == Qt.ItemDataRole.ToolTipRole:
             return self.tr("Who holds {0} when all modules ask for all they can use").format(
                 resource
