@@ -35,6 +35,8 @@ def begin(used: Any) -> None:
 
 def test_it_is_opened_saved_and_found_again(used: Any, tmp_path: Path) -> None:
     begin(used)
+    used.window.actions_.refresh()
+    assert not used.window.actions_.actions["begin_script"].isVisible()
     assert used.window.current_file == "ward.spds.xml"
     assert used.window.current_view.mode == "graph"
     used.key(Qt.Key.Key_S, CONTROL)
@@ -56,9 +58,3 @@ def test_it_is_one_step(used: Any) -> None:
     used.key(Qt.Key.Key_Z, CONTROL | SHIFT)
     assert used.session.files == ["ward.rbd.xml", "ward.spds.xml"]
     assert 'spds = "ward.spds.xml"' in used.session.value("situ.toml").text
-
-
-def test_there_is_but_one(used: Any) -> None:
-    begin(used)
-    used.window.actions_.refresh()
-    assert not used.window.actions_.actions["begin_script"].isVisible()

@@ -65,7 +65,7 @@ def scripts(draw: st.DrawFn) -> Spds:
     return Spds("any", observed, declared, tuple(situations))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(scripts())
 def test_no_two_nodes_lie_on_each_other_and_each_pipe_has_its_ends(script: Spds) -> None:
     drawn = picture(script)
@@ -89,7 +89,7 @@ def test_no_two_nodes_lie_on_each_other_and_each_pipe_has_its_ends(script: Spds)
     ]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(scripts())
 def test_every_test_of_a_script_has_a_line_and_a_pipe(script: Spds) -> None:
     drawn = picture(script)
@@ -107,7 +107,7 @@ def test_every_test_of_a_script_has_a_line_and_a_pipe(script: Spds) -> None:
             assert sorted(ends) == sorted("/".join(tail) for _, tail in found)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(st.lists(st.floats(0, 900, allow_nan=False), max_size=12), st.booleans())
 def test_what_is_spread_keeps_its_order_and_its_distance(tops: list[float], in_rows: bool) -> None:
     wanted = [(str(i), top) for i, top in enumerate(tops)]
@@ -125,7 +125,7 @@ def test_one_alone_stands_where_it_is_wanted() -> None:
 # -- conditions ---------------------------------------------------------------------------------
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(scripts(), st.data())
 def test_a_group_taken_away_gives_back_what_was_grouped(script: Spds, data: st.DataObject) -> None:
     every = [s for s in script.situations if s.condition is not None]
@@ -143,7 +143,7 @@ def test_a_group_taken_away_gives_back_what_was_grouped(script: Spds, data: st.D
     assert conditions.unwrap(wrapped, one)[0] == script
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(scripts(), st.data())
 def test_a_test_that_is_pulled_elsewhere_is_neither_lost_nor_doubled(
     script: Spds, data: st.DataObject
@@ -185,7 +185,7 @@ JSON = st.lists(
 )
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=50, deadline=None)
 @given(JSON)
 def test_what_is_one_of_several_is_typed_as_it_is_shown(values: list[Any]) -> None:
     array = json.dumps(values, ensure_ascii=False)
