@@ -45,7 +45,7 @@ class PagesSide(QObject):
         self._session.opened.connect(self._settle)
         self._session.changed.connect(lambda _: self._settle())
         self._session.listed.connect(self._settle)
-        self._session.problems_changed.connect(self._settle)
+        self._session.problems_changed.connect(self._settle_forms)
         window.sides.chosen.connect(self._on_tab)
 
     def has(self, key: str) -> bool:
@@ -135,11 +135,17 @@ class PagesSide(QObject):
         if project is None:
             return
         for group in self._window.sides.groups:
-            shown = group.tabs.chosen_file
-            texts, form = self._texts_of(group), self._form_of(group)
-            if texts is not None and shown == TEXTS:
+            texts = self._texts_of(group)
+            if texts is not None and group.tabs.chosen_file == TEXTS:
                 texts.show_project(project, self._catalogues())
-            if form is not None and shown == PROJECT_FILE:
+        self._settle_forms()
+
+    def _settle_forms(self) -> None:
+        project = self._session.project
+        for group in self._window.sides.groups:
+            form = self._form_of(group)
+            shown = group.tabs.chosen_file == PROJECT_FILE
+            if form is not None and project is not None and shown:
                 form.show_project(project, self._session.value, self._session.problems_of)
 
     def _catalogues(self) -> dict[str, Catalogue]:

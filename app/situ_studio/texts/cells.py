@@ -61,6 +61,8 @@ class TextDelegate(QStyledItemDelegate):
         super().__init__(parent)
         self.theme, self._tags, self._went = theme, tags, went
         self.hovered: tuple[int, int] | None = None
+        self._metrics = QFontMetrics(font(13))
+        self._lines: dict[tuple[str, int], int] = {}
 
     # -- painting ----------------------------------------------------------------
 
@@ -72,11 +74,11 @@ class TextDelegate(QStyledItemDelegate):
         cell: Cell | None = index.data(CELL)
         if cell is None:
             return ONE_LINE
-        metrics = QFontMetrics(font(13))
         inner = max(1, width - 2 * _ROOM - (20 if cell.standing in MARKS else 0))
-        rows = sum(
-            max(1, -(-metrics.horizontalAdvance(line) // inner)) for line in cell.text.split("\n")
-        )
+        rows = self._lines.get((cell.text, inner))
+        if rows is None:
+            wide = map(self._metrics.horizontalAdvance, cell.text.split("\n"))
+            rows = self._lines[cell.text, inner] = sum(max(1, -(-one // inner)) for one in wide)
         caption = CAPTION if self._caption(index, cell) else 0
         return ONE_LINE + (min(rows, LINES) - 1) * LINE + caption
 

@@ -78,13 +78,12 @@ class TextsModel(QAbstractTableModel):
 
     def show_sheet(self, sheet: Sheet) -> None:
         """Another value of the table; rows that stand where they stood keep their places."""
-        before, kept = self.languages, self.sheet is not None
+        before, kept, old = self.languages, self.sheet is not None, self.sheet
         self.sheet = sheet
         self._where = {}
         shown = self._filtered()
         if kept and before == sheet.languages and self._same_places(shown):
-            self.shown = shown
-            self._tell()
+            self._tell(old, shown)
         else:
             self._reset(shown)
 
@@ -132,11 +131,20 @@ class TextsModel(QAbstractTableModel):
         self.shown = rows
         self.endResetModel()
 
-    def _tell(self) -> None:
-        if self.shown:
-            last = self.index(len(self.shown) - 1, self.columnCount() - 1)
-            self.dataChanged.emit(self.index(0, 0), last)
-            self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, self.columnCount() - 1)
+    def _tell(self, old: Sheet | None, rows: list[TextRow]) -> None:
+        """Takes rows that stand where those before stood; only what differs is told."""
+        before, self.shown = self.shown, rows
+        assert self.sheet is not None
+        last = self.columnCount() - 1
+        for at, (was, row) in enumerate(zip(before, rows, strict=True)):
+            # Entries that nobody changed are the very same.
+            same = was == row and old is not None
+            if not same or any(
+                old.entry(was, one) is not self.sheet.entry(row, one)  # type: ignore[union-attr]
+                for one in self.languages
+            ):
+                self.dataChanged.emit(self.index(at, 0), self.index(at, last))
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, last)
 
     def _words(self, row: TextRow) -> tuple[str, str]:
         assert self.sheet is not None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QEvent, QItemSelectionModel, QMimeData, QModelIndex, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
@@ -61,10 +61,12 @@ class TextsTable(QTableView):
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.setInterval(0)
-        self._soon.timeout.connect(self.settle_heights)
-        header.sectionResized.connect(lambda *_: self._soon.start())
+        self._soon.timeout.connect(self._on_soon)
+        self._changed: set[int] | None = None
+        """Rows that may be of another height; None: any."""
+        header.sectionResized.connect(lambda *_: self._settle_soon())
         self.texts.modelReset.connect(self._on_reset)
-        self.texts.dataChanged.connect(lambda *_: self._soon.start())
+        self.texts.dataChanged.connect(self._on_rows)
         self._columns = 0
 
     def set_theme(self, theme: Theme) -> None:
@@ -77,7 +79,7 @@ class TextsTable(QTableView):
         if self.texts.columnCount() != self._columns:
             self._columns = self.texts.columnCount()
             self._share_width()
-        self._soon.start()
+        self._settle_soon()
 
     def _share_width(self) -> None:
         """Texts share what room the places leave."""
@@ -89,11 +91,26 @@ class TextsTable(QTableView):
         for column in range(WRITTEN, WRITTEN + count):
             header.resizeSection(column, max(220, room // max(1, count)))
 
-    def settle_heights(self) -> None:
+    def _settle_soon(self) -> None:
+        self._changed = None
+        self._soon.start()
+
+    def _on_rows(self, first: QModelIndex, last: QModelIndex) -> None:
+        if self._soon.isActive() and self._changed is None:
+            return
+        self._changed = (self._changed or set()) | set(range(first.row(), last.row() + 1))
+        self._soon.start()
+
+    def _on_soon(self) -> None:
+        rows, self._changed = self._changed, None
+        every = range(self.texts.rowCount())
+        self.settle_heights(every if rows is None else [row for row in rows if row in every])
+
+    def settle_heights(self, rows: Iterable[int]) -> None:
         """Each row is as high as the longest of its texts wants, up to some lines."""
         widths = [self.columnWidth(column) for column in range(self.texts.columnCount())]
         header = self.verticalHeader()
-        for row in range(self.texts.rowCount()):
+        for row in rows:
             high = max(
                 (
                     self.cells.height(self.texts.index(row, column), widths[column])
