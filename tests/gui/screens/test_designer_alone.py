@@ -44,7 +44,7 @@ class Desk:
         assert project is not None
         self.root = root
         self.document: Any = next(iter(project.applications.values()))
-        self.selected: tuple[tuple[str, ...], ...] = ()
+        self.selected: Any = ()
         self.told: list[str] = []
         self.steps: list[str] = []
         self.designer = Designer(LIGHT, lambda: project, lambda: root / "media")
@@ -141,7 +141,9 @@ def test_texts_are_filled_with_sample_values_that_a_person_chooses(desk: Desk) -
     assert "user.name = Jack Nilsen" in desk.bar.samples.accessibleName()
     desk.click(desk.bar.samples)
     popup = desk.designer.sampling.popup
+    assert popup is not None
     line = popup.fields["user.name"].lineEdit()
+    assert line is not None
     QTest.mouseClick(line, LEFT)
     line.selectAll()
     QTest.keyClicks(line, "Mere")
@@ -171,7 +173,7 @@ def test_the_preview_shows_the_screen_without_marks_and_goes_with_a_key(desk: De
     desk.go_to("2")
     desk.click(desk.sheet, QPoint(desk.sheet.width() // 2, desk.sheet.height() * 4 // 5))
     desk.click(desk.bar.preview)
-    preview = desk.designer.preview
+    preview: Any = desk.designer.preview
     assert preview.isVisible()
     assert preview.screen_.width() * 800 == pytest.approx(preview.screen_.height() * 1280, rel=0.01)
     QTest.keyClick(preview, Qt.Key.Key_Escape)
