@@ -26,6 +26,7 @@ from situ_studio.panels.project_tree import stem
 from situ_studio.session import Session
 from situ_studio.theme import load_fonts
 from situ_studio.unexpected import Hooks, Interrupts, Unexpected
+from situ_studio.views import VIEWS
 from situ_studio.welcome import Example
 from situ_studio.window import MainWindow
 from situ_studio.windows import Windows
@@ -272,7 +273,8 @@ def draw_picture(project: str | None, out: str, name: str | None) -> int:
 
 
 def show_view(window: MainWindow, name: str) -> None:
-    """Shows what ``--view`` names: a document's file stem, ``outline:`` before it, ``welcome``.
+    """Shows what ``--view`` names: a document's file stem, before it a view of it as in
+    ``outline:reception`` or ``both:script``, or ``welcome``.
 
     ``NAME/PLACE`` selects too: ``reception/state/6``. Raises UsageError naming what there is.
     """
@@ -280,8 +282,9 @@ def show_view(window: MainWindow, name: str) -> None:
         window.show_welcome()
         return
     wanted, mode = name, "graph"
-    if name.startswith("outline:"):
-        wanted, mode = name.removeprefix("outline:"), "outline"
+    before, colon, after = name.partition(":")
+    if colon and before in {view.name for view in VIEWS}:
+        wanted, mode = after, before
     wanted, *place = wanted.split("/")
     files = {stem(file): file for file in window.session.files}
     project = window.session.project

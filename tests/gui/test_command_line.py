@@ -56,11 +56,13 @@ def test_a_screenshot_has_the_size_and_colours_asked_for(
 def test_a_screenshot_shows_the_view_that_is_named(
     qt: QApplication, project: Copy, tmp_path: Path
 ) -> None:
-    graph, outline = tmp_path / "graph.png", tmp_path / "outline.png"
+    graph, outline, both = (tmp_path / f"{n}.png" for n in ("graph", "outline", "both"))
     folder = project("conversation")
-    for view, out in (("conversation", graph), ("outline:conversation", outline)):
+    views = {"conversation": graph, "outline:conversation": outline, "both:conversation": both}
+    for view, out in views.items():
         assert here(folder, "--screenshot", out, "--size", "900x600", "--view", view) == 0
-    assert QImage(str(graph)) != QImage(str(outline))
+    pictures = [QImage(str(out)) for out in (graph, outline, both)]
+    assert pictures[0] != pictures[1] != pictures[2] != pictures[0]
 
 
 def test_a_screenshot_needs_no_display(project: Copy, tmp_path: Path) -> None:

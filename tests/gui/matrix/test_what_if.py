@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
 from tests.gui.matrix.conftest import TIED, Desk, read
 
+from situ_studio.canvas.live import LiveScript
 from situ_studio.matrix.chips import Chip
 
 Make = Callable[..., Desk]
@@ -71,6 +72,18 @@ def test_a_supposed_value_says_the_situation_and_who_holds_what_at_once(desk: Ma
     press(used, "robot.stop")
     assert answer(used)[0] == "invited"
     assert used.steps == [], "nothing of it is in the document"
+
+
+def test_a_robots_situation_is_marked_where_nothing_is_supposed(desk: Make) -> None:
+    used = desk()
+    used.view.set_live(LiveScript("accepted", frozenset({"accepted", "conversation"})))
+    assert marked(used)[0] == "5 accepted, current, its condition holds"
+    press(used, "sound.slap")
+    assert marked(used)[0].startswith("4 sound, current")
+    press(used, "sound.slap")
+    assert marked(used)[0].startswith("5 accepted, current")
+    used.view.set_live(None)
+    assert marked(used) == []
 
 
 def test_a_change_of_the_script_is_judged_with_what_is_supposed(desk: Make) -> None:
