@@ -33,6 +33,8 @@ class DocumentView(QWidget):
     """A context menu is wanted: of what, and where on the screen."""
     part_asked = Signal(object, tuple)
     """A part was dropped: where its card's corner shall be, and the exit into whose pipe."""
+    work_begun = Signal(str, object)
+    """Something goes on beside the window: what, and the job, as ``working.follow`` takes it."""
     filled_in = Signal(tuple)
     """The place whose form is wanted."""
 
@@ -223,6 +225,7 @@ class DocumentView(QWidget):
             "module_dropped",
             "part_asked",
             "filled_in",
+            "work_begun",
         ):
             if hasattr(piece, heard):
                 getattr(piece, heard).connect(getattr(self, heard))

@@ -156,11 +156,12 @@ def _is_there(window: MainWindow, way: tuple[str, ...]) -> bool:
 
 def _show_group(window: MainWindow, wanted: Open) -> None:
     group = window.sides.current
-    for file in list(group.views):
-        group.drop_view(file)
     # A document is shown as it was once it is shown: not all of them at the start.
     group.waiting = dict(wanted.documents)
-    group.current_file = None
+    for file, view in group.views.items():
+        document, how = window.session.document(file), group.waiting.pop(file, None)
+        if document is not None and how is not None:
+            show_as(view, document, how)
     for way in wanted.ways:
         if _is_there(window, way):
             window.add_tab(way[0])

@@ -76,6 +76,8 @@ class Group(QWidget):
         view = self.views.pop(file, None)
         if view is not None:
             self.documents.removeWidget(view)
+            # Who looks through the window's widgets meanwhile would hold it for ever.
+            view.setParent(None)
             view.deleteLater()
 
     def reset(self) -> None:

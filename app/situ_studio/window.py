@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -44,6 +45,7 @@ from situ_studio.showing import recall, show_as, show_beside
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Lexicon
 from situ_studio.welcome import Example
+from situ_studio.working import follow
 
 if TYPE_CHECKING:
     from situ_studio.windows import Windows
@@ -273,6 +275,7 @@ class MainWindow(Frame):
         view.activated.connect(self._on_activated)
         view.status.connect(self.say)
         view.filled_in.connect(self.fill_in)
+        view.work_begun.connect(partial(follow, self.status.work))
         view.part_asked.connect(self.parts.insert)
         view.menu_requested.connect(self.context_menus.open)
         group.add_view(view)

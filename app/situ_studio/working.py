@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer, Signal, SignalInstance
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
 
 PATIENCE = 400
@@ -35,6 +36,15 @@ class Work(QObject):
     def cancel(self) -> None:
         self._cancel()
         self.end()
+
+
+class Job(Protocol):
+    """What goes on beside the window: a QObject that tells when it has ended, and can be ended."""
+
+    ended: SignalInstance
+    destroyed: SignalInstance
+
+    def cancel(self) -> None: ...
 
 
 class WorkStrip(QWidget):
@@ -106,3 +116,10 @@ class WorkStrip(QWidget):
         else:
             self._soon.stop()
             self.hide()
+
+
+def follow(strip: WorkStrip, words: str, job: Job) -> None:
+    """Shows a job in the strip until it has ended, or is gone."""
+    work = strip.begin(words, job.cancel)
+    job.ended.connect(work.end)
+    job.destroyed.connect(work.end)

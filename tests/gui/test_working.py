@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -132,3 +133,27 @@ def test_a_check_beside_the_window_is_shown_and_cancelled(project: Copy, qt: QOb
     assert told == [1]
     assert strip.going == []
     strip.deleteLater()
+
+
+def test_a_layout_is_shown_in_the_strip_whose_button_cancels_it(
+    studio: Start, project: Copy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("situ_studio.canvas.application.AT_ONCE", 5)
+    used = studio(project("reception"))
+    strip, arranging = used.window.status.work, used.window.current_view.canvas._arranging
+    arranging._command = (sys.executable, "-c", "import signal; signal.pause()")
+    layout = used.window.actions_.actions["layout"]
+    layout.trigger()
+    shown(strip)
+    assert "Arranging" in strip.words.text()
+    (process,) = arranging._running
+    used.click(strip.stop)
+    assert process.state() == process.ProcessState.NotRunning
+    assert not strip.isVisible()
+    assert used.session.dirty == []
+    layout.trigger()
+    assert len(strip.going) == 1
+    # The drawing is gone, and its layout with it.
+    used.window.open_project(project("conversation"))
+    used.settle()
+    assert strip.going == []

@@ -15,7 +15,6 @@ from situ.document.rbd import Application
 from situ_studio import places
 from situ_studio.canvas import gestures, layout, spoken
 from situ_studio.canvas.arranging import Arranging
-from situ_studio.canvas.arranging_bar import ArrangingBar
 from situ_studio.canvas.between import Between
 from situ_studio.canvas.cards import CardItem
 from situ_studio.canvas.commands import CommandedCanvas
@@ -43,6 +42,7 @@ from situ_studio.copying import Copying
 from situ_studio.edit import Place
 from situ_studio.insert import insert
 from situ_studio.kinds import Kind
+from situ_studio.language import tr
 from situ_studio.theme import Theme
 
 AT_ONCE = 300
@@ -52,6 +52,8 @@ AT_ONCE = 300
 class ApplicationCanvas(CommandedCanvas, Copying):
     """Shows an application; gestures become ``edited`` (canvas.md)."""
 
+    work_begun = Signal(str, object)
+    """Something goes on beside the window: what, and the job, as ``working.follow`` takes it."""
     part_asked = Signal(object, tuple)
     """A part shall be added: its card's corner, and the exit into whose pipe it goes, or ()."""
 
@@ -66,9 +68,6 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self._figuring = Figuring(self, self._edit)
         self._between = Between(self)
         self._arranging = Arranging(self)
-        self._arranging_bar = ArrangingBar(self)
-        self._arranging_bar.cancelled.connect(self._arranging.cancel)
-        self._arranging.ended.connect(self._arranging_bar.hide)
         self._arranging.refused.connect(self.status)
         self._arranging.done.connect(self._on_arranged)
         self._drop: tuple[str, str, QPointF] | None = None
@@ -399,14 +398,16 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             self._arrange(layout.place(shape))
             return
         self._arranging.start(shape)
-        self._arranging_bar.set_theme(self.look.theme)
-        self._arranging_bar.tell(f"Arranging {len(shape.heights):,} cards …")
+        words = tr("Arranging {0} cards").format(f"{len(shape.heights):,}")
+        self.work_begun.emit(words, self._arranging)
 
     def _on_arranged(self, placed: Mapping[str, tuple[float, float]]) -> None:
         if placed.keys() == {uid for uid, _ in identified(self.document)}:
             self._arrange(placed)
         else:
-            self.status.emit("There are other cards now than those arranged: arrange them again")
+            self.status.emit(
+                tr("There are other cards now than those arranged: arrange them again")
+            )
 
     def _arrange(self, placed: Mapping[str, tuple[float, float]]) -> None:
         to = {self._picture.cards[uid].place: at for uid, at in placed.items()}

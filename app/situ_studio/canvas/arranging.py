@@ -9,6 +9,7 @@ import msgspec
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
 from situ_studio.canvas.layout import Shape
+from situ_studio.language import tr
 
 COMMAND = (sys.executable, "-m", "situ_studio.canvas.layout_process")
 LIMIT = 20.0
@@ -73,20 +74,20 @@ class Arranging(QObject):
     def _on_limit(self) -> None:
         seconds = round(self._limit.interval() / 1000)
         self.cancel()
-        self.refused.emit(
-            f"The layout took longer than {seconds} s and was given up: all cards stay"
-            " where they are"
+        words = tr(
+            "The layout took longer than {0} s and was given up: all cards stay where they are"
         )
+        self.refused.emit(words.format(seconds))
 
     def _on_error(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
-            self._fail("it could not be started")
+            self._fail(tr("it could not be started"))
 
     def _on_finished(self, status: int, how: QProcess.ExitStatus) -> None:
         process = self._running[-1]
         if status != 0 or how != QProcess.ExitStatus.NormalExit:
             said = bytes(process.readAllStandardError().data()).decode(errors="replace")
-            self._fail((said.strip().splitlines() or ["its process ended early"])[-1])
+            self._fail((said.strip().splitlines() or [tr("its process ended early")])[-1])
             return
         try:
             places = msgspec.json.decode(process.readAllStandardOutput().data(), type=Places)
@@ -98,7 +99,8 @@ class Arranging(QObject):
 
     def _fail(self, why: str) -> None:
         self.cancel()
-        self.refused.emit(f"The layout failed ({why}): all cards stay where they are")
+        words = tr("The layout failed ({0}): all cards stay where they are")
+        self.refused.emit(words.format(why))
 
 
 def _end(*processes: QProcess) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtTest import QSignalSpy, QTest
+from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication
 
 from situ.document.aside import NOTHING
@@ -64,12 +64,11 @@ def test_many_cards_are_arranged_as_few_are(
 ) -> None:
     made = desk(many)
     done = QSignalSpy(made.canvas._arranging.done)
+    begun = QSignalSpy(made.canvas.work_begun)
     made.canvas.auto_layout()
     assert made.edits == []
-    assert made.canvas._arranging_bar.isVisible()
-    assert made.canvas._arranging_bar.words.text() == "Arranging 12 cards …"
+    assert begun.at(0) == ["Arranging 12 cards", made.canvas._arranging]
     assert done.count() or done.wait(PATIENCE)
-    assert not made.canvas._arranging_bar.isVisible()
     assert made.edits == ["Arrange all cards"]
     places = layout.arrange(many)
     assert {s.no: s.aside.position for s in made.document.states} == places
@@ -86,19 +85,9 @@ def test_the_window_answers_meanwhile_and_esc_cancels(
     assert made.canvas.selection() == (("state", "12"),)
     made.hand.key(Qt.Key.Key_Escape)
     assert process.state() == process.ProcessState.NotRunning
-    assert not made.canvas._arranging_bar.isVisible()
     assert (made.edits, made.said) == ([], [])
     assert made.canvas.selection() == (("state", "12"),)
     check(made)
-
-
-def test_the_button_cancels(made: Any) -> None:
-    made.canvas.auto_layout()
-    (process,) = made.canvas._arranging._running
-    QTest.mouseClick(made.canvas._arranging_bar.stop, Qt.MouseButton.LeftButton)
-    assert process.state() == process.ProcessState.NotRunning
-    assert not made.canvas._arranging_bar.isVisible()
-    assert made.edits == []
 
 
 def test_closing_the_canvas_ends_the_process(made: Any, qt: QApplication) -> None:
