@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QSizePolicy, QWidget
 
 from situ_studio.icon_widgets import IconButton, ThemedButton
 from situ_studio.panels.fields import Choice
@@ -12,6 +13,8 @@ from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
 
 OWN = "own"
+ROOMY = 560
+"""Px of the bar in which a sample value has room."""
 
 
 class DesignerBar(QFrame):
@@ -29,15 +32,18 @@ class DesignerBar(QFrame):
         self.setProperty("role", "panel")
         self.setFixedHeight(44)
         self._device = USUAL
+        self._sample = ""
         line = QHBoxLayout(self)
         line.setContentsMargins(12, 0, 12, 0)
         line.setSpacing(8)
         self.devices = Choice(theme, self)
         self.devices.setAccessibleName(self.tr("Screen"))
         self.devices.setToolTip(self.tr("The screen on which you look at what you draw"))
-        self.devices.setFixedWidth(176)
+        self.devices.setMinimumWidth(96)
+        self.devices.setMaximumWidth(176)
+        self.devices.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.devices.committed.connect(self._on_device)
-        line.addWidget(self.devices)
+        line.addWidget(self.devices, 4)
         self.ways = Segments(
             theme,
             (
@@ -55,6 +61,7 @@ class DesignerBar(QFrame):
         self.samples = ThemedButton(theme, "down", self.tr("Sample"), "", "text3", 12)
         self.samples.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
         self.samples.setToolTip(self.tr("The values that texts stand for while you draw"))
+        self.samples.setMinimumWidth(88)
         self.samples.clicked.connect(self.samples_asked)
         line.addWidget(self.samples)
         self.always = IconButton(theme, "always", self.tr("Show what is in every state"), "text2")
@@ -84,10 +91,20 @@ class DesignerBar(QFrame):
 
     def show_samples(self, words: str) -> None:
         """What stands behind *Sample*: ``user.name = Jack``; "" for none."""
+        self._sample = words
+        self._fit_samples()
+        self.samples.setAccessibleName(self.tr("Sample values: {0}").format(words or "–"))
+
+    def _fit_samples(self) -> None:
+        """In a narrow bar the value is in the list only."""
+        words = self._sample if self.width() >= ROOMY else ""
         metrics = self.samples.fontMetrics()
         short = metrics.elidedText(words, Qt.TextElideMode.ElideRight, 150)
         self.samples.setText(self.tr("Sample  {0}").format(short) if words else self.tr("Sample"))
-        self.samples.setAccessibleName(self.tr("Sample values: {0}").format(words or "–"))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_samples()
 
     def _on_device(self, key: str) -> None:
         if key == f"{OWN}…":

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.measures import measures
+from situ_studio.screens.painting import layer
 from situ_studio.screens.sheet import Sheet
 from situ_studio.theme import Theme
 
@@ -69,9 +70,10 @@ class DeviceGround(QWidget):
         wide = max(80, int(device.wide * scale))
         self._lit = QRect(0, 0, wide, wide * device.high // device.wide)
         self._lit.moveCenter(room.center())
-        self._sheet.setFixedWidth(wide)
         # What lies on a screen that is very high does not fill it.
-        high = self._sheet.height()
+        shared = layer(QSize(device.wide, device.high))
+        high = int(wide * shared.height() / shared.width())
+        self._sheet.setFixedSize(wide, high)
         self._sheet.move(self._lit.x(), self._lit.y() + (self._lit.height() - high) // 2)
         self._zoom.setText(self.tr("{0} %").format(round(self.zoom * 100)))
         self._zoom.adjustSize()

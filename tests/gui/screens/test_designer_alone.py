@@ -284,3 +284,14 @@ def test_a_tag_is_put_into_a_text_by_a_press_or_a_drop(desk: Desk) -> None:
     assert desk.components("2")[1].text.endswith("today? {user.name}")
     assert desk.drop(dragged("spo2.value"), 80, 90)
     assert desk.components("2")[-1].text == "{spo2.value}"
+
+
+def test_the_screen_lies_in_its_frame_however_large_the_window_is(desk: Desk) -> None:
+    for wide, high in ((700, 420), (1800, 1200), (1000, 500)):
+        desk.holder.resize(wide, high)
+        desk.settle()
+        area = desk.sheet.geometry()
+        assert desk.designer.ground.rect().contains(area.adjusted(-7, -7, 7, 7))
+        assert area.width() / area.height() == pytest.approx(1.6, abs=0.01)
+        # Under the names above it.
+        assert area.top() > desk.designer.crumbs.height()
