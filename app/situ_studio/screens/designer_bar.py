@@ -92,19 +92,21 @@ class DesignerBar(QFrame):
     def show_samples(self, words: str) -> None:
         """What stands behind *Sample*: ``user.name = Jack``; "" for none."""
         self._sample = words
-        self._fit_samples()
+        self._fit()
         self.samples.setAccessibleName(self.tr("Sample values: {0}").format(words or "–"))
 
-    def _fit_samples(self) -> None:
-        """In a narrow bar the value is in the list only."""
-        words = self._sample if self.width() >= ROOMY else ""
+    def _fit(self) -> None:
+        """In a narrow bar the value is in the list only, and the preview's button is its sign."""
+        roomy = self.width() >= ROOMY
+        words = self._sample if roomy else ""
+        self.preview.setText(self.tr("Preview") if roomy else "")
         metrics = self.samples.fontMetrics()
         short = metrics.elidedText(words, Qt.TextElideMode.ElideRight, 150)
         self.samples.setText(self.tr("Sample  {0}").format(short) if words else self.tr("Sample"))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._fit_samples()
+        self._fit()
 
     def _on_device(self, key: str) -> None:
         if key == f"{OWN}…":
