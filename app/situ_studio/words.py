@@ -178,17 +178,18 @@ def situation_words(script: spds.Spds, situation: spds.Situation) -> str:
     elif len(before) == 1:
         told.append(tr("{0} goes first.").format(before[0]))
     else:
-        told.append(tr("{0} go first.").format(_listed(before)))
+        told.append(tr("{0} go first.").format(listed(before)))
     every = sorted(script.priorities(situation).items(), key=lambda pair: -pair[1])
     if every:
-        movers = _listed([module for module, _ in every])
+        movers = listed([module for module, _ in every])
         told.append(tr("{0} may move the robot, in this order.").format(movers))
     else:
         told.append(tr("Nothing may move the robot."))
     return " ".join(told)
 
 
-def _listed(names: list[str]) -> str:
+def listed(names: list[str]) -> str:
+    """``a, b and c`` in the user's language."""
     if len(names) < 2:
         return "".join(names)
     return tr("{0} and {1}").format(tr(", ").join(names[:-1]), names[-1])

@@ -30,6 +30,7 @@ from situ_studio.matrix.chips import Chip, Rows
 from situ_studio.matrix.grid import Asking
 from situ_studio.matrix.presets import presets, short, typed
 from situ_studio.theme import Theme
+from situ_studio.words import listed
 
 
 class WhatIf(QWidget):
@@ -306,14 +307,8 @@ def holders_words(holdings: dict[str, Holding]) -> str:
         by_holder.setdefault(who, []).append(_escaped(resource))
     if not by_holder:
         return tr("nobody asks")
-    parts = [tr("{0}: {1}").format(_listed(resources), who) for who, resources in by_holder.items()]
+    parts = [tr("{0}: {1}").format(listed(resources), who) for who, resources in by_holder.items()]
     return tr(", ").join(parts)
-
-
-def _listed(names: list[str]) -> str:
-    if len(names) < 2:
-        return "".join(names)
-    return tr("{0} and {1}").format(tr(", ").join(names[:-1]), names[-1])
 
 
 def _bold(text: str) -> str:
