@@ -91,7 +91,9 @@ class Writing:
     def compose(self, event: QInputMethodEvent) -> bool:
         """An input method begins to write on the only selected component; whether it can."""
         selected = self._sheet.selected
-        if len(selected) != 1 or not self.begin(selected[0], ""):
+        # It says too that there is nothing, as when the focus comes.
+        says = bool(event.preeditString() or event.commitString())
+        if not says or len(selected) != 1 or not self.begin(selected[0], ""):
             return False
         assert self.field is not None
         QCoreApplication.sendEvent(self.field, event)

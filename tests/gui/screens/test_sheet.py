@@ -14,6 +14,7 @@ LEFT = Qt.MouseButton.LeftButton
 ALT = Qt.KeyboardModifier.AltModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
+Page = Any
 Table = Any
 
 
@@ -33,47 +34,47 @@ def test_a_component_goes_where_it_is_dragged_as_one_step_and_undo_gives_the_byt
     assert write(table.document) == bytes_before
 
 
-def test_a_press_without_a_way_changes_nothing(table: Table) -> None:
-    before = table.document
-    table.used.click(table.sheet, table.middle(table.components[-1].id))
-    assert table.document is before
+def test_a_press_without_a_way_changes_nothing(page: Page) -> None:
+    before = page.document
+    page.click(page.components[-1].id)
+    assert page.document is before
 
 
-def test_what_is_dragged_beyond_the_edge_stays_on_the_screen(table: Table) -> None:
-    one = table.components[-1]
-    table.drag(table.middle(one.id), table.at(300, 300), ALT)
-    moved = table.component(one.id)
+def test_what_is_dragged_beyond_the_edge_stays_on_the_screen(page: Page) -> None:
+    one = page.components[-1]
+    page.drag(page.middle(one.id), page.at(300, 300), ALT)
+    moved = page.component(one.id)
     assert moved.x + moved.width == pytest.approx(100)
     assert moved.y + moved.height == pytest.approx(100)
 
 
-def test_a_handle_makes_it_larger(table: Table) -> None:
-    one = table.components[-1]
-    table.used.click(table.sheet, table.middle(one.id))
-    table.drag(table.sheet.handle_at("nw").toPoint(), table.at(-5, -5), ALT)
-    grown = table.component(one.id)
+def test_a_handle_makes_it_larger(page: Page) -> None:
+    one = page.components[-1]
+    page.click(one.id)
+    page.drag(page.sheet.handle_at("nw").toPoint(), page.at(-5, -5), ALT)
+    grown = page.component(one.id)
     assert grown.width > one.width + 3
     assert grown.height > one.height + 3
     assert grown.x + grown.width == pytest.approx(one.x + one.width, abs=0.02)
-    assert table.used.session.undo_text == f"Resize {one.id}"
+    assert page.steps[-1] == f"Resize {one.id}"
 
 
-def test_arrows_move_by_one_percent_and_by_ten_with_shift(table: Table) -> None:
-    one = table.components[-1]
-    table.used.click(table.sheet, table.middle(one.id))
-    table.used.key(Qt.Key.Key_Up)
-    assert table.component(one.id).y == pytest.approx(one.y - 1)
-    table.used.key(Qt.Key.Key_Up, SHIFT)
-    assert table.component(one.id).y == pytest.approx(one.y - 11)
+def test_arrows_move_by_one_percent_and_by_ten_with_shift(page: Page) -> None:
+    one = page.components[-1]
+    page.click(one.id)
+    page.key(Qt.Key.Key_Up)
+    assert page.component(one.id).y == pytest.approx(one.y - 1)
+    page.key(Qt.Key.Key_Up, SHIFT)
+    assert page.component(one.id).y == pytest.approx(one.y - 11)
 
 
-def test_delete_takes_the_component_away_and_leaves_its_state(table: Table) -> None:
-    one = table.components[-1]
-    count = len(table.components)
-    table.used.click(table.sheet, table.middle(one.id))
-    table.used.key(Qt.Key.Key_Delete)
-    assert len(table.components) == count - 1
-    assert all(c.id != one.id for c in table.components)
+def test_delete_takes_the_component_away_and_leaves_its_state(page: Page) -> None:
+    one = page.components[-1]
+    count = len(page.components)
+    page.click(one.id)
+    page.key(Qt.Key.Key_Delete)
+    assert len(page.components) == count - 1
+    assert all(c.id != one.id for c in page.components)
 
 
 def test_cut_with_a_component_selected_leaves_its_state(table: Table) -> None:
@@ -83,14 +84,13 @@ def test_cut_with_a_component_selected_leaves_its_state(table: Table) -> None:
     assert len(table.used.window.current_document.states) == states
 
 
-def test_shift_adds_to_the_selection_and_they_move_together(table: Table) -> None:
-    first, second = table.components[-2:]
-    table.used.click(table.sheet, table.middle(first.id))
-    QTest.mouseClick(table.sheet, LEFT, SHIFT, table.middle(second.id))
-    table.used.settle()
-    table.used.key(Qt.Key.Key_Up)
-    assert table.component(first.id).y == pytest.approx(first.y - 1)
-    assert table.component(second.id).y == pytest.approx(second.y - 1)
+def test_shift_adds_to_the_selection_and_they_move_together(page: Page) -> None:
+    first, second = page.components[-2:]
+    page.click(first.id)
+    page.click(second.id, held=SHIFT)
+    page.key(Qt.Key.Key_Up)
+    assert page.component(first.id).y == pytest.approx(first.y - 1)
+    assert page.component(second.id).y == pytest.approx(second.y - 1)
 
 
 def test_enter_goes_to_the_form_of_the_component(table: Table) -> None:
@@ -114,10 +114,10 @@ def test_a_component_from_the_palette_lies_where_it_was_dropped_and_is_selected(
     assert table.used.window.inspector.place == ("state", "11", "screen", made.id)
 
 
-def test_what_is_no_component_is_not_taken(table: Table) -> None:
-    before = table.document
-    assert not table.drop("speech", table.at(50, 50))
-    assert table.document is before
+def test_what_is_no_component_is_not_taken(page: Page) -> None:
+    before = page.document
+    assert not page.drop("speech", page.at(50, 50))
+    assert page.document is before
 
 
 def test_align_in_the_menu_is_of_the_components_while_some_are_selected(table: Table) -> None:

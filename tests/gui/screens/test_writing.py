@@ -86,6 +86,8 @@ def test_letters_begin_another_text_and_a_picture_has_none(page: Page) -> None:
 
 def test_an_input_method_begins_another_text_too(page: Page) -> None:
     page.click("goodbye")
+    QCoreApplication.sendEvent(page.sheet, QInputMethodEvent())
+    assert page.sheet.writing.field is None
     begun = QInputMethodEvent()
     begun.setCommitString("さようなら")
     QCoreApplication.sendEvent(page.sheet, begun)
