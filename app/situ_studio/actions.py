@@ -790,6 +790,15 @@ COMMANDS: tuple[Command, ...] = (
                 False,
                 "In which unit the data is, such as deg or m.",
             ),
+            (
+                "note",
+                "Note…",
+                "note",
+                "edit_note",
+                "on_script",
+                True,
+                "What is to be remembered about what is selected; of nothing, about the script.",
+            ),
         )
     ),
     *(

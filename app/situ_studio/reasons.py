@@ -64,5 +64,6 @@ def reasons() -> dict[str, str]:
         "is_application": application,
         "is_script": tr("only in a script"),
         "on_application": tr("only in the graph of an application"),
+        "on_script": tr("only in the graph of a script"),
         "on_graph": graph,
     }

@@ -19,6 +19,9 @@ class SituationCommands(StateCommands):
         project = self._session.project
         return project is not None and new_script.can_begin(project)
 
+    def on_script(self) -> bool:
+        return self.on_graph() and isinstance(self._window.current_document, Spds)
+
     def _is_about(self, kind: str) -> bool:
         """Whether all that is selected on the graph of a script is, or is in, things of a kind."""
         view = self._window.current_view

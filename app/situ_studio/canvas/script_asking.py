@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QPointF, QRect
 
 from situ.document.datatypes import write_number
+from situ_studio import places
 from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas import script_piping as piping
@@ -246,10 +247,35 @@ class ScriptAsking(ScriptChoosing):
             unit = " ".join(text.split()) or None
             self._edit(*gestures.change_data(self.document, tag, unit=unit))
 
+    def edit_note(self) -> None:
+        """What is to be remembered about what is selected; of nothing, about the script."""
+        chosen = self.selection()
+        place = chosen[0] if len(chosen) == 1 else ()
+        value = places.get(self.document, place) if place else self.document
+        if len(chosen) > 1 or value is None:
+            self.status.emit(self.tr("Select one thing, or nothing for a note on the script"))
+            return
+        node = self._one_node() or next(iter(self._picture.cards.values()), None)
+        if node is not None:
+            asked = self.tr("Note")
+            self._open_field(node, place, gestures.note_of(value), asked, self._on_note, 420)
+
+    def _on_note(self, place: Place, text: str | None, _: int) -> None:
+        self.field_editor = None
+        self.viewer.setFocus()
+        if text is not None:
+            self._edit(*gestures.annotate(self.document, place, text))
+
     def _open_field(
-        self, node: ScriptNode, key: object, text: str, asked: str, then: Callable[..., None]
+        self,
+        node: ScriptNode,
+        key: object,
+        text: str,
+        asked: str,
+        then: Callable[..., None],
+        least: int = 190,
     ) -> None:
-        """A field at the lower edge of a node."""
+        """A field at the lower edge of a node, so many px wide at least."""
         self.viewer.reveal(self.card_area(node.uid))
         editor = priority_editor(key, text, self.look, self.viewer.viewport())
         editor.setAccessibleName(asked)
@@ -257,7 +283,7 @@ class ScriptAsking(ScriptChoosing):
         editor.finished.connect(then)
         self.field_editor = editor
         area = self.viewer.mapFromScene(self.card_area(node.uid)).boundingRect()
-        editor.open_at(QRect(area.left(), area.bottom() - 12, max(area.width(), 190), 26))
+        editor.open_at(QRect(area.left(), area.bottom() - 12, max(area.width(), least), 26))
 
     def edit_test(self, place: Place) -> None:
         raise NotImplementedError

@@ -68,7 +68,8 @@ class ScriptNode(Struct, frozen=True):
 
     rows: a condition's tests and groups. joint: what joins them, with the place of that group in
     ``joined`` (() where it is not written). until: whether a condition ends its situation.
-    extends, times: lines of a situation. number: its precedence.
+    extends, times: lines of a situation. number: its precedence. note: what somebody wrote about
+    it, told where the mouse rests on it and to those who hear it.
     """
 
     uid: str
@@ -87,6 +88,7 @@ class ScriptNode(Struct, frozen=True):
     until: bool = False
     number: int = 0
     mark: Mark = ""
+    note: str = ""
 
     @property
     def width(self) -> float:
@@ -132,8 +134,11 @@ class ScriptNode(Struct, frozen=True):
             return tr("Drag to where it leads")
         if self.kind == "condition":
             told = (f"{row.tag} {row.text}".strip() for row in self.rows)
-            return "\n".join((self.called(), *told))
-        return "\n".join((self.called(), *self.lines()))
+            return "\n".join((self.called(), *told, *self._noted()))
+        return "\n".join((self.called(), *self.lines(), *self._noted()))
+
+    def _noted(self) -> tuple[str, ...]:
+        return (tr("Note: {0}").format(self.note),) if self.note else ()
 
     def spoken(self) -> str:
         """The node for those who hear it."""
@@ -141,7 +146,8 @@ class ScriptNode(Struct, frozen=True):
         number = [tr("number {0}").format(self.number)] if self.number else []
         joint = [translated(f"{self.joint} of these")] if self.joint else []
         wrong = {"": "", "warning": tr("with a warning"), "error": tr("with an error")}[self.mark]
-        return "; ".join(part for part in (what, *number, *joint, *self.lines(), wrong) if part)
+        every = (what, *number, *joint, *self.lines(), wrong, *self._noted())
+        return "; ".join(part for part in every if part)
 
     def port(self, name: str) -> tuple[float, float]:
         """A port's centre, from the corner."""

@@ -28,6 +28,7 @@ from situ_studio.canvas.script_faces import (
     ScriptPicture,
     uid,
 )
+from situ_studio.canvas.script_gestures import note_of
 from situ_studio.canvas.script_layout import Tier, spread, tiers
 from situ_studio.canvas.script_rows import Shapes
 from situ_studio.edit import Place
@@ -159,6 +160,7 @@ class _Drawing:
                     y=tops[tag],
                     detail=_type(self._observed.get(tag)),
                     mark=self._marks.get(place, ""),
+                    note=note_of(self._observed[tag]) if tag in self._observed else "",
                 )
             )
 
@@ -171,7 +173,7 @@ class _Drawing:
         until: bool = False,
     ) -> None:
         shape = self._shapes.of(condition)
-        if not shape.rows:
+        if condition is None or not shape.rows:
             return
         word = "until" if until else "condition"
         place: Place = ("situation", situation.name, word)
@@ -190,6 +192,7 @@ class _Drawing:
                 joined=(*place, "0") if shape.whole else (),
                 until=until,
                 mark=self._marks.get(place, ""),
+                note=note_of(condition),
             )
         )
         goal = uid("situation", key)
@@ -218,6 +221,7 @@ class _Drawing:
                 times=_times(situation),
                 number=number,
                 mark=self._marks.get(place, ""),
+                note=note_of(situation),
             )
         )
 
@@ -243,6 +247,7 @@ class _Drawing:
                     height=LOW,
                     detail="" if every[name] is not None else tr("not declared"),
                     mark=self._marks.get(place, ""),
+                    note=next((note_of(m) for m in self._script.modules if m.name == name), ""),
                 )
             )
         for name, top in spread([(r, _mean(ys, TOP)) for r, ys in needed.items()], 56).items():

@@ -392,6 +392,19 @@ def test_a_press_by_a_screen_reader_selects_the_pipe(made: Any) -> None:
 # -- seen ---------------------------------------------------------------------------------------
 
 
+def test_a_note_is_told_where_the_mouse_rests_and_to_those_who_hear(made: Any) -> None:
+    made.canvas.select([("situation", "rest")])
+    made.canvas.edit_note()
+    made.hand.type(made.canvas.field_editor, "Nothing else is going on")
+    QTest.keyClick(made.canvas.field_editor, Qt.Key.Key_Return)
+    assert made.edits == ["Change a note"]
+    assert made.hand.card("situation rest").toolTip().endswith("Note: Nothing else is going on")
+    (told,) = [told for name, told in heard(tree(made.canvas)) if name == "rest"]
+    assert told == "situation; number 3; always; Note: Nothing else is going on"
+    made.undo()
+    assert "Note" not in made.hand.card("situation rest").toolTip()
+
+
 def test_headings_stay_above_their_columns(made: Any) -> None:
     """However far the drawing is scrolled, and as far as there is room for them."""
     canvas = made.canvas

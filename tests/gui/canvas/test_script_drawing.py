@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
+from situ.document import codec
 from situ.document.beside import Toml
 from situ.document.check import check
 from situ.document.condition import Condition, Group
@@ -21,6 +22,7 @@ from situ.document.rbd import Application, Speech, State
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ_studio import new_script, places
 from situ_studio.canvas import script_conditions as conditions
+from situ_studio.canvas.script_gestures import annotate, note_of
 from situ_studio.canvas.script_layout import Pills, spread
 from situ_studio.canvas.script_projection import picture
 from situ_studio.canvas.script_rows import tests as every_test
@@ -177,6 +179,23 @@ def _has_empty(value: Any) -> bool:
     if value is None or isinstance(value, Question):
         return False
     return not value.children or any(map(_has_empty, value.children))
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.text("ab-–<>&! \n", max_size=12))
+def test_a_note_is_a_comment_that_is_read_again(text: str) -> None:
+    """Whatever is typed: nothing in it ends the comment. Empty, it is taken away."""
+    script = Spds("w", situations=(Situation("only"),))
+    for place in ((), ("situation", "only")):
+        after, _ = annotate(script, place, text)
+        found, problems = codec.read(codec.write(after), "w.spds.xml")
+        assert problems == []
+        assert isinstance(found, Spds)
+        note = note_of(places.get(found, place) if place else found)
+        assert note == note_of(places.get(after, place) if place else after)
+        assert bool(note) == bool(text.strip(" \n-"))
+        gone, _ = annotate(after, place, "")
+        assert codec.write(gone) == codec.write(script)
 
 
 JSON = st.lists(
