@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile, QObject, QTimer
+from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
 from situ.document import folder
 from situ.document.catalogue import Catalogue
@@ -44,6 +44,9 @@ class Recovery(QObject):
     runs is not offered. now: the wall clock.
     """
 
+    refused = Signal(str)
+    """Unsaved changes can not be kept: why, in one line; told once until they can be again."""
+
     def __init__(
         self,
         session: Session,
@@ -58,6 +61,7 @@ class Recovery(QObject):
         self._lock: QLockFile | None = None
         self._kept: dict[str, Written] = {}
         self._asked: dict[str, Written] = {}
+        self._told = False
         self._worker = Worker(command, self)
         self._worker.answered.connect(self._on_written)
         self._worker.said.connect(lambda said: _log.error("keeping changes failed: %s", said))
@@ -110,7 +114,7 @@ class Recovery(QObject):
                 self._home.mkdir(parents=True, exist_ok=True)
                 self._file, self._lock = self._free(self._session.root)
         except OSError as error:
-            _tell(str(error))
+            self._tell(str(error))
             return None
         return Wanted(self._file, str(self._session.root.resolve()), self._now(), values)
 
@@ -118,15 +122,25 @@ class Recovery(QObject):
         try:
             kept.write(wanted)
         except SituError as error:
-            _tell(str(error))
+            self._tell(str(error))
         else:
-            self._kept = wanted.values
+            self._kept, self._told = wanted.values, False
 
     def _on_written(self, refused: str) -> None:
         if refused:
-            _tell(refused)
+            self._tell(refused)
         else:
-            self._kept = self._asked
+            self._kept, self._told = self._asked, False
+
+    def _tell(self, why: str) -> None:
+        _log.warning("unsaved changes can not be kept: %s", why)
+        if not self._told:
+            self._told = True
+            self.refused.emit(
+                self.tr(
+                    "Unsaved changes can not be kept for the next start ({0}): save soon"
+                ).format(why)
+            )
 
     def _on_worker_gone(self) -> None:
         """Rather the window waits than that something is lost."""
@@ -205,7 +219,3 @@ class Recovery(QObject):
 
 def _size(value: Written) -> int:
     return len(value.states) if isinstance(value, Application) else 0
-
-
-def _tell(why: str) -> None:
-    _log.warning("unsaved changes can not be kept: %s", why)

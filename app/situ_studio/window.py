@@ -83,6 +83,7 @@ class MainWindow(Frame):
         self._before_welcome: str | None = None
         home = Path(settings.fileName()).parent / "recovery"
         self.recovery = Recovery(session, home, self.recovered)
+        self.recovery.refused.connect(self.say)
         self.claim = Claim(home)
         self.commands = Commands(self)
         self.robot = RobotSide(self, link)

@@ -288,6 +288,7 @@ def test_recovery_goes_on_once_there_is_room_again(
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
     assert kept(settings) == []
     assert "can not be kept" in caplog.text
+    assert "save soon" in used.window.status.said.text()
     used.window.recovery.keep()
     assert b"kept later" in kept(settings)[0].read_bytes()
 
