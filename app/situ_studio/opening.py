@@ -13,6 +13,7 @@ from situ.document import folder
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.errors import SituError
+from situ_studio.language import tr
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -88,7 +89,7 @@ def read_into(window: MainWindow, path: Path, refused: Callable[[str], object]) 
     refused: gets why it can not be opened, in one line; "" where a fault was told already.
     """
     opening = Opening(window)
-    work = window.status.work.begin(window.tr("Reading {0}").format(path.name), opening.cancel)
+    work = window.status.work.begin(tr("Reading {0}").format(path.name), opening.cancel)
     work.ended.connect(opening.deleteLater)
 
     def on_read(found: Found) -> None:
