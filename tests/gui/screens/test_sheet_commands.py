@@ -127,3 +127,27 @@ def test_a_component_and_the_ground_have_context_menus_of_their_own(table: Table
     assert "Order" in [a.text() for a in shown.actions()]
     shown.close()
     table.used.settle()
+
+
+def test_in_the_designer_the_same_keys_and_menus_are_of_its_components(
+    table: Table,
+) -> None:
+    table.used.window.show_mode("screen")
+    table.used.settle()
+    table.sheet = table.used.window.commands.components.sheet
+    assert table.sheet.isVisible()
+    table.click("measure")
+    offered = menu_at(table, table.middle("measure"))
+    assert {"Cut", "Copy", "Duplicate", "Delete", "Order", "Align"} <= set(offered)
+    table.used.key(Qt.Key.Key_C, CONTROL)
+    table.used.key(Qt.Key.Key_V, CONTROL)
+    assert ids(table)[-1] == "measure2"
+    assert table.sheet.selected == ("measure2",)
+    table.used.key(Qt.Key.Key_BracketLeft, CONTROL | SHIFT)
+    assert ids(table)[0] == "measure2"
+    table.used.key(Qt.Key.Key_F2)
+    table.used.type("Pulse")
+    table.used.key(Qt.Key.Key_Return)
+    assert table.component("measure2").text == "Pulse"
+    table.used.key(Qt.Key.Key_A, CONTROL)
+    assert list(table.sheet.selected) == ids(table)
