@@ -87,6 +87,13 @@ class FileCommands(SituationCommands):
         """Takes a project off the list of recent ones; its files stay."""
         self._window.forget_recent(path)
 
+    def locate_recent(self, path: str) -> None:
+        """Asks where a recent project is now, and opens it there."""
+        found = self._window.dialogs.project(str(Path(path).parent))
+        if found is not None:
+            self._window.move_recent(path, Path(found))
+            self.open_path(found)
+
     def show_welcome(self) -> None:
         self._window.show_welcome()
 

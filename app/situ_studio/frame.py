@@ -353,8 +353,8 @@ class Frame(QMainWindow):
         self.resizeDocks([self.docks["bottom"]], [BOTTOM], vertical)
 
     def _on_bottom(self, name: str) -> None:
-        """Tables of what a robot tells want more room than problems do."""
-        if name != "problems" and self.docks["bottom"].height() < ROBOT_PANEL:
+        """Tables of what a robot tells want more room than problems and what was found do."""
+        if name not in ("problems", "find") and self.docks["bottom"].height() < ROBOT_PANEL:
             room = min(ROBOT_PANEL, self.height() // 3)
             self.resizeDocks([self.docks["bottom"]], [room], Qt.Orientation.Vertical)
 

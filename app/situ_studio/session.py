@@ -79,7 +79,7 @@ class Session(QObject):
         self, parent: QObject | None = None, now: Callable[[], datetime] = datetime.now
     ) -> None:
         super().__init__(parent)
-        self._now = now
+        self.now = now
         self._project: Project | None = None
         self._read_problems: list[Problem] = []
         self._problems: list[Problem] = []
@@ -319,7 +319,7 @@ class Session(QObject):
                 folder.write(self.root / file, write(document))
                 self._saved[file] = document
                 self.disk.see(file)
-            self._saved_at = self._now()
+            self._saved_at = self.now()
         finally:
             self.disk.watch()
             self.stack_changed.emit()
@@ -495,7 +495,7 @@ class Session(QObject):
         self.move(target / first)
         self._saved.update(documents)
         self.disk.begin(target, self.files, beside.files(self._open_project()))
-        self._saved_at = self._now()
+        self._saved_at = self.now()
         self.stack_changed.emit()
 
     def move(self, root: Path) -> None:

@@ -24,8 +24,8 @@ SAID_FOR = 6000
 
 
 def count(number: int, one: str, many: str) -> str:
-    """``1 state``, ``20 states``."""
-    return f"{number} {one if number == 1 else many}"
+    """``{0} state`` for one, ``{0} states`` for several: a language says it in its own order."""
+    return (one if number == 1 else many).format(number)
 
 
 class Status(QStatusBar):
@@ -116,9 +116,11 @@ class Status(QStatusBar):
 
     def show_problems(self, errors: int, warnings: int) -> None:
         self.errors.setText(str(errors))
-        self.errors.setAccessibleName(count(errors, self.tr("error"), self.tr("errors")))
+        self.errors.setAccessibleName(count(errors, self.tr("{0} error"), self.tr("{0} errors")))
         self.warnings.setText(str(warnings))
-        self.warnings.setAccessibleName(count(warnings, self.tr("warning"), self.tr("warnings")))
+        self.warnings.setAccessibleName(
+            count(warnings, self.tr("{0} warning"), self.tr("{0} warnings"))
+        )
 
     def show_selection(self, selected: tuple[tuple[str, ...], ...]) -> None:
         if not selected:
@@ -135,18 +137,18 @@ class Status(QStatusBar):
     def _names(self, kind: str) -> tuple[str, str]:
         """What one and several of a kind are called."""
         every = {
-            "state": (self.tr("state"), self.tr("states")),
-            "event": (self.tr("event"), self.tr("events")),
-            "timeout": (self.tr("timeout"), self.tr("timeouts")),
-            "situation": (self.tr("situation"), self.tr("situations")),
-            "module": (self.tr("module"), self.tr("modules")),
-            "entry": (self.tr("priority"), self.tr("priorities")),
-            "data": (self.tr("data"), self.tr("data")),
-            "resource": (self.tr("resource"), self.tr("resources")),
-            "note": (self.tr("note"), self.tr("notes")),
-            "frame": (self.tr("frame"), self.tr("frames")),
+            "state": (self.tr("{0} state"), self.tr("{0} states")),
+            "event": (self.tr("{0} event"), self.tr("{0} events")),
+            "timeout": (self.tr("{0} timeout"), self.tr("{0} timeouts")),
+            "situation": (self.tr("{0} situation"), self.tr("{0} situations")),
+            "module": (self.tr("{0} module"), self.tr("{0} modules")),
+            "entry": (self.tr("{0} priority"), self.tr("{0} priorities")),
+            "data": (self.tr("{0} data"), self.tr("{0} data")),
+            "resource": (self.tr("{0} resource"), self.tr("{0} resources")),
+            "note": (self.tr("{0} note"), self.tr("{0} notes")),
+            "frame": (self.tr("{0} frame"), self.tr("{0} frames")),
         }
-        return every.get(kind, (self.tr("thing"), self.tr("things")))
+        return every.get(kind, (self.tr("{0} thing"), self.tr("{0} things")))
 
     def show_counts(self, document: Document | None) -> None:
         words: list[str] = []
@@ -163,18 +165,20 @@ class Status(QStatusBar):
                 self._leading = sum(map(_leading, parts))
             self._counted, leading = parts, self._leading
             words = [
-                count(len(document.states), self.tr("state"), self.tr("states")),
-                count(leading, self.tr("transition"), self.tr("transitions")),
+                count(len(document.states), self.tr("{0} state"), self.tr("{0} states")),
+                count(leading, self.tr("{0} transition"), self.tr("{0} transitions")),
             ]
         elif isinstance(document, Spds):
             resources = {r for m in document.modules for r in m.resources}
             words = [
-                count(len(document.situations), self.tr("situation"), self.tr("situations")),
-                count(len(document.modules), self.tr("module"), self.tr("modules")),
-                count(len(resources), self.tr("resource"), self.tr("resources")),
+                count(
+                    len(document.situations), self.tr("{0} situation"), self.tr("{0} situations")
+                ),
+                count(len(document.modules), self.tr("{0} module"), self.tr("{0} modules")),
+                count(len(resources), self.tr("{0} resource"), self.tr("{0} resources")),
             ]
         elif document is not None:
-            words = [count(len(document.modules), self.tr("module"), self.tr("modules"))]
+            words = [count(len(document.modules), self.tr("{0} module"), self.tr("{0} modules"))]
         self.counts.setText(", ".join(words))
 
     def show_saved(self, unsaved: int, at: datetime | None, there: bool) -> None:
@@ -184,8 +188,10 @@ class Status(QStatusBar):
             self.saved.setText("")
         elif unsaved:
             self.saved.setText(
-                self.tr("{0} not saved").format(
-                    count(unsaved, self.tr("document"), self.tr("documents"))
+                count(
+                    unsaved,
+                    self.tr("{0} document not saved"),
+                    self.tr("{0} documents not saved"),
                 )
             )
         elif at is not None:

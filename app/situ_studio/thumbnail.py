@@ -16,9 +16,12 @@ CARD = (176.0, 116.0)
 
 
 def paint_application(
-    painter: QPainter, rect: QRectF, application: Application, theme: Theme
+    painter: QPainter, rect: QRectF, application: Application, theme: Theme, routed: bool = True
 ) -> None:
-    """Cards at their places with what leads to what; states without a place stand in rows."""
+    """Cards at their places with what leads to what; states without a place stand in rows.
+
+    routed: lines go round the cards, as on the canvas; else straight, in a tenth of the time.
+    """
     boxes: dict[str, QRectF] = {}
     for index, state in enumerate(application.states):
         x, y = state.aside.position or (24 + 230 * (index % 5), 52 + 228 * (index // 5))
@@ -37,7 +40,7 @@ def paint_application(
     line = 1 / scale
     painter.setPen(QPen(theme.color("pipe"), line))
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for points in _routes(application, boxes):
+    for points in (_routes if routed else _straight)(application, boxes):
         painter.drawPolyline([QPointF(x, y) for x, y in points])
     for state in application.states:
         _card(painter, boxes[state.no], state, theme, line, state.no == application.start_no)
@@ -66,6 +69,18 @@ def _routes(application: Application, boxes: dict[str, QRectF]) -> list[tuple[Po
                 )
             )
     return [route.points for route in routes.Router().route(around, pipes).values()]
+
+
+def _straight(application: Application, boxes: dict[str, QRectF]) -> list[tuple[Point, ...]]:
+    """From the middle of each card to those of where it leads."""
+    found = []
+    for state in application.states:
+        start = boxes[state.no].center()
+        for event in state.events:
+            if event.next in boxes and event.next != state.no:
+                end = boxes[event.next].center()
+                found.append(((start.x(), start.y()), (end.x(), end.y())))
+    return found
 
 
 def _card(

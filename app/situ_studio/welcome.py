@@ -2,33 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 
+import shiboken6
 from msgspec import Struct
-from PySide6.QtCore import QCoreApplication, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPaintEvent
+from PySide6.QtCore import QCoreApplication, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
+    QPushButton,
     QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
 
+from situ.document import folder
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
-from situ_studio import icons, thumbnail
+from situ.errors import SituError
+from situ.resources import templates
+from situ_studio import icons, recent, thumbnail
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.language import LANGUAGES
 from situ_studio.layouts import clear
+from situ_studio.opening import is_large
 from situ_studio.status import count
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
+
+SMALL = 0.3
+"""The scale of a small picture."""
 
 
 class Example(Struct, frozen=True):
@@ -40,25 +50,45 @@ class Example(Struct, frozen=True):
 
     @property
     def document(self) -> Application | Spds | None:
-        """What its picture shows: the script where there is one, else the first application."""
-        if self.project.spds is not None:
-            return self.project.spds
-        return next(iter(self.project.applications.values()), None)
+        """What its picture shows."""
+        return first_document(self.project)
+
+
+def first_document(project: Project) -> Application | Spds | None:
+    """What a project's picture shows: its script where it has one, else its first application."""
+    if project.spds is not None:
+        return project.spds
+    return next(iter(project.applications.values()), None)
+
+
+def project_picture(path: str) -> Application | Spds | None:
+    """What the picture of the project in a folder shows; None of one that is large, or unread."""
+    if is_large(Path(path)):
+        return None
+    try:
+        project, _ = folder.load(Path(path))
+    except SituError:
+        return None
+    return first_document(project) if project is not None else None
 
 
 def facts(document: Application | Spds | None) -> str:
     """``20 states`` or ``5 situations, 7 modules``."""
     said = QCoreApplication.translate
     if isinstance(document, Application):
-        return count(len(document.states), said("Status", "state"), said("Status", "states"))
+        return count(
+            len(document.states), said("Status", "{0} state"), said("Status", "{0} states")
+        )
     if isinstance(document, Spds):
         parts = (
             count(
                 len(document.situations),
-                said("Status", "situation"),
-                said("Status", "situations"),
+                said("Status", "{0} situation"),
+                said("Status", "{0} situations"),
             ),
-            count(len(document.modules), said("Status", "module"), said("Status", "modules")),
+            count(
+                len(document.modules), said("Status", "{0} module"), said("Status", "{0} modules")
+            ),
         )
         return ", ".join(parts)
     return ""
@@ -88,17 +118,34 @@ class Press(QFrame):
 
 
 class Picture(QWidget):
-    """The upper half of an example's card."""
+    """What a document looks like."""
 
-    def __init__(self, theme: Theme, document: Application | Spds | None) -> None:
+    def __init__(self, theme: Theme, document: Application | Spds | None = None) -> None:
         super().__init__()
-        self._theme, self._document = theme, document
-        self.setFixedHeight(176)
+        self._theme, self.document = theme, document
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def show_document(self, document: Application | Spds | None) -> None:
+        self.document = document
+        self.update()
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
         self.update()
+
+    def paint_document(self, painter: QPainter, rect: QRectF, routed: bool) -> None:
+        if isinstance(self.document, Application):
+            thumbnail.paint_application(painter, rect, self.document, self._theme, routed)
+        elif isinstance(self.document, Spds):
+            thumbnail.paint_script(painter, rect, self.document, self._theme)
+
+
+class LargePicture(Picture):
+    """The upper half of an example's card."""
+
+    def __init__(self, theme: Theme, document: Application | Spds | None) -> None:
+        super().__init__(theme, document)
+        self.setFixedHeight(176)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -108,13 +155,37 @@ class Picture(QWidget):
         shape.addRoundedRect(rect.adjusted(0, 0, 0, 8), 7, 7)
         painter.setClipRect(rect)
         painter.fillPath(shape, self._theme.color("canvas"))
-        inner = rect.adjusted(24, 16, -24, -16)
-        if isinstance(self._document, Application):
-            thumbnail.paint_application(painter, inner, self._document, self._theme)
-        elif isinstance(self._document, Spds):
-            thumbnail.paint_script(painter, inner, self._document, self._theme)
+        self.paint_document(painter, rect.adjusted(24, 16, -24, -16), True)
         painter.setPen(self._theme.color("line"))
         painter.drawLine(rect.bottomLeft(), rect.bottomRight())
+        painter.end()
+
+
+class SmallPicture(Picture):
+    """At the left of a card; an icon where there is no document to be seen."""
+
+    def __init__(self, theme: Theme, icon: str) -> None:
+        super().__init__(theme)
+        self._icon = icon
+        self.setFixedSize(60, 40)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        rect = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
+        painter.setPen(self._theme.color("line"))
+        painter.setBrush(self._theme.color("canvas"))
+        painter.drawRoundedRect(rect, 4, 4)
+        if self.document is None:
+            at = QRectF(0, 0, 18, 18)
+            at.moveCenter(rect.center())
+            icons.paint(painter, self._icon, at, self._theme.color("text3"))
+        else:
+            # Drawn larger than it is seen: a script's rows have a least height.
+            painter.translate(rect.topLeft())
+            painter.scale(SMALL, SMALL)
+            whole = QRectF(0, 0, rect.width() / SMALL, rect.height() / SMALL)
+            self.paint_document(painter, whole.adjusted(12, 12, -12, -12), False)
         painter.end()
 
 
@@ -133,7 +204,10 @@ class Mark(QWidget):
 
 
 class Welcome(QScrollArea):
-    """Tells what a person wants to start with."""
+    """Tells what a person wants to start with.
+
+    read: gives what the small picture of a project shows; it may take its time.
+    """
 
     back_asked = Signal()
     new_asked = Signal()
@@ -142,14 +216,26 @@ class Welcome(QScrollArea):
     recent_asked = Signal(str)
     forget_asked = Signal(str)
     """That project is to be taken off the list of recent ones."""
+    locate_asked = Signal(str)
+    """That project is not where it was: a person says where it is now."""
     example_asked = Signal(str)
     template_asked = Signal(str)
     theme_asked = Signal(str)
     language_asked = Signal(str)
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        theme: Theme,
+        read: Callable[[str], Application | Spds | None] = project_picture,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
         self._theme = theme
+        self._read = read
+        self._unread: list[tuple[SmallPicture, str]] = []
+        self._read_soon = QTimer(self)
+        self._read_soon.setSingleShot(True)
+        self._read_soon.timeout.connect(self._read_next)
         self.setAccessibleName(self.tr("Welcome"))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -279,7 +365,7 @@ class Welcome(QScrollArea):
     def _choice(
         self,
         role: str,
-        icon: str,
+        icon: str | Picture,
         title: str,
         below: str,
         keys: str,
@@ -293,12 +379,15 @@ class Welcome(QScrollArea):
         line.setContentsMargins(16, 0, 16, 0)
         line.setSpacing(14)
         token = "on_accent" if role == "first" else "accent"
-        line.addWidget(IconLabel(self._theme, icon, token, 20))
+        if isinstance(icon, Picture):
+            line.setContentsMargins(12, 0, 12, 0)
+            line.addWidget(icon)
+        else:
+            line.addWidget(IconLabel(self._theme, icon, token, 20))
         words = QVBoxLayout()
         words.setSpacing(0)
         words.addStretch(1)
-        name = QLabel(title)
-        name.setProperty("role", "strong")
+        name = Elided(title, "strong")
         words.addWidget(name)
         words.addWidget(Elided(below, "label"))
         words.addStretch(1)
@@ -343,7 +432,8 @@ class Welcome(QScrollArea):
             ),
         ):
             asked = partial(self.template_asked.emit, name)
-            press = self._choice("card", icon, title, below, "", asked)
+            picture = self._picture(icon, str(templates()[name]))
+            press = self._choice("card", picture, title, below, "", asked)
             press.setObjectName(f"template {name}")
             row.addWidget(press)
         row.addStretch(1)
@@ -380,7 +470,7 @@ class Welcome(QScrollArea):
         column = QVBoxLayout(press)
         column.setContentsMargins(1, 1, 1, 1)
         column.setSpacing(0)
-        column.addWidget(Picture(self._theme, one.document))
+        column.addWidget(LargePicture(self._theme, one.document))
         words = QVBoxLayout()
         words.setContentsMargins(16, 12, 16, 14)
         words.setSpacing(4)
@@ -424,17 +514,47 @@ class Welcome(QScrollArea):
         else:
             super().keyPressEvent(event)
 
-    def show_recent(self, paths: list[str]) -> None:
-        """The projects that were open lately, the last one first."""
+    def _picture(self, icon: str, path: str) -> SmallPicture:
+        """A small picture of the project at ``path``, which is read when there is time."""
+        made = SmallPicture(self._theme, icon)
+        self._unread.append((made, path))
+        self._read_soon.start()
+        return made
+
+    @property
+    def reads(self) -> bool:
+        """Whether there are pictures that are still to be read."""
+        return bool(self._unread)
+
+    def _read_next(self) -> None:
+        """Reads one project at a time, so that the page is there at once and never stands still."""
+        if not self._unread or not self.isVisible():
+            return
+        picture, path = self._unread.pop(0)
+        if shiboken6.isValid(picture):
+            picture.show_document(self._read(path))
+        self._read_soon.start()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._read_soon.start()
+
+    def show_recent(self, paths: list[str], times: Mapping[str, datetime], now: datetime) -> None:
+        """The projects that were open lately, the last one first. times: when, of some of them."""
         clear(self._recent)
         for path in paths[:5]:
             asked = partial(self.recent_asked.emit, path)
             if Path(path).exists():
-                card: QFrame = self._choice("card", "history", Path(path).name, path, "", asked)
+                picture = self._picture("history", path)
+                when = recent.ago(times[path], now) if path in times else ""
+                card: QFrame = self._choice(
+                    "card", picture, Path(path).name, when or path, "", asked
+                )
+                card.setToolTip(path)
             else:
                 card = self._gone(path)
             card.setFixedSize(324, 56)
-            off = IconButton(self._theme, "close", self.tr("Take it off the list"), "text3", 14)
+            off = IconButton(self._theme, "close", self.tr("Remove from the list"), "text3", 14)
             off.setObjectName(f"forget {path}")
             off.clicked.connect(partial(self.forget_asked.emit, path))
             line = card.layout()
@@ -466,9 +586,15 @@ class Welcome(QScrollArea):
         words.setSpacing(0)
         words.addStretch(1)
         words.addWidget(Elided(Path(path).name, "dim"))
-        words.addWidget(Elided(self.tr("Not there any more: {0}").format(path), "label"))
+        words.addWidget(Elided(self.tr("Not there any more"), "label"))
         words.addStretch(1)
         line.addLayout(words, 1)
+        locate = QPushButton(self.tr("Locate…"))
+        locate.setObjectName(f"locate {path}")
+        locate.setProperty("role", "mend")
+        locate.setToolTip(self.tr("Say where this project is now"))
+        locate.clicked.connect(partial(self.locate_asked.emit, path))
+        line.addWidget(locate)
         return card
 
     def show_connect(self, shown: bool) -> None:

@@ -136,6 +136,7 @@ class MainWindow(Frame):
         welcome.connect_asked.connect(self.commands.connect_robot)
         welcome.recent_asked.connect(self.commands.open_path)
         welcome.forget_asked.connect(self.commands.forget_recent)
+        welcome.locate_asked.connect(self.commands.locate_recent)
         welcome.example_asked.connect(self.commands.open_example)
         welcome.template_asked.connect(self.commands.new_project)
         welcome.theme_asked.connect(self.choose_theme)
@@ -150,13 +151,21 @@ class MainWindow(Frame):
 
     def remember(self, path: Path) -> None:
         """The project at ``path`` is open here: it is recent, and open at the next start."""
-        recent.remember(self.settings, path)
+        recent.remember(self.settings, path, self.session.now())
         if self.windows is not None:
             self.windows.remember()
 
     def forget_recent(self, path: str) -> None:
         recent.forget(self.settings, path)
-        self.welcome.show_recent(self.recent)
+        self._show_recent()
+
+    def move_recent(self, path: str, to: Path) -> None:
+        """A recent project lies in another folder now."""
+        recent.move(self.settings, path, to)
+        self._show_recent()
+
+    def _show_recent(self) -> None:
+        self.welcome.show_recent(self.recent, recent.opened(self.settings), self.session.now())
 
     def open_project(self, path: Path) -> None:
         """Opens a project; UsageError, with one line for the user, where it can not be read."""
@@ -311,7 +320,7 @@ class MainWindow(Frame):
 
     def show_welcome(self, with_examples: bool = True) -> None:
         """Shows the welcome page; an open project stays open."""
-        self.welcome.show_recent(self.recent)
+        self._show_recent()
         self.welcome.show_connect(self.can_connect)
         if with_examples:
             self.welcome.show_examples(self._list_examples())

@@ -189,3 +189,13 @@ def test_the_first_start_keeps_no_layout_before_a_project_was_open(
 ) -> None:
     studio().window.close()
     assert settings.value("panels") is None
+
+
+def test_the_panel_below_keeps_its_height_when_something_is_looked_for(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    high = used.window.docks["bottom"].height()
+    used.key(Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
+    assert used.window.bottom.current == "find"
+    assert used.window.docks["bottom"].height() == high

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QDate, QLocale, Qt
 from PySide6.QtGui import QFontInfo
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QToolButton
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QToolButton
 
 from situ.document import folder
 from situ.document.check import check
 from situ.resources import templates
+from situ_studio import recent
+from situ_studio.welcome import SmallPicture
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -122,13 +125,73 @@ def test_a_recent_project_that_is_gone_is_shown_as_such_and_taken_off_the_list(
     (tmp_path / "reception").rename(tmp_path / "moved")
     used = studio()
     welcome = used.window.welcome
-    words = [label.toolTip() or label.text() for label in welcome.findChildren(QLabel)]
-    assert f"Not there any more: {tmp_path / 'reception'}" in words
+    assert "Not there any more" in [label.text() for label in welcome.findChildren(QLabel)]
     used.click(welcome.findChild(QToolButton, f"forget {tmp_path / 'reception'}"))
     assert used.window.recent == []
     assert "Projects that you open will be listed here." in [
         label.text() for label in welcome.findChildren(QLabel)
     ]
+
+
+def test_a_recent_project_that_is_gone_is_located_and_opens(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    studio(project("reception")).window.close()
+    (tmp_path / "reception").rename(tmp_path / "moved")
+    used = studio()
+    used.answers.put("project", None)
+    locate = used.window.welcome.findChild(QPushButton, f"locate {tmp_path / 'reception'}")
+    used.click(locate)
+    assert used.window.recent == [str(tmp_path / "reception")]
+    used.answers.put("project", str(tmp_path / "moved"))
+    used.click(locate)
+    assert used.session.root == tmp_path / "moved"
+    assert used.window.recent == [str(tmp_path / "moved")]
+
+
+def test_recent_projects_and_templates_show_what_they_look_like(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    first = studio(project("reception"))
+    first.session.now = lambda: NOW - timedelta(hours=2)
+    first.window.remember(tmp_path / "reception")
+    first.window.close()
+    used = studio()
+    used.session.now = lambda: NOW
+    used.window.show_welcome()
+    while used.window.welcome.reads:
+        QApplication.processEvents()
+    pictures = used.window.welcome.findChildren(SmallPicture)
+    assert len(pictures) == 3
+    assert all(picture.document is not None for picture in pictures)
+    assert "2 hours ago" in [label.text() for label in used.window.welcome.findChildren(QLabel)]
+
+
+NOW = datetime(2026, 3, 5, 14, 0)
+
+
+@pytest.mark.parametrize(
+    ("before", "words"),
+    [
+        (timedelta(seconds=20), "just now"),
+        (timedelta(minutes=1), "a minute ago"),
+        (timedelta(minutes=59), "59 minutes ago"),
+        (timedelta(hours=1, minutes=30), "an hour ago"),
+        (timedelta(hours=13), "13 hours ago"),
+        (timedelta(hours=15), "yesterday"),
+        (timedelta(days=6), "6 days ago"),
+        (-timedelta(hours=2), "just now"),
+    ],
+)
+def test_how_long_ago_something_was_is_said_in_words(
+    qt: QApplication, before: timedelta, words: str
+) -> None:
+    assert recent.ago(NOW - before, NOW) == words
+
+
+def test_of_what_is_long_ago_the_date_is_said(qt: QApplication) -> None:
+    written = QLocale().toString(QDate(2026, 2, 25), QLocale.FormatType.ShortFormat)
+    assert recent.ago(NOW - timedelta(days=8), NOW) == written
 
 
 def test_the_bundled_typeface_is_used(studio: Start) -> None:
