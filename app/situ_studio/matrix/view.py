@@ -137,7 +137,8 @@ class MatrixView(QWidget):
                     self._go_back(name, module)
         if self.model.show_problems(problems):
             self.sides.settle()
-        self.what_if.show_script(document, asked)
+        project = self._project()
+        self.what_if.show_script(document, asked, project.tags if project is not None else None)
 
     def _at(self) -> tuple[str, str]:
         """Situation and module of the current cell; empty where there is none."""
@@ -199,7 +200,7 @@ class MatrixView(QWidget):
             frozenset(answer.holds),
             {resource: held.module for resource, held in answer.holdings.items()},
             {module: uses for module, uses in asked.items() if module not in strip.silent and uses},
-            dict(strip.values),
+            strip.values,
         )
 
     def _mark(self) -> None:

@@ -4,6 +4,7 @@ somebody only supposes.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from PySide6.QtCore import QPoint, Qt, Signal
@@ -48,8 +49,8 @@ class WhatIf(QWidget):
         self._asking: Asking = {}
         self._presets: dict[str, tuple[Any, ...]] = {}
         self._kinds: dict[str, str | None] = {}
-        self.values: dict[str, Any] = {}
-        """What is supposed, by name; what is not in it is missing."""
+        self._start: dict[str, Any] = {}
+        self._own: dict[str, Any] = {}
         self.silent: set[str] = set()
         """The modules that do not ask."""
         self.answer: Answer | None = None
@@ -134,30 +135,37 @@ class WhatIf(QWidget):
 
     # -- what is asked ----------------------------------------------------------------
 
-    def show_script(self, script: Spds, asking: Asking) -> None:
-        """Judges another script, for the same suppositions where they are still about it."""
-        if script is self._script and asking == self._asking:
+    def show_script(
+        self, script: Spds, asking: Asking, start: Mapping[str, Any] | None = None
+    ) -> None:
+        """Judges another script, for the same suppositions where they are still about it.
+
+        start: the values that the project sets at the start.
+        """
+        start = dict(start or {})
+        if script is self._script and asking == self._asking and start == self._start:
             return
+        self._start = start
         before, self._script, self._asking = self._script, script, dict(asking)
         if before is None or not _looks_at_the_same(before, script):
             self._kinds = {observed.tag: observed.type for observed in script.observe}
             self._presets = presets(script)
-            self.values = {n: v for n, v in self.values.items() if n in self._presets}
+            self._own = {n: v for n, v in self._own.items() if n in self._presets}
         self.silent &= set(asking)
         self._make_chips()
         self._judge()
 
     def suppose(self, name: str, value: Any) -> None:
         """The value of one name; None: it is missing."""
-        if value is None:
-            self.values.pop(name, None)
+        if value == self._start.get(name) and type(value) is type(self._start.get(name)):
+            self._own.pop(name, None)
         else:
-            self.values[name] = value
+            self._own[name] = value
         self._judge()
 
     def suppose_nothing(self) -> None:
-        """As it was: everything is missing, all modules ask."""
-        self.values, self.silent = {}, set()
+        """As it is at the start: all modules ask."""
+        self._own, self.silent = {}, set()
         self._judge()
 
     def _make_chips(self) -> None:
@@ -235,11 +243,20 @@ class WhatIf(QWidget):
     @property
     def supposes(self) -> bool:
         """Whether anything is supposed."""
-        return bool(self.values or self.silent)
+        return bool(self._own or self.silent)
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """What is supposed, by name, of what conditions look at: what the project sets at the
+        start, unless something else is. What is not in it is missing.
+        """
+        found = {name: self._start[name] for name in self._presets if name in self._start}
+        return {n: v for n, v in (found | self._own).items() if v is not None}
 
     def _show(self) -> None:
+        values = self.values
         for name, chip in self._chips.items():
-            value = self.values.get(name)
+            value = values.get(name)
             only = len(self._presets[name]) == 1 and value == self._presets[name][0]
             chip.show_state(value is not None, "" if value is None or only else short(value))
         for name, chip in self._modules.items():

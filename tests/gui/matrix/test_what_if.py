@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
 from tests.gui.matrix.conftest import TIED, Desk, read
 
+from situ.document.project import Project
 from situ_studio.canvas.live import LiveScript
 from situ_studio.matrix.chips import Chip
 
@@ -150,6 +151,23 @@ def test_other_values_are_chosen_from_the_menu_or_typed(desk: Make) -> None:
     press(used, "on")
     assert chip(used, "on").shown == "on: false"
     assert answer(used)[0] == "off"
+
+
+def test_what_the_project_sets_at_the_start_is_so_until_something_else_is_supposed(
+    desk: Make, conversation: Project
+) -> None:
+    conversation.tags["robot.stop"] = True
+    conversation.tags["of.nobody"] = 3
+    used = desk()
+    assert answer(used)[0] == "stopped"
+    assert chip(used, "robot.stop").isChecked()
+    assert marked(used) == [], "that is the start"
+    press(used, "robot.stop")
+    assert answer(used)[0] == "conversation"
+    assert marked(used) == ["6 conversation, current, its condition holds"]
+    press(used, "robot.stop")
+    assert marked(used) == []
+    assert used.view.what_if.values == {"robot.stop": True}
 
 
 def test_the_strip_takes_no_more_room_than_there_is(desk: Make) -> None:
