@@ -42,7 +42,6 @@ def reasons() -> dict[str, str]:
         "can_undo": tr("nothing was changed"),
         "has_cards": card,
         "has_cells": tr("only in the matrix of a script"),
-        "has_cells": tr("only in the matrix of a script"),
         "has_data": tr("select data in the graph first"),
         "has_document": tr("open a document first"),
         "has_drawn_exit": exit,
@@ -64,6 +63,6 @@ def reasons() -> dict[str, str]:
         "is_application": application,
         "is_script": tr("only in a script"),
         "on_application": tr("only in the graph of an application"),
-        "on_script": tr("only in the graph of a script"),
         "on_graph": graph,
+        "on_script": tr("only in the graph of a script"),
     }
