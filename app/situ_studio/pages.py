@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from situ.document import beside
+from situ.document import beside, catalogue
 from situ.document.beside import Toml
 from situ.document.catalogue import Catalogue
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER
+from situ.document.texts import read_out
 from situ_studio.edit import Written
 from situ_studio.project_form import writing
 from situ_studio.project_form.form import ProjectForm
@@ -110,10 +111,15 @@ class PagesSide(QObject):
         page.import_asked.connect(lambda: self._exchange.take_in(page.language))
         page.export_asked.connect(self._exchange.give_out)
         page.language_asked.connect(self.add_language)
-        page.listen_asked.connect(self._voice.toggle)
+        page.listen_asked.connect(self._on_listen)
         page.set_listening(self._voice.can, self._voice.going)
         group.documents.addWidget(page)
         return page
+
+    def _on_listen(self, text: str, language: str) -> None:
+        project = self._session.project
+        words = project.readings.get(language, {}) if project is not None else {}
+        self._voice.toggle(read_out(text, words), language)
 
     def _on_voice(self) -> None:
         for group in self._window.sides.groups:
@@ -201,8 +207,18 @@ class PagesSide(QObject):
         form.edited.connect(self._session.commit)
         form.refused.connect(self._window.say)
         form.language_asked.connect(self.add_language)
+        form.readings_changed.connect(self._on_readings)
         group.documents.addWidget(form)
         return form
+
+    def _on_readings(self, language: str, words: dict[str, str], step: str) -> None:
+        project, file = self._session.project, beside.texts_file(language)
+        if project is None:
+            return
+        mine = self._session.value(file)
+        if not isinstance(mine, Catalogue):
+            mine = catalogue.empty(project.name, language)
+        self._on_texts({file: catalogue.with_readings(mine, words)}, step)
 
     def bring(self, file: str) -> None:
         """Shows the file of a problem on the page that is shown."""

@@ -13,6 +13,7 @@ from situ.document import beside, catalogue, folder, texts
 from situ.document.beside import Toml
 from situ.document.catalogue import Catalogue, Translation
 from situ.document.join import join_texts
+from situ.document.texts_update import update
 from situ.resources import example, examples
 
 _WORDS = st.text(st.characters(codec="utf-8", exclude_categories=("Cs", "Cc")), min_size=1)
@@ -160,3 +161,53 @@ def test_a_robots_own_file_lies_over_the_projects() -> None:
     local = values["robot.local.toml"]
     (change,) = beside.compare(project, "robot.local.toml", local, Toml("[tags]\nb = 4\n"))
     assert change.text == "tag at the start b 3 → 4"
+
+
+def test_readings_translate_nothing_and_stay() -> None:
+    value = _of(Translation("Dr.", "医師"), Translation("old", "x", obsolete=True))
+    found = catalogue.with_readings(value, {"Dr.": "Doctor", "山田": "やまだ"})
+    assert found.readings == {"Dr.": "Doctor", "山田": "やまだ"}
+    assert (found.used, found.by_text()["Dr."].said) == ({"Dr.": "医師"}, "医師")
+    read, problems = catalogue.read(catalogue.write(found), "ja.po")
+    assert (read, problems) == (found, [])
+    data = catalogue.write(found)
+    assert texts.read(data, "ja.po") == ({"Dr.": "医師"}, [])
+    assert texts.readings(data, "ja.po") == found.readings
+    assert catalogue.with_readings(found, {}) == value
+
+
+def test_situ_texts_leaves_readings_as_they_are() -> None:
+    project, _ = folder.load(example("conversation"))
+    assert project is not None
+    before = catalogue.with_readings(catalogue.empty("c", "ja"), {"山田": "やまだ"})
+    made, _ = update(project, "ja", catalogue.write(before), "ja.po")
+    assert made is not None
+    assert texts.readings(made.data, "ja.po") == {"山田": "やまだ"}
+    again, _ = update(project, "ja", made.data, "ja.po")
+    assert again is not None
+    assert again.data == made.data
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Dr. Who, Dr.", "Doctor Who, Doctor"),
+        ("XDr. and Dress", "XDr. and Dress"),
+        ("A SPO2 and SPO", "A oxygen and S P O"),
+        ("山田さん", "やまださん"),
+        ("nothing", "nothing"),
+    ],
+)
+def test_a_voice_says_whole_words_as_their_readings_say(text: str, said: str) -> None:
+    words = {"Dr.": "Doctor", "SPO": "S P O", "SPO2": "oxygen", "山田": "やまだ"}
+    assert texts.read_out(text, words) == said
+    assert texts.read_out(text, {}) == text
+
+
+def test_another_reading_is_told_as_a_change() -> None:
+    project, _ = folder.load_texts({"situ.toml": '[project]\nlanguages = ["en"]\n'}, "ward")
+    assert project is not None
+    before = catalogue.empty("ward", "en")
+    after = catalogue.with_readings(before, {"Dr.": "Doctor"})
+    (change,) = beside.compare(project, "texts/en.po", before, after)
+    assert change.text == "in en, “Dr.” is said as written → “Doctor”"

@@ -230,6 +230,32 @@ def test_everything_that_the_file_may_say_can_be_said(used: Any, ward: Path) -> 
     assert tomllib.loads(text)["robot"] == {"adapter": "sim"}
 
 
+def test_words_are_said_as_somebody_reads_them(used: Any, ward: Path) -> None:
+    readings = form(used).readings
+    press(used, readings.plus)
+    # The cursor stands in the word.
+    used.type("Dr.")
+    used.key(Qt.Key.Key_Tab)
+    used.type("Doctor")
+    used.key(Qt.Key.Key_Tab)
+    assert used.session.project.readings == {"en": {"Dr.": "Doctor"}}
+    press(used, readings.plus)
+    used.type("Dr.")
+    used.key(Qt.Key.Key_Tab)
+    assert said(used) == "Dr. is there already."
+    press(used, readings.rows.buttons(1)[-1])
+    used.window.actions_.actions["save"].trigger()
+    project, problems = folder.load(ward)
+    assert project is not None
+    assert project.readings == {"en": {"Dr.": "Doctor"}}
+    assert project.texts == {"en": {}}
+    assert [p.code for p in problems] == ["unknown-key"]
+    text = (ward / "texts/en.po").read_text()
+    assert 'msgctxt "reading"\nmsgid "Dr."\nmsgstr "Doctor"' in text
+    press(used, readings.rows.buttons(0)[-1])
+    assert used.session.project.readings == {}
+
+
 def test_one_robot_has_its_own_values(used: Any, ward: Path) -> None:
     made = form(used)
     press(used, made.which.button("robot.local.toml"))

@@ -15,6 +15,7 @@ from situ.document.problem import Problem
 from situ.document.project import Project
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.told import Told
+from situ_studio.project_form.readings import ReadingsSection
 from situ_studio.project_form.sections import (
     ApplicationsSection,
     Change,
@@ -42,6 +43,8 @@ class ProjectForm(QWidget):
     """The file, its value after the change, and the name of the step."""
     refused = Signal(str)
     language_asked = Signal()
+    readings_changed = Signal(str, object, str)
+    """As ``ReadingsSection.changed``."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -76,6 +79,10 @@ class ProjectForm(QWidget):
             section.edited.connect(self._on_edited)
             section.refused.connect(self.refused)
             self._column.addWidget(section)
+        self.readings = ReadingsSection(theme)
+        self.readings.changed.connect(self.readings_changed)
+        self.readings.refused.connect(self.refused)
+        self._column.insertWidget(self._column.indexOf(self.sections["robot"]), self.readings)
         self._column.addStretch(1)
         scroll.setWidget(inner)
         column.addWidget(scroll)
@@ -180,6 +187,7 @@ class ProjectForm(QWidget):
     ) -> None:
         """Shows the files as they are now. value: of a file; problems: those of one."""
         self.title.setText(project.name)
+        self.readings.show_project(project)
         for file in (PROJECT_FILE, LOCAL_FILE):
             found = value(file)
             self._values[file] = found if isinstance(found, Toml) else None
@@ -198,6 +206,7 @@ class ProjectForm(QWidget):
         toml = self._values.get(self.file)
         tables = tomllib.loads(toml.text) if toml is not None else {}
         local = self.file == LOCAL_FILE
+        self.readings.setVisible(not local)
         for name, section in self.sections.items():
             section.setVisible(not local or name in ("robot", "tags", "places", "mqtt"))
             section.show_tables(tables)

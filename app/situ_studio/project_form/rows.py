@@ -104,9 +104,10 @@ class Rows(QWidget):
                 up = button is self.buttons(at)[0]
                 button.setEnabled(at > 0 if up else at < len(values) - 1)
 
-    def begin(self, row: int) -> None:
-        """Gives the first field of a row the focus, its text selected."""
-        first = next((w for w in self._rows[row] if not isinstance(w, (QLabel, IconButton))), None)
+    def begin(self, row: int, column: int = 0) -> None:
+        """Gives a field of a row the focus, its text selected."""
+        fields = self._rows[row][column:]
+        first = next((w for w in fields if not isinstance(w, (QLabel, IconButton))), None)
         if first is not None:
             first.setFocus(Qt.FocusReason.OtherFocusReason)
         if isinstance(first, Line | Paragraph):

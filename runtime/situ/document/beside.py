@@ -87,12 +87,14 @@ def settled(project: Project, values: Mapping[str, Beside]) -> Project:
             scenarios=_inside(project, found.get("project", "scenarios")),
             **settings(project.root, found, laid_over),
         )
-    texts = {}
+    texts, readings = {}, {}
     for language in project.languages:
         value = values.get(texts_file(language))
         if isinstance(value, Catalogue):
             texts[language] = value.used
-    return replace(project, texts=texts)
+            if words := value.readings:
+                readings[language] = words
+    return replace(project, texts=texts, readings=readings)
 
 
 def problems(project: Project, file: str, value: Beside) -> list[Problem]:

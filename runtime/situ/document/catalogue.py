@@ -15,7 +15,7 @@ from msgspec.structs import replace
 
 from situ.document import names
 from situ.document.problem import Problem
-from situ.document.texts import parse
+from situ.document.texts import READING, parse
 
 FUZZY = "fuzzy"
 
@@ -69,13 +69,15 @@ class Catalogue(Struct, frozen=True):
 
     def entry(self, text: str) -> Translation | None:
         """The entry of a text: of several the one that the robot uses, else one not obsolete."""
-        found = [e for e in self.translations if e.text == text]
+        found = [e for e in self.translations if e.text == text and e.context != READING]
         return max(found, key=_rank, default=None)
 
     def by_text(self) -> dict[str, Translation]:
         """Every text with its entry, as ``entry`` gives it."""
         found: dict[str, Translation] = {}
         for one in self.translations:
+            if one.context == READING:
+                continue
             if one.text not in found or _rank(one) > _rank(found[one.text]):
                 found[one.text] = one
         return found
@@ -83,7 +85,12 @@ class Catalogue(Struct, frozen=True):
     @property
     def used(self) -> dict[str, str]:
         """Texts as written to what the robot says."""
-        return {e.text: e.said for e in self.translations if e.is_used}
+        return {e.text: e.said for e in self.translations if e.is_used and e.context != READING}
+
+    @property
+    def readings(self) -> dict[str, str]:
+        """Words to how the voice says them."""
+        return {e.text: e.said for e in self.translations if e.is_used and e.context == READING}
 
 
 def lacks(text: str, said: str) -> tuple[str, ...]:
@@ -153,12 +160,24 @@ def with_entries(
             behind.setdefault(last, []).append(entries[text])
     made = list(behind.get(None, ()))
     for one in catalogue.translations:
-        is_it = known[one.text] is one
+        is_it = known.get(one.text) is one
         made.append(entries.get(one.text, one) if is_it else one)
         made += behind.get(one.text, ()) if is_it else ()
     placed = set(order)
     made += [e for text, e in entries.items() if text not in known and text not in placed]
     return replace(catalogue, translations=tuple(made))
+
+
+def with_readings(catalogue: Catalogue, words: Mapping[str, str]) -> Catalogue:
+    """The catalogue with these readings, in their order, in place of those that it has."""
+    old = {e.text: e for e in catalogue.translations if e.context == READING}
+    made = [
+        translated(old.get(word) or Translation(word, context=READING), said)
+        for word, said in words.items()
+    ]
+    rest = [e for e in catalogue.translations if e.context != READING]
+    end = next((at for at, e in enumerate(rest) if e.obsolete), len(rest))
+    return replace(catalogue, translations=(*rest[:end], *made, *rest[end:]))
 
 
 def translated(entry: Translation, said: str) -> Translation:

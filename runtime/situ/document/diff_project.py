@@ -158,6 +158,23 @@ def _texts(before: Project, after: Project) -> list[Change]:
                 first, then = old[text], new[text]
             said = f"in {language}, {words.quoted(text)}: {first or 'none'} → {then or 'none'}"
             changes.append(Change(file=file, place=("text", language, text), text=said))
+        changes += _readings(language, before, after)
+    return changes
+
+
+def _readings(language: str, before: Project, after: Project) -> list[Change]:
+    changes = []
+    old, new = before.readings.get(language, {}), after.readings.get(language, {})
+    for word in dict.fromkeys((*old, *new)):
+        if old.get(word) == new.get(word):
+            continue
+        first, then = (
+            "as written" if one is None else words.quoted(one)
+            for one in (old.get(word), new.get(word))
+        )
+        said = f"in {language}, {words.quoted(word)} is said {first} → {then}"
+        file = f"{TEXTS_FOLDER}/{language}.po"
+        changes.append(Change(file=file, place=("reading", language, word), text=said))
     return changes
 
 

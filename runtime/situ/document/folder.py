@@ -308,7 +308,8 @@ class _Loading:
             scenarios=self.inner_folder(toml, "scenarios"),
             **settings(str(self.root), toml, local),
         )
-        project = replace(project, texts=self.texts(toml, project.languages))
+        found, readings = self.texts(toml, project.languages)
+        project = replace(project, texts=found, readings=readings)
         project = self.with_parts(project)
         self.problems = [*toml.problems, *(local.problems if local else ()), *self.problems]
         return project, self.problems
@@ -372,8 +373,12 @@ class _Loading:
             return None
         return path
 
-    def texts(self, toml: ProjectFile, languages: tuple[str, ...]) -> dict[str, dict[str, str]]:
+    def texts(
+        self, toml: ProjectFile, languages: tuple[str, ...]
+    ) -> tuple[dict[str, dict[str, str]], dict[str, dict[str, str]]]:
+        """By language, the translations and the readings."""
         found: dict[str, dict[str, str]] = {}
+        read: dict[str, dict[str, str]] = {}
         for language in languages:
             file = f"{TEXTS_FOLDER}/{language}.po"
             is_code = language.replace("-", "").replace("_", "").isalnum()
@@ -390,7 +395,9 @@ class _Loading:
                 continue
             found[language], problems = texts.read(data, self.called(file))
             self.problems += problems
-        return found
+            if b"msgctxt" in data and (words := texts.readings(data, file)):
+                read[language] = words
+        return found, read
 
     def with_parts(self, project: Project) -> Project:
         """The project with every application that a ``flow`` names, however deep."""

@@ -43,6 +43,7 @@ class Project(Struct, frozen=True, kw_only=True):
     applications: file to application, in the project's order, which counts.
     parts: file to application, those that only a ``flow`` names.
     texts: language to (text as written to translation), from ``texts/LANG.po``.
+    readings: language to (word as written to how its voice says it), from the same.
     tags: values before the start, ``robot.local.toml`` already laid over them.
     places: name to (x metres, y metres, heading degrees) in the robot's map.
     """
@@ -60,6 +61,7 @@ class Project(Struct, frozen=True, kw_only=True):
     scenarios: str | None = None
     languages: tuple[str, ...] = ()
     texts: dict[str, dict[str, str]] = field(default_factory=dict)
+    readings: dict[str, dict[str, str]] = field(default_factory=dict)
     endpoint: str = "tcp://127.0.0.1:5570"
     adapter: str = "sim"
     tags: dict[str, Any] = field(default_factory=dict)

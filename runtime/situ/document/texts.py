@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Mapping
 from typing import Any
 
 import polib
@@ -13,18 +14,59 @@ import polib
 from situ.document.problem import Problem
 
 MAX_BYTES = 16_000_000
+READING = "reading"
+"""The context (``msgctxt``) of entries that say how a word is said, and translate nothing."""
 
 _LINE = re.compile(r"line (\d+)")
 
 
 def read(data: bytes, file: str) -> tuple[dict[str, str], list[Problem]]:
-    """Texts as written to their translations; empty, unsure and retired ones are left out."""
+    """Texts as written to their translations; empty, unsure and retired ones are left out, and
+    readings, which are no translations.
+    """
     entries, problems = parse(data, file)
     return {
         entry.msgid: entry.msgstr
         for entry in entries
-        if entry.msgstr and not entry.obsolete and not entry.fuzzy
+        if _is_used(entry) and entry.msgctxt != READING
     }, problems
+
+
+def readings(data: bytes, file: str) -> dict[str, str]:
+    """Words, as they are written in the file's language, to how its voice shall say them: the
+    entries of the context ``reading``. None where the file can not be read.
+    """
+    entries, _ = parse(data, file)
+    return {e.msgid: e.msgstr for e in entries if _is_used(e) and e.msgctxt == READING}
+
+
+def _is_used(entry: Any) -> bool:
+    return bool(entry.msgid) and bool(entry.msgstr) and not entry.obsolete and not entry.fuzzy
+
+
+def read_out(text: str, words: Mapping[str, str]) -> str:
+    """A text as a voice shall say it: each of the words, the longest first, as its reading says.
+
+    Whole words only, in scripts that have blanks between words; a letter counts as it is written,
+    great or small.
+    """
+    if not words:
+        return text
+    longest = sorted(words, key=lambda word: (-len(word), word))
+    pattern = re.compile("|".join(map(_whole, longest)))
+    return pattern.sub(lambda found: words[found[0]], text)
+
+
+def _whole(word: str) -> str:
+    before = r"(?<![^\W_])" if _has_blanks(word[0]) else ""
+    after = r"(?![^\W_])" if _has_blanks(word[-1]) else ""
+    return f"{before}{re.escape(word)}{after}"
+
+
+def _has_blanks(letter: str) -> bool:
+    """Whether the letter's script puts blanks between words."""
+    wide = unicodedata.east_asian_width(letter) in ("W", "F")
+    return letter.isalnum() and not wide and not "\u0e00" <= letter <= "\u0eff"
 
 
 def parse(data: bytes, file: str) -> tuple[Any, list[Problem]]:

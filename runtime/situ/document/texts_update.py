@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from situ.document.problem import Problem
 from situ.document.project import Project
-from situ.document.texts import parse
+from situ.document.texts import READING, parse
 from situ.document.texts_alike import Alike
 from situ.document.texts_shown import shown_texts
 
@@ -78,7 +78,9 @@ def update(
         after.append(entry)
     for entry in left.values():
         entry.obsolete = True
-    before[:] = [*after, *(e for e in left.values() if _is_translated(e) or e.tcomment)]
+    # How words are said is the translator's alone.
+    read = [entry for entry in before if entry.msgctxt == READING]
+    before[:] = [*after, *read, *(e for e in left.values() if _is_translated(e) or e.tcomment)]
     now = str(before)
     made = now.encode() if data is None or now != was else data
     used = sum(_is_translated(entry) and not entry.fuzzy for entry in after)
@@ -102,6 +104,8 @@ def _known(before: Any) -> dict[str, Any]:
 
     found: dict[str, Any] = {}
     for entry in before:
+        if entry.msgctxt == READING:
+            continue
         if entry.msgid not in found or rank(entry) >= rank(found[entry.msgid]):
             found[entry.msgid] = entry
     return found

@@ -21,6 +21,7 @@ from situ.blackboard.services import PATIENCE, SERVICES, carried_by
 from situ.decide.effects import AnyEffect, Begin, Cancel, Map
 from situ.decide.inputs import AnyInput, Finish, Set
 from situ.document.project import Project
+from situ.document.texts import read_out
 from situ.engine import voices
 from situ.engine.actions import ActionFailed
 from situ.engine.actions.launch import Launcher
@@ -77,6 +78,7 @@ class Performer:
         log: logging.Logger | None = None,
     ) -> None:
         self._project = project
+        self._readings = project.readings
         self._submit = submit
         self._tag = tag
         self._address = screen
@@ -150,6 +152,7 @@ class Performer:
         if self._screen is not None:
             self._screen.turn_to(project, forms(project))
         self._media.turn_to(project)
+        self._readings = project.readings
 
     def open_door(self, addresses: Addresses, keys: KeysOf | None = None) -> None:
         """The core is there: the screen's server leads to it at ``/board``."""
@@ -310,7 +313,8 @@ class Performer:
         if self._screen is not None:
             self._screen.caption(text, lang)
         volume, rate = self._tag("speech.volume"), self._tag("speech.rate")
-        await self._speaker.say(text, lang, volume, rate)
+        said = read_out(text, self._readings.get(lang, {}))
+        await self._speaker.say(said, lang, volume, rate)
         if self._screen is not None:
             self._screen.caption(None)
         self._release("speech")
