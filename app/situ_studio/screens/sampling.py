@@ -41,6 +41,8 @@ class Sampling(QObject):
         self._known: dict[str, tuple[Any, ...]] = {}
         self._of: tuple[str, str | None, dict[str, Any]] | None = None
         self._tags: tuple[Project | None, tuple[str, ...]] = (None, ())
+        self._read: dict[int, tuple[Any, frozenset[str]]] = {}
+        """The states that were read, kept so that no other has their id, and the tags of each."""
         self.popup: SamplePopup | None = None
         bar.samples_asked.connect(self.open)
 
@@ -60,10 +62,14 @@ class Sampling(QObject):
             return ()
         if self._tags[0] is not project:
             found = set(project.tags)
+            read: dict[int, tuple[Any, frozenset[str]]] = {}
             for application in project.flows.values():
                 every = (*application.states, application.always)
                 for part in every:
-                    found |= tags(part) if part is not None else set()
+                    if part is not None:
+                        read[id(part)] = self._read.get(id(part)) or (part, tags(part))
+                        found |= read[id(part)][1]
+            self._read = read
             shown = sorted(tag for tag in found if is_tag(tag) and not is_reserved(tag))
             self._tags = (project, tuple(shown))
         return self._tags[1]
