@@ -18,7 +18,9 @@ from situ.document.analysis_search import Search
 from situ.document.analysis_ways import Ways
 from situ.document.aside import Aside
 from situ.document.check_application import used_resources
+from situ.document.datatypes import shown
 from situ.document.finding import Place
+from situ.document.problem import Mend
 from situ.document.rbd import AGAIN, BACK, Robot, Sound, Speech, resource_of
 from situ.document.spds import Situation, Spds
 
@@ -281,7 +283,25 @@ def _ties(
                 f"and can ask for {', '.join(shared)}: who asked first would win; give one of "
                 "them another priority"
             )
-            search.warn(file, "tie", message, aside, place)
+            search.warn(file, "tie", message, aside, place, _apart(search, file, script, place))
+
+
+def _apart(search: Search, file: str, script: Spds, place: Place) -> Mend | None:
+    """To give the entry that ties the next priority, or the one below, that nobody else has."""
+    situation = script.situation(place[1])
+    if situation is None or len(place) < 4:
+        return None
+    entry = situation.entries[int(place[3])]
+    taken = set(script.priorities(situation).values())
+    free = [
+        entry.priority + by
+        for by in (1, -1)
+        if entry.priority is not None and entry.priority + by not in taken
+    ]
+    if not free:
+        return None
+    said = f"Give {shown(entry.module)} the priority {free[0]} in {shown(situation.name)}"
+    return search.mend(file, said, search.put(file, place, "priority", free[0]))
 
 
 def tied(

@@ -106,7 +106,8 @@ class _Check:
         application, error = self.application, self.found.error
         if not application.states:
             said = "The application has no state: add one"
-            error("no-state", said, application.aside)
+            mend = Mend(self.found.file, "Add a state", (put_in(("states", 0), State("1")),))
+            error("no-state", said, application.aside, mend=mend)
         elif application.start is not None and application.start not in self.numbers:
             said = (
                 f"The application starts in state {shown(application.start)}, which does not "

@@ -34,6 +34,7 @@ STRUCTS: dict[str, type[Struct]] = {
         rbd.Screen,
         rbd.Sound,
         rbd.Speech,
+        rbd.State,
         rbd.Timeout,
         spds.Declaration,
         spds.Entry,
@@ -101,17 +102,28 @@ def mends(project: Project, problem: Problem) -> list[tuple[str, Document]]:
 
 def safe(project: Project, problems: Iterable[Problem]) -> tuple[Project, list[Problem]]:
     """The project with every safe mend applied that still can be; and the problems it took away."""
+    return every(project, [one for one in problems if one.mend is not None and one.mend.safe])
+
+
+def every(project: Project, problems: Iterable[Problem]) -> tuple[Project, list[Problem]]:
+    """The project with every mend applied that still can be; and the problems it took away.
+
+    What two problems have as the very same mend is done once.
+    """
     done: list[Problem] = []
+    made: set[Mend] = set()
     # From the end of each file, so that the positions of what stands before stay.
     for problem in reversed(list(problems)):
         mend = problem.mend
-        document = of(project, mend.file) if mend is not None and mend.safe else None
+        document = of(project, mend.file) if mend is not None else None
         if mend is None or document is None:
             continue
-        try:
-            project = put(project, mend.file, apply(document, mend))
-        except Stale:
-            continue
+        if mend not in made:
+            try:
+                project = put(project, mend.file, apply(document, mend))
+            except Stale:
+                continue
+            made.add(mend)
         done.append(problem)
     return project, done[::-1]
 
