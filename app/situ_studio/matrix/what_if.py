@@ -4,6 +4,7 @@ somebody only supposes.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from typing import Any
 
@@ -23,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from situ.decide.all_ask import Holding
 from situ.document.spds import Spds
-from situ.rehearse.what_if import Answer, what_if
+from situ.rehearse.what_if import Answer, Judged, answer, judge
 from situ_studio.icon_widgets import IconButton, IconLabel, retheme
 from situ_studio.language import tr
 from situ_studio.layouts import rule
@@ -51,6 +52,7 @@ class WhatIf(QWidget):
         self._kinds: dict[str, str | None] = {}
         self._start: dict[str, Any] = {}
         self._own: dict[str, Any] = {}
+        self._known: tuple[Spds, str, Judged] | None = None
         self.silent: set[str] = set()
         """The modules that do not ask."""
         self.answer: Answer | None = None
@@ -236,9 +238,22 @@ class WhatIf(QWidget):
         if self._script is None:
             return
         asking = {m: r for m, r in self._asking.items() if m not in self.silent}
-        self.answer = what_if(self._script, self.values, asking)
+        self.answer = answer(self._script, self._judged_now(self._script), asking)
         self._show()
         self.answered.emit(self.answer if self.supposes else None)
+
+    def _judged_now(self, script: Spds) -> Judged:
+        """Judged anew only where conditions or values are others: most edits change neither."""
+        values = self.values
+        # As text, in which true is not 1.
+        text = json.dumps(values, sort_keys=True)
+        if self._known is not None:
+            of, before, judged = self._known
+            if text == before and _looks_at_the_same(of, script):
+                return judged
+        judged = judge(script, values)
+        self._known = script, text, judged
+        return judged
 
     @property
     def supposes(self) -> bool:

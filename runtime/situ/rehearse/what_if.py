@@ -34,10 +34,24 @@ class Answer(Struct, frozen=True):
     holdings: dict[str, Holding]
 
 
+class Judged(Struct, frozen=True):
+    """Positions among the situations: of the current one, and of those whose condition holds. They
+    depend on conditions and values alone.
+    """
+
+    current: int | None
+    holds: tuple[int, ...]
+
+
 def what_if(script: Spds, values: Mapping[str, Any], asking: Mapping[str, Iterable[str]]) -> Answer:
     """values: name to value, None for a missing one. asking: module to what it asks for, in the
     order in which they ask. ``script`` has no errors in its conditions.
     """
+    return answer(script, judge(script, values), asking)
+
+
+def judge(script: Spds, values: Mapping[str, Any]) -> Judged:
+    """Which situation is current, and whose conditions hold."""
     step, board = Step(), Board()
     conditions = Conditions(board, step)
     situations = Situations(script, conditions, board, step)
@@ -50,13 +64,18 @@ def what_if(script: Spds, values: Mapping[str, Any], asking: Mapping[str, Iterab
         for name in values:
             board.tell(name, None)
     situations.observe()
-    current = situations.current
-    seen = zip(script.situations, situations.state.observations, strict=True)
-    holds = tuple(situation.name for situation, one in seen if one.condition)
+    seen = enumerate(situations.state.observations)
+    return Judged(situations.state.current, tuple(at for at, one in seen if one.condition))
+
+
+def answer(script: Spds, judged: Judged, asking: Mapping[str, Iterable[str]]) -> Answer:
+    """The answer for the situations of ``script``, as they were judged."""
+    current = script.situations[judged.current] if judged.current is not None else None
+    priorities = script.priorities(current) if current is not None else {}
     return Answer(
         current.name if current is not None else None,
-        holds,
-        who_holds(Requests(asking), situations.granted()),
+        tuple(script.situations[at].name for at in judged.holds),
+        who_holds(Requests(asking), priorities),
     )
 
 

@@ -98,6 +98,22 @@ def test_a_change_of_the_script_is_judged_with_what_is_supposed(desk: Make) -> N
     assert answer(used)[1].startswith("head: gaze-sound")
 
 
+def test_true_is_not_one_and_a_condition_that_is_changed_is_judged_anew(desk: Make) -> None:
+    text = (
+        '<spds name="s"><situation name="{}"><condition><data tag="t" is="{}"/></condition>'
+        '</situation><situation name="else"/></spds>'
+    )
+    used = desk(read(text.format("one", "1")))
+    used.view.what_if.suppose("t", True)
+    assert answer(used)[0] == "else"
+    used.view.what_if.suppose("t", 1)
+    assert answer(used)[0] == "one"
+    used.open(read(text.format("two", "2")))
+    assert answer(used)[0] == "else"
+    used.open(read(text.format("uno", "1")))
+    assert answer(used)[0] == "uno"
+
+
 def test_modules_that_do_not_ask_hold_nothing(desk: Make) -> None:
     used = desk()
     press(used, "sound.slap")
