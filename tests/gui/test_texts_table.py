@@ -128,6 +128,15 @@ def test_what_is_missing_unsure_or_lacks_a_tag_is_marked_counted_and_filtered(us
     shown = {table(used).model().index(r, WRITTEN).data() for r in range(2)}
     assert shown == {"Home", greeting}
     assert {row.text for row in table(used).texts.shown} == shown
+    # What is done stays until another filter is asked for: Enter goes on to the next.
+    go(used, at(used, "Home"))
+    used.type("H")
+    used.key(Qt.Key.Key_Return)
+    assert at(used, "Home").data(CELL).standing == "done"
+    assert table(used).currentIndex().row() == at(used, "Home").row() + 1
+    used.click(texts.open, QPoint(8, texts.open.height() // 2))
+    used.click(texts.open, QPoint(8, texts.open.height() // 2))
+    assert {row.text for row in table(used).texts.shown} == {greeting}
     used.click(texts.open, QPoint(8, texts.open.height() // 2))
     used.click(texts.kinds.button("heard"))
     assert {row.kind for row in table(used).texts.shown} == {"heard"}

@@ -77,11 +77,16 @@ class TextsModel(QAbstractTableModel):
         return self.languages[column - WRITTEN - 1] if column > WRITTEN else None
 
     def show_sheet(self, sheet: Sheet) -> None:
-        """Another value of the table; rows that stand where they stood keep their places."""
+        """Another value of the table; rows that stand where they stood keep their places, and are
+        shown until another filter is asked for, though what was to do is done.
+        """
         before, kept, old = self.languages, self.sheet is not None, self.sheet
         self.sheet = sheet
         self._where = {}
-        shown = self._filtered()
+        before_shown = {(row.file, row.place) for row in self.shown}
+        passing = {(row.file, row.place) for row in self._filtered()}
+        wanted = passing | before_shown
+        shown = [row for row in sheet.rows if (row.file, row.place) in wanted]
         if kept and before == sheet.languages and self._same_places(shown):
             self._tell(old, shown)
         else:

@@ -132,7 +132,12 @@ class TextsPage(QWidget):
     def show_project(self, project: Project, catalogues: Mapping[str, Catalogue]) -> None:
         """Shows the texts as they are now."""
         self.sheet = Sheet(project, catalogues)
+        current = self.table.currentIndex()
+        row = current.data(ROW) if current.isValid() else None
+        language = self.table.texts.language(current.column()) if current.isValid() else None
         self.table.texts.show_sheet(self.sheet)
+        if row is not None and not self.table.currentIndex().isValid():
+            self.table.select(row.file, row.place, language)
         self._settle_counts()
         self._settle_buttons()
 
