@@ -73,7 +73,7 @@ def _routes(application: Application, boxes: dict[str, QRectF]) -> list[tuple[Po
 
 def _straight(application: Application, boxes: dict[str, QRectF]) -> list[tuple[Point, ...]]:
     """From the middle of each card to those of where it leads."""
-    found = []
+    found: list[tuple[Point, ...]] = []
     for state in application.states:
         start = boxes[state.no].center()
         for event in state.events:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import shutil
+import weakref
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -47,6 +48,18 @@ def qt() -> QApplication:
     return main.application()
 
 
+@pytest.fixture(autouse=True, scope="module")
+def nothing_is_frozen_for_long() -> Iterator[None]:
+    """What the fixtures of a module leave is found at its end."""
+    yield
+    gc.unfreeze()
+    gc.collect()
+
+
+_timers: weakref.WeakSet[QTimer] = weakref.WeakSet()
+"""Those of earlier tests that are still there: what is shared by several may have some."""
+
+
 @pytest.fixture(autouse=True)
 def nothing_of_qt_left(qt: QApplication) -> Iterator[None]:
     """A test that makes Qt warn, or leaves a window or a running timer, fails."""
@@ -59,6 +72,8 @@ def nothing_of_qt_left(qt: QApplication) -> Iterator[None]:
 
     before = {id(w) for w in QApplication.topLevelWidgets()}
     old = qInstallMessageHandler(handler)
+    # What is there already need not be looked through: that takes longer than many a test.
+    gc.freeze()
     yield
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     QApplication.processEvents()
@@ -67,9 +82,8 @@ def nothing_of_qt_left(qt: QApplication) -> Iterator[None]:
     assert not said, f"Qt warned: {said}"
     windows = [w for w in QApplication.topLevelWidgets() if id(w) not in before]
     assert not windows, f"windows left: {windows}"
-    timers = [
-        o for o in gc.get_objects() if type(o) is QTimer and shiboken6.isValid(o) and o.isActive()
-    ]
+    _timers.update(o for o in gc.get_objects() if type(o) is QTimer)
+    timers = [o for o in _timers if shiboken6.isValid(o) and o.isActive()]
     assert not timers, f"timers still run: {timers}, of {[t.parent() for t in timers]}"
 
 
