@@ -32,6 +32,7 @@ from situ_studio.help_texts import explained
 from situ_studio.help_topics import HELP
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.keys import Keys
+from situ_studio.menu_bar import MenuBar
 from situ_studio.menus import Actions
 from situ_studio.panels.fields import Choice, Flag
 from situ_studio.panels.header import PanelHeader, TitleBar
@@ -98,6 +99,7 @@ class Frame(QMainWindow):
         self.keys = Keys(self.settings)
         actions.set_keys(self.keys.every())
         actions.used.connect(partial(recent.used, self.settings))
+        self.setMenuBar(MenuBar(self))
         actions.fill_menus(self.menuBar())
         self._fill_panels_menu()
         self._build_toolbar()

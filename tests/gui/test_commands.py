@@ -78,6 +78,17 @@ def test_alt_and_a_letter_open_a_menu(studio: Start, project: Copy) -> None:
     used.settle()
 
 
+def test_the_letters_of_the_menus_are_underlined_while_alt_is_held(studio: Start) -> None:
+    used = studio()
+    bar = used.window.menuBar()
+    before = bar.grab().toImage()
+    QTest.keyPress(QApplication.focusWidget() or used.window, Qt.Key.Key_Alt)
+    held = bar.grab().toImage()
+    QTest.keyRelease(QApplication.focusWidget() or used.window, Qt.Key.Key_Alt)
+    assert held != before
+    assert bar.grab().toImage() == before
+
+
 def test_the_list_of_shortcuts_has_every_key_and_is_filtered(studio: Start) -> None:
     used = studio()
     used.key(Qt.Key.Key_F1, CONTROL)
