@@ -253,6 +253,7 @@ class MainWindow(Frame):
             view = group.views.get(file)
             if view is None:
                 view = self._make_view(file)
+                self.robot.follower.refresh()
             group.documents.setCurrentWidget(view)
             view.show_document(document, self._problems_of(file))
             how = group.waiting.pop(file, None)

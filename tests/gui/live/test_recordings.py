@@ -148,14 +148,17 @@ def test_every_view_shows_the_moment_under_the_cursor(
     script = "conversation.spds.xml"
     it.window.open_file(script)
     it.settle()
-    robot.follower.refresh()
     assert it.window.views[script].canvas.look.live.situation == "sound"
+    it.window.commands.open_beside()
+    it.settle()
+    both = it.window.sides.views_of(script)
+    assert [view.canvas.look.live.situation for view in both] == ["sound", "sound"]
     assert robot.blackboard.isEnabled()
     board = {row.key: row.cells for row in robot.blackboard.rows.rows}
     assert "sound.slap" in board
     it.window.commands.close_recording()
     assert it.window.status.link.text() == "no robot"
-    assert it.window.views[script].canvas.look.live is None
+    assert [view.canvas.look.live for view in both] == [None, None]
 
 
 def until_shown(it: Any) -> None:
