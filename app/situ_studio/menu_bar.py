@@ -20,7 +20,7 @@ class MenuBar(QMenuBar):
     def initStyleOption(self, option: QStyleOptionMenuItem, action: QAction) -> None:
         super().initStyleOption(option, action)
         if not self._letters:
-            option.text = action.text().replace("&", "")  # type: ignore[attr-defined]
+            option.text = action.text().replace("&", "")
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in _PRESSED and isinstance(event, QKeyEvent):
