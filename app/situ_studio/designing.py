@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
 PANEL = "designer"
-"""The dock of what can be put on a screen."""
+"""The dock of what can be put on a screen, and the piece of the view to which it belongs."""
+VIEW = "screen"
+"""The view that has that piece."""
 AWAY = ("project", "outline", "palette")
 """Docks that make room for it."""
 
@@ -32,6 +34,7 @@ class DesigningSide(QObject):
         self._unfolds = False
         window.docks[PANEL].toggleViewAction().setVisible(False)
         window.inspector.file_asked.connect(self.choose_file)
+        window.inspector.screen_asked.connect(self.open)
         window.inspector.align_asked.connect(lambda edge: window.commands.align(edge))
 
     @property
@@ -76,6 +79,10 @@ class DesigningSide(QObject):
                 docks[name].show()
             if self._unfolds:
                 self._window.bottom.set_folded(False)
+
+    def open(self, place: Place) -> None:
+        """Shows the screen of a state to be drawn, with what stands at the place selected."""
+        self._show(VIEW, place)
 
     def _show(self, mode: str, place: Place) -> None:
         self._window.show_mode(mode)

@@ -33,6 +33,8 @@ class DocumentView(QWidget):
     """A context menu is wanted: of what, and where on the screen."""
     part_asked = Signal(object, tuple)
     """A part was dropped: where its card's corner shall be, and the exit into whose pipe."""
+    screen_asked = Signal(tuple)
+    """The place whose screen is to be drawn, in the view made for it."""
     work_begun = Signal(str, object)
     """Something goes on beside the window: what, and the job, as ``working.follow`` takes it."""
     filled_in = Signal(tuple)
@@ -225,6 +227,7 @@ class DocumentView(QWidget):
             "module_dropped",
             "part_asked",
             "filled_in",
+            "screen_asked",
             "work_begun",
         ):
             if hasattr(piece, heard):

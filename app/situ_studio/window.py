@@ -286,6 +286,7 @@ class MainWindow(Frame):
         view.activated.connect(self._on_activated)
         view.status.connect(self.say)
         view.filled_in.connect(self.fill_in)
+        view.screen_asked.connect(self.designing.open)
         view.work_begun.connect(partial(follow, self.status.work))
         view.part_asked.connect(self.parts.insert)
         view.menu_requested.connect(self.context_menus.open)

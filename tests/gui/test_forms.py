@@ -232,6 +232,7 @@ def test_the_screen_is_opened_and_a_component_edited(studio: Start, project: Cop
     used = studio(project("reception"))
     used.select("state", "2")
     used.click(form(used).section("screen").preview)
+    assert used.window.current_view.shown_as == "screen"
     assert form(used).kind.name == "screen"
     components = value(used, "state", "2", "screen").components
     rows = form(used).section("components").rows

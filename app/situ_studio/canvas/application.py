@@ -54,6 +54,8 @@ class ApplicationCanvas(CommandedCanvas, Copying):
 
     work_begun = Signal(str, object)
     """Something goes on beside the window: what, and the job, as ``working.follow`` takes it."""
+    screen_asked = Signal(tuple)
+    """The state whose screen is to be drawn."""
     part_asked = Signal(object, tuple)
     """A part shall be added: its card's corner, and the exit into whose pipe it goes, or ()."""
 
@@ -518,6 +520,8 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         face: Card | Figure = card.face
         if isinstance(face, Figure) or (spot.y() < 28 and face.no and self.look.level == "full"):
             self.edit_name(card.uid)
+        elif isinstance(card, CardItem) and card.picture_area().contains(spot):
+            self.screen_asked.emit(face.place)
         else:
             self.activated.emit(face.place)
 

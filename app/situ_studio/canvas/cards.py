@@ -530,6 +530,16 @@ class CardItem(NodeFace):
                 return f"exit {leaving.id}"
         return "picture" if PICTURE.contains(spot) else "body"
 
+    def picture_area(self) -> QRectF:
+        """Where the small picture of the screen is painted now; empty where there is none."""
+        level = self.look.level if self.look is not None else ""
+        if self.face.screen is None or level not in ("full", "half"):
+            return QRectF()
+        if level == "full":
+            return PICTURE
+        one_line = self._large is None or self._large[3] is None
+        return LARGE_PICTURE if one_line else LOWER_PICTURE
+
 
 def _header(width: float) -> QPainterPath:
     """A card's coloured header; not by a clip, which SVG pictures do not get."""

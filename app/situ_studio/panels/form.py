@@ -45,6 +45,7 @@ class Form(QWidget):
     edited = Signal(object, str, tuple)
     """The new document, the step's name, the place at which the value stands now."""
     place_asked = Signal(tuple)
+    screen_asked = Signal(tuple)
     added = Signal(tuple)
     file_asked = Signal(tuple, str)
     """A file is wanted: for which place, and for which attribute of what stands there."""
@@ -87,6 +88,7 @@ class Form(QWidget):
                 made = SectionEditor(section, theme, self)
                 made.changed.connect(self._on_section)
                 made.place_asked.connect(self.place_asked)
+                made.screen_asked.connect(self.screen_asked)
                 made.added.connect(self.added)
                 self._sections.append(made)
                 editor = made

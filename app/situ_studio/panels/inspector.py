@@ -34,6 +34,8 @@ class Inspector(QWidget):
     edited = Signal(object, str, tuple)
     """The new document, the step's name, the place that is selected then."""
     place_asked = Signal(tuple)
+    screen_asked = Signal(tuple)
+    """As ``SectionEditor`` tells it."""
     added = Signal(tuple)
     """A new thing's place: shown, then typed into at once."""
     refused = Signal(str)
@@ -152,6 +154,7 @@ class Inspector(QWidget):
             form = Form(kind, self._theme)
             form.edited.connect(self.edited)
             form.place_asked.connect(self.place_asked)
+            form.screen_asked.connect(self.screen_asked)
             form.added.connect(self.added)
             form.refused.connect(self.refused)
             form.file_asked.connect(self.file_asked)

@@ -35,6 +35,8 @@ class SectionEditor(QWidget):
 
     changed = Signal(str, object, str)
     place_asked = Signal(tuple)
+    screen_asked = Signal(tuple)
+    """The place of a screen that is to be drawn, in the view made for it."""
     added = Signal(tuple)
     """A new member, that a person wants to fill in."""
 
@@ -230,4 +232,4 @@ class SectionEditor(QWidget):
         assert self._subject is not None
         if self._subject.value.screen is None:
             self._tell(rbd.Screen(), self.tr("Add screen"))
-        self.place_asked.emit((*self._subject.place, "screen"))
+        self.screen_asked.emit((*self._subject.place, "screen"))

@@ -249,3 +249,33 @@ def test_another_project_leaves_nothing_of_the_designer(desk: Desk, project: Cop
     assert not desk.window.docks["designer"].isVisible()
     assert desk.window.docks["project"].isVisible()
     assert desk.window.designer_stack.count() == 0
+
+
+def test_a_double_click_on_the_small_picture_of_a_card_opens_its_screen(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    window = used.window
+    canvas = window.current_view.canvas
+    canvas.choose(("state", "2"))
+    used.settle()
+    card = canvas.graph.nodes[canvas.selected_uids()[0]].view
+    spot = canvas.viewer.mapFromScene(card.mapToScene(card.picture_area().center()))
+    # Beside the picture it is the form that is wanted.
+    body = canvas.viewer.mapFromScene(card.mapToScene(QPointF(100, 100)))
+    QTest.mouseClick(canvas.viewer.viewport(), LEFT, pos=body)
+    QTest.mouseDClick(canvas.viewer.viewport(), LEFT, pos=body)
+    used.settle()
+    assert window.current_view.shown_as == "graph"
+    QTest.mouseClick(canvas.viewer.viewport(), LEFT, pos=spot)
+    QTest.mouseDClick(canvas.viewer.viewport(), LEFT, pos=spot)
+    used.settle()
+    assert window.current_view.shown_as == "screen"
+    designer = window.current_view.piece("designer")
+    assert designer.shown.place == ("state", "2")
+    # What was selected before stays so.
+    used.key(Qt.Key.Key_1, CONTROL)
+    used.select("state", "10", "screen", "continue")
+    used.key(Qt.Key.Key_4, CONTROL)
+    assert designer.shown.place == ("state", "10")
+    assert designer.sheet.selected == ("continue",)
