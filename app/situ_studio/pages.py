@@ -14,8 +14,8 @@ from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER
 from situ.document.texts import read_out
 from situ_studio.edit import Written
 from situ_studio.project_form import writing
+from situ_studio.project_form.checks import LANGUAGE
 from situ_studio.project_form.form import ProjectForm
-from situ_studio.project_form.sections import LANGUAGE
 from situ_studio.sides import Group
 from situ_studio.texts.exchange import Exchange
 from situ_studio.texts.listening import Listening
@@ -211,14 +211,17 @@ class PagesSide(QObject):
         group.documents.addWidget(form)
         return form
 
-    def _on_readings(self, language: str, words: dict[str, str], step: str) -> None:
-        project, file = self._session.project, beside.texts_file(language)
-        if project is None:
-            return
-        mine = self._session.value(file)
-        if not isinstance(mine, Catalogue):
-            mine = catalogue.empty(project.name, language)
-        self._on_texts({file: catalogue.with_readings(mine, words)}, step)
+    def _on_readings(self, changed: dict[str, dict[str, str]], step: str) -> None:
+        project = self._session.project
+        files: dict[str, Written] = {}
+        for language, words in changed.items() if project is not None else ():
+            assert project is not None
+            file = beside.texts_file(language)
+            mine = self._session.value(file)
+            if not isinstance(mine, Catalogue):
+                mine = catalogue.empty(project.name, language)
+            files[file] = catalogue.with_readings(mine, words)
+        self._on_texts(files, step)
 
     def bring(self, file: str) -> None:
         """Shows the file of a problem on the page that is shown."""

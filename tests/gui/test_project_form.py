@@ -244,6 +244,16 @@ def test_words_are_said_as_somebody_reads_them(used: Any, ward: Path) -> None:
     used.key(Qt.Key.Key_Tab)
     assert said(used) == "Dr. is there already."
     press(used, readings.rows.buttons(1)[-1])
+    # To another language and back: one step, though two files change.
+    used.answers.put("name", "ja")
+    press(used, form(used).sections["languages"].plus)
+    form(used).area.ensureWidgetVisible(readings)
+    readings.rows.field(0, 0).setFocus()
+    used.key(Qt.Key.Key_Down)
+    assert used.session.project.readings == {"ja": {"Dr.": "Doctor"}}
+    used.window.actions_.actions["undo"].trigger()
+    used.window.actions_.actions["undo"].trigger()
+    assert used.session.project.readings == {"en": {"Dr.": "Doctor"}}
     used.window.actions_.actions["save"].trigger()
     project, problems = folder.load(ward)
     assert project is not None

@@ -15,20 +15,17 @@ from situ.document.problem import Problem
 from situ.document.project import Project
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.told import Told
+from situ_studio.project_form.boxes import Change, FieldsSection, Section
+from situ_studio.project_form.checks import inside, named
 from situ_studio.project_form.readings import ReadingsSection
 from situ_studio.project_form.sections import (
     ApplicationsSection,
-    Change,
-    FieldsSection,
     LanguagesSection,
     MqttSection,
     PatternsSection,
     PlacesSection,
-    Section,
     SettingsSection,
     TagsSection,
-    inside,
-    named,
 )
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
@@ -43,7 +40,7 @@ class ProjectForm(QWidget):
     """The file, its value after the change, and the name of the step."""
     refused = Signal(str)
     language_asked = Signal()
-    readings_changed = Signal(str, object, str)
+    readings_changed = Signal(object, str)
     """As ``ReadingsSection.changed``."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:

@@ -10,8 +10,9 @@ from PySide6.QtWidgets import QWidget
 from situ.document.project import Project
 from situ_studio.language import tr
 from situ_studio.panels.fields import Choice
+from situ_studio.project_form.boxes import RowsSection
+from situ_studio.project_form.checks import free, named
 from situ_studio.project_form.rows import Checked, Column
-from situ_studio.project_form.sections import RowsSection, free, named
 from situ_studio.texts.model import language_name
 from situ_studio.theme import Theme
 
@@ -19,15 +20,15 @@ from situ_studio.theme import Theme
 class ReadingsSection(RowsSection):
     """They stand in the files of texts, and are told by their language."""
 
-    changed = Signal(str, object, str)
-    """A language, all of its readings by their words, and the name of the step."""
+    changed = Signal(object, str)
+    """By languages all of their readings by their words, and the name of the step."""
 
     def __init__(self, theme: Theme) -> None:
         self._languages: tuple[str, ...] = ()
         self._readings: dict[str, dict[str, str]] = {}
         columns = (
             Column(title=tr("Language"), make=self._choice, share=2),
-            Column(title=tr("Written"), make=lambda _, p: Checked(self._word, p), share=3),
+            Column(title=tr("Written"), make=lambda _, p: Checked(named, p), share=3),
             Column(title=tr("Said"), make=lambda _, p: Checked(named, p), share=3),
         )
         super().__init__(
@@ -43,9 +44,6 @@ class ReadingsSection(RowsSection):
 
     def _choice(self, theme: Theme, parent: QWidget) -> Choice:
         return Choice(theme, parent)
-
-    def _word(self, text: str) -> str:
-        return named(text)
 
     def show_project(self, project: Project) -> None:
         self._languages = project.languages
@@ -80,27 +78,26 @@ class ReadingsSection(RowsSection):
             return
         step = tr("Change how {0} is said").format(word)
         if column == 0:
-            # To another language: two files, each a step of its own.
-            self.changed.emit(language, self._without(language, word), step)
-            self.changed.emit(value, self._readings.get(value, {}) | {word: said}, step)
+            there = self._readings.get(value, {}) | {word: said}
+            self.changed.emit({language: self._without(language, word), value: there}, step)
             return
         words = {
             wanted[1] if one == word else one: wanted[2] if one == word else old
             for one, old in self._readings[language].items()
         }
-        self.changed.emit(language, words, step)
+        self.changed.emit({language: words}, step)
 
     def on_removed(self, row: int) -> None:
         language, word, _ = self._every()[row]
         step = tr("Remove how {0} is said").format(word)
-        self.changed.emit(language, self._without(language, word), step)
+        self.changed.emit({language: self._without(language, word)}, step)
 
     def on_added(self) -> None:
         language = self._languages[-1]
         word = free(tr("word"), self._readings[language])
         words = self._readings[language] | {word: word}
         before = len(self.rows)
-        self.changed.emit(language, words, tr("Add {0}").format(self.noun))
+        self.changed.emit({language: words}, tr("Add {0}").format(self.noun))
         if len(self.rows) > before:
             last = [at for at, one in enumerate(self._every()) if one[:2] == (language, word)]
             self.rows.begin(last[0], 1)

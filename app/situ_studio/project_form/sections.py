@@ -2,209 +2,29 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from situ.document import names
 from situ.document.beside import Toml
 from situ.document.project import SETTING_TYPES
-from situ.document.projectfile import BROKER, FILTER
-from situ_studio.icon_widgets import IconButton
 from situ_studio.language import tr
 from situ_studio.panels.fields import Choice, Line, Number
 from situ_studio.project_form import writing
-from situ_studio.project_form.rows import Checked, Column, Rows
+from situ_studio.project_form.boxes import (
+    RowsSection,
+    Tables,
+    table_of,
+    texts_of,
+)
+from situ_studio.project_form.checks import broker, free, named, once, pattern, tag, topic
+from situ_studio.project_form.rows import Checked, Column
 from situ_studio.project_form.values import ValueField
 from situ_studio.texts.model import language_name
 from situ_studio.theme import Theme
-
-Change = Callable[[Toml], Toml]
-Tables = Mapping[str, Any]
-LANGUAGE = re.compile(r"[A-Za-z]{2,3}([-_][A-Za-z0-9]{2,8})*")
-
-
-def tag(text: str) -> str:
-    """The tag that was typed; ValueError, in a sentence, where it is none."""
-    if not names.is_tag(text):
-        raise ValueError(tr("A tag is words of a to z, 0 to 9, _ and - with dots between."))
-    if names.is_reserved(text):
-        raise ValueError(tr("{0} is written by the robot itself only.").format(text))
-    return text
-
-
-def pattern(text: str) -> str:
-    """The tag or pattern that was typed; ValueError where it is none."""
-    if not names.is_pattern(text):
-        raise ValueError(tr("Write a tag, with * for one word and ** for any number of words."))
-    return text
-
-
-def named(text: str) -> str:
-    if not text:
-        raise ValueError(tr("This can not be left empty."))
-    return text
-
-
-def inside(text: str) -> str:
-    if text.startswith("/") or ".." in text.split("/") or "\\" in text:
-        raise ValueError(tr("A folder inside the project's own: no .. and no / at its beginning."))
-    return text
-
-
-def broker(text: str) -> str:
-    if text and not BROKER.fullmatch(text):
-        raise ValueError(tr("Write mqtt://HOST or mqtts://HOST; a password stays on the robot."))
-    return text
-
-
-def topic(text: str) -> str:
-    if not text or not FILTER.fullmatch(text):
-        raise ValueError(tr("A topic: + stands for one whole level, # for all that follow."))
-    return text
-
-
-def free(name: str, taken: Sequence[str] | Mapping[str, Any]) -> str:
-    """The name, with a number where it is taken."""
-    found, number = name, 2
-    while found in taken:
-        found, number = f"{name}{number}", number + 1
-    return found
-
-
-def once(check: Callable[[str], str], taken: Callable[[], Sequence[str]]) -> Callable[[str], str]:
-    """A check that refuses what is there already."""
-
-    def checked(text: str) -> str:
-        found = check(text)
-        if found in taken():
-            raise ValueError(tr("{0} is there already.").format(found))
-        return found
-
-    return checked
-
-
-class Section(QFrame):
-    """A box with a title, what it is for, and what is in it."""
-
-    edited = Signal(object, str)
-    """A ``Change``, and the name of the step."""
-    refused = Signal(str)
-
-    def __init__(self, theme: Theme, title: str, hint: str, plus: str = "") -> None:
-        super().__init__()
-        self.setProperty("role", "box")
-        self.theme = theme
-        self.setAccessibleName(title)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(16, 10, 12, 14)
-        column.setSpacing(8)
-        head = QHBoxLayout()
-        words = QLabel(title)
-        words.setProperty("role", "subject")
-        head.addWidget(words, 1)
-        self.plus = IconButton(theme, "plus", plus, "text2", 16)
-        self.plus.setVisible(bool(plus))
-        head.addWidget(self.plus)
-        column.addLayout(head)
-        if hint:
-            told = QLabel(hint)
-            told.setProperty("role", "words")
-            told.setWordWrap(True)
-            column.addWidget(told)
-        self.body = column
-
-    def show_tables(self, tables: Tables) -> None:
-        """Shows what the file says."""
-
-    def tell(self, change: Change, words: str) -> None:
-        self.edited.emit(change, words)
-
-
-class FieldsSection(Section):
-    """Single values. fields: (table, key, label, help, check)."""
-
-    def __init__(
-        self,
-        theme: Theme,
-        title: str,
-        hint: str,
-        fields: Sequence[tuple[str, str, str, str, Callable[[str], str]]],
-    ) -> None:
-        super().__init__(theme, title, hint)
-        form = QFormLayout()
-        form.setHorizontalSpacing(12)
-        form.setVerticalSpacing(6)
-        self.fields: dict[tuple[str, str], Checked] = {}
-        for table, key, label, help, check in fields:
-            field = Checked(check)
-            field.set_help(help)
-            field.setAccessibleName(label)
-            field.setPlaceholderText(help)
-            field.refused.connect(self.refused)
-            field.committed.connect(
-                lambda value, t=table, k=key, words=label: self._on_value(t, k, words, value)
-            )
-            words = QLabel(label)
-            words.setProperty("role", "label")
-            words.setFixedWidth(112)
-            words.setBuddy(field)
-            form.addRow(words, field)
-            self.fields[table, key] = field
-        self.body.addLayout(form)
-
-    def show_tables(self, tables: Tables) -> None:
-        for (table, key), field in self.fields.items():
-            value = _table(tables, table).get(key)
-            field.show_value(value if isinstance(value, str) else "")
-
-    def _on_value(self, table: str, key: str, label: str, value: str) -> None:
-        words = tr("Change {0}").format(label.lower())
-        self.tell(lambda toml: writing.put(toml, table, key, value or None), words)
-
-
-class RowsSection(Section):
-    """A list or table, a row each."""
-
-    noun = ""
-
-    def __init__(
-        self, theme: Theme, title: str, hint: str, columns: Sequence[Column], noun: str
-    ) -> None:
-        super().__init__(theme, title, hint, tr("Add {0}").format(noun))
-        self.noun = noun
-        self.rows = Rows(theme, columns, noun, self.movable)
-        self.rows.changed.connect(self.on_changed)
-        self.rows.removed.connect(self.on_removed)
-        self.rows.moved.connect(self.on_moved)
-        self.rows.refused.connect(self.refused)
-        self.plus.clicked.connect(self.on_added)
-        self.body.addWidget(self.rows)
-
-    movable = False
-
-    def show_values(self, values: Sequence[Sequence[Any]]) -> None:
-        self.rows.show_rows(values)
-        self.rows.setVisible(bool(values))
-
-    def on_changed(self, row: int, column: int, value: Any) -> None:
-        """A cell got another value."""
-
-    def on_removed(self, row: int) -> None: ...
-
-    def on_moved(self, row: int, to: int) -> None: ...
-
-    def on_added(self) -> None: ...
-
-    def added(self, change: Change) -> None:
-        """Tells one more row, and puts the cursor into it."""
-        before = len(self.rows)
-        self.tell(change, tr("Add {0}").format(self.noun))
-        if len(self.rows) > before:
-            self.rows.begin(len(self.rows) - 1)
 
 
 class LanguagesSection(RowsSection):
@@ -225,7 +45,7 @@ class LanguagesSection(RowsSection):
         self._codes: list[str] = []
 
     def show_tables(self, tables: Tables) -> None:
-        self._codes = _texts(_table(tables, "project").get("languages"))
+        self._codes = texts_of(table_of(tables, "project").get("languages"))
         self.show_values(
             [
                 (code, language_name(code), "" if at else tr("written in"))
@@ -265,7 +85,7 @@ class ApplicationsSection(RowsSection):
         self._files: list[str] = []
 
     def show_tables(self, tables: Tables) -> None:
-        self._files = _texts(_table(tables, "project").get("applications"))
+        self._files = texts_of(table_of(tables, "project").get("applications"))
         self.show_values([(file,) for file in self._files])
         # Which there are is decided in the project's folder.
         for row in range(len(self.rows)):
@@ -289,7 +109,7 @@ class PatternsSection(RowsSection):
         super().__init__(theme, title, hint, columns, tr("a tag or pattern"))
 
     def show_tables(self, tables: Tables) -> None:
-        self._patterns = _texts(_table(tables, self._table).get(self._key))
+        self._patterns = texts_of(table_of(tables, self._table).get(self._key))
         self.show_values([(one,) for one in self._patterns])
 
     def _put(self, wanted: list[str], words: str) -> None:
@@ -341,7 +161,7 @@ class TableSection(RowsSection):
         return "new", ""
 
     def show_tables(self, tables: Tables) -> None:
-        self.values = dict(_table(tables, self._table))
+        self.values = dict(table_of(tables, self._table))
         self.show_values([(name, *self.row(value)) for name, value in self.values.items()])
 
     def on_changed(self, row: int, column: int, value: Any) -> None:
@@ -441,7 +261,7 @@ class MqttSection(TableSection):
         self.body.insertLayout(2, line)
 
     def show_tables(self, tables: Tables) -> None:
-        found = _table(tables, "mqtt")
+        found = table_of(tables, "mqtt")
         url, incoming = found.get("url"), found.get("in")
         self.broker.show_value(url if isinstance(url, str) else "")
         self.values = dict(incoming) if isinstance(incoming, dict) else {}
@@ -519,14 +339,14 @@ class SettingsSection(RowsSection):
         self._settings = (
             [one for one in listed if isinstance(one, dict)] if isinstance(listed, list) else []
         )
-        self._durable = _texts(_table(tables, "durable").get("tags"))
+        self._durable = texts_of(table_of(tables, "durable").get("tags"))
         self.show_values([self._row(one) for one in self._settings])
         for row, one in enumerate(self._settings):
             self.rows.field(row, 3).setEnabled(one.get("type") == "choice")
 
     def _row(self, one: dict[str, Any]) -> Sequence[Any]:
         kind = one.get("type", "text")
-        return one.get("label", ""), one.get("tag", ""), kind, _texts(one.get("choices"))
+        return one.get("label", ""), one.get("tag", ""), kind, texts_of(one.get("choices"))
 
     def _kept(self, toml: Toml, name: str) -> Toml:
         """A setting that is lost at a restart is none."""
@@ -595,12 +415,3 @@ def _means(theme: Theme, parent: QWidget) -> Choice:
     made = Choice(theme, parent)
     made.offer((("event", tr("an event")), ("tag", tr("a value"))))
     return made
-
-
-def _table(tables: Tables, name: str) -> Mapping[str, Any]:
-    found = tables.get(name)
-    return found if isinstance(found, dict) else {}
-
-
-def _texts(value: Any) -> list[str]:
-    return [one for one in value if isinstance(one, str)] if isinstance(value, list) else []
