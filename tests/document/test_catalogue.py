@@ -16,7 +16,7 @@ from situ.document.join import join_texts
 from situ.document.texts_update import update
 from situ.resources import example, examples
 
-_WORDS = st.text(st.characters(codec="utf-8", exclude_categories=("Cs", "Cc")), min_size=1)
+_WORDS = st.text(st.sampled_from('ab "\\\n\té字\u2028\u0085{}%#~'), min_size=1, max_size=8)
 _TOKENS = st.text("abc-", min_size=1, max_size=5).map(lambda word: f"f{word}")
 
 
