@@ -14,8 +14,9 @@ from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, PLACE, RowDeleg
 from situ_studio.theme import Theme
 
 ROWS = 4
-"""So many are seen; the others are reached by scrolling."""
+"""So many are seen at the most; the others are reached by scrolling."""
 HIGH = 44
+"""Px of a row."""
 
 
 def words(one: Known) -> str:
@@ -106,7 +107,8 @@ class MoreModules(QWidget):
         self._model.clear()
         for one in shown:
             self._model.appendRow(self._row(one))
-        self.list.setFixedHeight(HIGH * min(ROWS, len(shown)))
+        self.list.setMaximumHeight(HIGH * min(ROWS, len(shown)))
+        self.list.setMinimumHeight(HIGH)
         self.setVisible(bool(shown))
 
     def _row(self, one: Known) -> QStandardItem:

@@ -116,9 +116,9 @@ class Outline(QWidget):
         self.list.selectionModel().selectionChanged.connect(self._on_selection)
         self.list.activated.connect(self._on_activated)
         self.list.clicked.connect(self._on_clicked)
-        column.addWidget(self.list, 1)
+        column.addWidget(self.list, 2)
         self.more = MoreModules(theme)
-        column.addWidget(self.more)
+        column.addWidget(self.more, 1)
 
     def set_theme(self, theme: Theme) -> None:
         self._delegate.set_theme(theme)
