@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from msgspec import Struct
 from PySide6.QtCore import QRectF
 from PySide6.QtWidgets import (
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
     QLabel,
     QSpinBox,
     QVBoxLayout,
-    QWidget,
 )
 
 from situ_studio import picture
+from situ_studio.panels.fields import Choice
+
+if TYPE_CHECKING:
+    from situ_studio.frame import Frame
 
 What = Literal["whole", "selection", "seen"]
 
@@ -37,7 +39,7 @@ class ExportDialog(QDialog):
     the drawing, in the order in which it is offered.
     """
 
-    def __init__(self, name: str, areas: Mapping[What, QRectF], parent: QWidget) -> None:
+    def __init__(self, name: str, areas: Mapping[What, QRectF], parent: Frame) -> None:
         super().__init__(parent)
         self._areas = areas
         words = {
@@ -49,7 +51,7 @@ class ExportDialog(QDialog):
         self.setWindowTitle(self.tr("Export {0}").format(name))
         column = QVBoxLayout(self)
         form = QFormLayout()
-        self.what = QComboBox()
+        self.what = Choice(parent.theme)
         for what in areas:
             self.what.addItem(words[what], what)
         form.addRow(self.tr("Of the drawing"), self.what)

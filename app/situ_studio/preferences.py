@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
-    QComboBox,
     QDialog,
     QFormLayout,
     QHBoxLayout,
@@ -22,6 +21,7 @@ from situ_studio.actions import COMMANDS
 from situ_studio.keys import headed, written
 from situ_studio.language import LANGUAGES, SYSTEM
 from situ_studio.menus import told
+from situ_studio.panels.fields import Choice
 from situ_studio.shortcuts import KeyList
 
 if TYPE_CHECKING:
@@ -44,15 +44,17 @@ class Preferences(QDialog):
         self.setWindowTitle(self.tr("Preferences"))
         self.resize(600, 680)
         column = QVBoxLayout(self)
+        column.setContentsMargins(24, 20, 24, 20)
+        column.setSpacing(12)
         form = QFormLayout()
         column.addLayout(form)
-        self.language = QComboBox()
+        self.language = Choice(window.theme)
         for code, name in ((SYSTEM, self.tr("Like the system")), *LANGUAGES.items()):
             self.language.addItem(name, code)
         self.language.setCurrentIndex(self.language.findData(windows.language))
         self.language.activated.connect(self._on_language)
         form.addRow(self.tr("Language"), self.language)
-        self.colours = QComboBox()
+        self.colours = Choice(window.theme)
         for choice, name in (
             ("system", self.tr("Like the system")),
             ("light", self.tr("Light")),
@@ -63,6 +65,7 @@ class Preferences(QDialog):
         self.colours.activated.connect(self._on_colours)
         form.addRow(self.tr("Colours"), self.colours)
         heading = QLabel(self.tr("Keyboard shortcuts"))
+        heading.setProperty("role", "heading")
         column.addWidget(heading)
         self._build_keys(column)
         self._show_keys()
