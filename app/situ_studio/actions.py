@@ -570,6 +570,17 @@ COMMANDS: tuple[Command, ...] = (
         when="has_problems",
     ),
     _c(
+        "mend",
+        "Mend…",
+        "mend",
+        icon="wand",
+        shortcut="Ctrl+.",
+        menu="Edit",
+        when="has_problems",
+        rule=True,
+        tip="What can be done about the problems of what is selected.",
+    ),
+    _c(
         "next_tab",
         "Next document",
         "next_tab",

@@ -441,6 +441,9 @@ class Commands(FileCommands):
     def next_problem(self, by: int) -> None:
         self._window.problems.step(by)
 
+    def mend(self) -> None:
+        self._window.mending.ask()
+
     def next_tab(self, by: int) -> None:
         self._window.tabs.step(by)
 

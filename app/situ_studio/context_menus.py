@@ -62,13 +62,26 @@ class ContextMenus(QObject):
         view = self._window.current_view
         if view is None:
             return
+        if self._window.mending.open_for_row():
+            return
+        sheet, chosen = self._window.commands.components.sheet, context_of(view.selected)
+        on_sheet = sheet is not None and (chosen == "component" or sheet.hasFocus())
+        context = self._context(view.selected)
+        if on_sheet:
+            context = chosen if chosen == "component" else "screen"
+        self._pop_up(context, self.corner())
+
+    def corner(self) -> QPoint:
+        """Where a menu of what is selected stands, on the desktop."""
+        view = self._window.current_view
+        if view is None:
+            return self._window.mapToGlobal(self._window.rect().center())
         sheet, chosen = self._window.commands.components.sheet, context_of(view.selected)
         if sheet is not None and (chosen == "component" or sheet.hasFocus()):
-            self._pop_up(chosen if chosen == "component" else "screen", sheet.menu_corner())
-            return
+            return sheet.menu_corner()
         shown = view.current_view()
-        corner = view.call("menu_corner") or shown.mapToGlobal(shown.rect().center())
-        self._pop_up(self._context(view.selected), corner)
+        corner: QPoint | None = view.call("menu_corner")
+        return corner or shown.mapToGlobal(shown.rect().center())
 
     def _context(self, selected: tuple[Place, ...]) -> str:
         return "cells" if self._window.commands.has_cells() else context_of(selected)
@@ -80,6 +93,7 @@ class ContextMenus(QObject):
         if menu.isEmpty():
             menu.deleteLater()
             return
+        self._window.mending.add_to(menu)
         menu.aboutToHide.connect(lambda: self._on_hidden(menu))
         self.shown = menu
         menu.popup(at)

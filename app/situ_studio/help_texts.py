@@ -192,12 +192,15 @@ PAGES: tuple[Page, ...] = (
         one click does it, and undo takes it back. The form of what is wrong says it again
         above its fields.
 
+        The menu of a problem, and Ctrl+. for what is selected, mend all of a kind at once, or
+        accept a warning that you know and mean: it is told no more.
+
         A file with errors that could not be read whole is shown, but not changed, until the
         errors are mended: else what they name would be lost.
         """,
         (
             "panel/problems", "status/errors", "status/warnings",
-            "command/next_problem",
+            "command/next_problem", "command/mend",
         ),
     ),
     Page(

@@ -16,6 +16,7 @@ from situ_studio.edit import Written
 from situ_studio.project_form import writing
 from situ_studio.project_form.checks import LANGUAGE
 from situ_studio.project_form.form import ProjectForm
+from situ_studio.project_form.going import go_to_line
 from situ_studio.sides import Group
 from situ_studio.texts.exchange import Exchange
 from situ_studio.texts.listening import Listening
@@ -89,6 +90,23 @@ class PagesSide(QObject):
         if shown is None or not self.has(shown) or project is None:
             return False
         return self.key(file) == shown or (shown == TEXTS and file in project.flows)
+
+    def go_to_text(self, file: str, place: tuple[str, ...], language: str) -> None:
+        """Shows a text of a document in the table of all texts, in the column of a language."""
+        self._window.open_file(TEXTS)
+        page = self._texts_of(self._window.sides.current)
+        if page is not None:
+            page.bring(file, place, language)
+
+    def go_to_line(self, file: str, line: int) -> None:
+        """Shows what stands in a line of ``situ.toml`` in its form."""
+        self._window.open_file(PROJECT_FILE)
+        form = self._form_of(self._window.sides.current)
+        toml = self._session.value(file)
+        if form is not None:
+            form.show_file(file)
+            if isinstance(toml, Toml):
+                go_to_line(form, toml.text, line)
 
     def unsaved(self) -> list[str]:
         """The pages on which something is not saved."""
@@ -223,8 +241,3 @@ class PagesSide(QObject):
             files[file] = catalogue.with_readings(mine, words)
         self._on_texts(files, step)
 
-    def bring(self, file: str) -> None:
-        """Shows the file of a problem on the page that is shown."""
-        form = self._form_of(self._window.sides.current)
-        if form is not None and file in (PROJECT_FILE, LOCAL_FILE):
-            form.show_file(file)

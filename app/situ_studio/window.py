@@ -12,7 +12,6 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication
 
 from situ.document import folder
-from situ.document.mend import mends
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places, recent, words
@@ -30,6 +29,7 @@ from situ_studio.frame import Frame
 from situ_studio.helping import HelpSide
 from situ_studio.live.link import RobotLink
 from situ_studio.looking import FindingSide
+from situ_studio.mending import MendingSide
 from situ_studio.menus import Actions
 from situ_studio.opening import Found
 from situ_studio.pages import PagesSide
@@ -95,6 +95,7 @@ class MainWindow(Frame):
         self.finding = FindingSide(self)
         self.exporting = ExportingSide(self)
         self.context_menus = ContextMenus(self)
+        self.mending = MendingSide(self)
         self.add_commands(Actions(self.commands, self.theme, self))
         self.helping = HelpSide(self)
         self.search.clicked.connect(self.commands.find)
@@ -125,9 +126,6 @@ class MainWindow(Frame):
         self.inspector.added.connect(self.fill_in)
         self.inspector.refused.connect(self.say)
         self.inspector.usages_asked.connect(self.commands.find_usages)
-        self.problems.chosen.connect(self._on_problem)
-        self.problems.mend_asked.connect(self._on_mend)
-        self.inspector.told.mend_asked.connect(self._on_mend)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
         welcome = self.welcome
         welcome.back_asked.connect(self.leave_welcome)
@@ -584,23 +582,6 @@ class MainWindow(Frame):
         self._refresh_tree()
         self._settle_outline()
         self._settle_selection()
-
-    def _on_problem(self, problem: Problem) -> None:
-        file = self.session.file_of(problem)
-        if file is not None:
-            self.go_to(file, problem.place)
-
-    def _on_mend(self, problem: Problem) -> None:
-        project = self.session.project
-        found = mends(project, problem) if project is not None else []
-        if problem.mend is None or not found:
-            self.say(self.tr("This has changed meanwhile: there is nothing to mend there now."))
-            return
-        words, after = found[0]
-        self.commit(after, words, problem.mend.file)
-        if problem.mend.file == self.current_file:
-            self.select(problem.place)
-        self.say(words)
 
     # -- bringing panels up to date ----------------------------------------------------------
 

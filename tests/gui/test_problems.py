@@ -100,7 +100,7 @@ def test_a_project_without_a_document_says_so(studio: Start, tmp_path: Path) -> 
     (tmp_path / "situ.toml").write_text(toml, encoding="utf-8")
     (tmp_path / "a.rbd.xml").write_text("<application", encoding="utf-8")
     used = studio(tmp_path)
-    assert used.window.no_document.isVisible()
+    assert used.window.sides.current.no_document.isVisible()
     assert [p.code for p in used.session.problems] == ["malformed-xml"]
     assert used.window.problems.list.isVisible()
     used.key(Qt.Key.Key_S, CONTROL)
@@ -113,12 +113,17 @@ def test_where_nothing_is_wrong_the_panel_says_so(studio: Start, tmp_path: Path)
     assert studio(tmp_path).window.problems.good.isVisible()
 
 
-def test_many_problems_are_all_told(studio: Start, folder: Callable[..., Path]) -> None:
+def test_many_problems_are_all_told(
+    studio: Start, folder: Callable[..., Path], comes: Callable[..., None]
+) -> None:
     states = tuple(
         rbd.State(no=str(n), name="x" * 200, events=(rbd.Event(name="go", next=f"{n}000"),))
         for n in range(1, 151)
     )
     used = studio(folder(rbd.Application(name="many", start="1", states=states)))
+    if not used.session.problems:
+        comes(used.session.problems_changed)
+    used.settle()
     model = used.window.problems.list.model()
     errors = [p for p in used.session.problems if p.severity == "error"]
     assert len(errors) == 150

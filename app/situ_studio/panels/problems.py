@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections import Counter
 
-from PySide6.QtCore import QModelIndex, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QModelIndex, QPoint, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
+    QContextMenuEvent,
     QFontMetrics,
     QKeyEvent,
     QMouseEvent,
@@ -32,6 +33,7 @@ from PySide6.QtWidgets import (
 
 from situ.document.problem import Problem
 from situ_studio import icons
+from situ_studio.language import said
 from situ_studio.panels.lists import PLACE, AnyIndex
 from situ_studio.theme import Theme, font
 
@@ -51,7 +53,7 @@ def mend_box(rect: QRect, problem: Problem | None) -> QRect:
     """Where the mend's button stands in a row; empty where there is none."""
     if problem is None or problem.mend is None:
         return QRect()
-    width = QFontMetrics(font(12, 500)).horizontalAdvance(problem.mend.words) + 40
+    width = QFontMetrics(font(12, 500)).horizontalAdvance(said(problem.mend.words)) + 40
     width = min(width, MEND_MOST, rect.width() // 2)
     return QRect(rect.right() - width - 8, rect.y() + 3, width, 22)
 
@@ -100,7 +102,7 @@ class ProblemDelegate(QStyledItemDelegate):
         button = QRectF(mend_box(option.rect, problem))
         end = button.x() if button.width() else rect.right()
         words = QRectF(where.right() + 8, rect.y(), end - where.right() - 20, 28)
-        painter.drawText(words, middle, cut(problem.message, right, int(words.width())))
+        painter.drawText(words, middle, cut(said(problem.message), right, int(words.width())))
         if problem.mend is not None:
             painter.setPen(QPen(theme.color("line_strong")))
             painter.setBrush(theme.color("panel"))
@@ -111,15 +113,18 @@ class ProblemDelegate(QStyledItemDelegate):
             painter.setPen(accent)
             painter.setFont(font(12, 500))
             room = button.adjusted(28, 0, -10, 0)
-            text = painter.fontMetrics().elidedText(problem.mend.words, right, int(room.width()))
+            mend = said(problem.mend.words)
+            text = painter.fontMetrics().elidedText(mend, right, int(room.width()))
             painter.drawText(room, middle, text)
         painter.restore()
 
 
 class ProblemList(QListView):
-    """Tells which row's mend was asked for."""
+    """Tells which row's mend was asked for, or its menu."""
 
     mend_asked = Signal(object)
+    menu_asked = Signal(object, QPoint)
+    """A context menu is wanted of a problem, there on the desktop."""
 
     def _mend_at(self, event: QMouseEvent) -> Problem | None:
         at = event.position().toPoint()
@@ -147,6 +152,13 @@ class ProblemList(QListView):
         self.viewport().setCursor(shape)
         super().mouseMoveEvent(event)
 
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        index = self.indexAt(event.pos())
+        problem: Problem | None = index.data(PROBLEM)
+        if problem is not None:
+            self.setCurrentIndex(index)
+            self.menu_asked.emit(problem, event.globalPos())
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
         problem: Problem | None = self.currentIndex().data(PROBLEM)
@@ -162,6 +174,7 @@ class Problems(QWidget):
 
     chosen = Signal(object)
     mend_asked = Signal(object)
+    menu_asked = Signal(object, QPoint)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -169,6 +182,7 @@ class Problems(QWidget):
         self._stack = QStackedLayout(self)
         self.list = ProblemList()
         self.list.mend_asked.connect(self.mend_asked)
+        self.list.menu_asked.connect(self.menu_asked)
         self.list.setAccessibleName(self.tr("Problems"))
         self.list.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
         self.list.setMouseTracking(True)
@@ -217,14 +231,16 @@ class Problems(QWidget):
             if problem is None:
                 self._tell_more(item, where)
                 continue
-            item.setText(problem.message)
+            message = said(problem.message)
+            item.setText(message)
             item.setData(problem, PROBLEM)
             item.setData(where, WHERE)
             mend = ""
             if problem.mend is not None:
-                mend = self.tr("Ctrl+Enter: {0}").format(problem.mend.words)
-            item.setToolTip(f"{problem.message}\n{mend}".strip())
-            item.setAccessibleText(f"{problem.severity}: {where}: {problem.message} {mend}".strip())
+                mend = self.tr("Ctrl+Enter: {0}").format(said(problem.mend.words))
+            item.setToolTip(f"{message}\n{mend}".strip())
+            kind = self.tr("Error") if problem.severity == "error" else self.tr("Warning")
+            item.setAccessibleText(f"{kind}: {where}: {message} {mend}".strip())
             if problem == current:
                 self.list.setCurrentIndex(item.index())
         self._stack.setCurrentIndex(0 if rows else 1)

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from situ.document.problem import Problem
 from situ_studio.icon_widgets import IconLabel
+from situ_studio.language import said
 from situ_studio.layouts import clear
 from situ_studio.theme import Theme
 
@@ -45,15 +46,15 @@ class Told(QWidget):
         row = self._grid.rowCount()
         mark = IconLabel(self._theme, problem.severity, problem.severity, 14)
         self._grid.addWidget(mark, row, 0, Qt.AlignmentFlag.AlignTop)
-        words = QLabel(problem.message)
+        words = QLabel(said(problem.message))
         words.setProperty("severity", problem.severity)
         words.setWordWrap(True)
         words.setTextFormat(Qt.TextFormat.PlainText)
         kind = self.tr("Error") if problem.severity == "error" else self.tr("Warning")
-        words.setAccessibleName(f"{kind}: {problem.message}")
+        words.setAccessibleName(f"{kind}: {words.text()}")
         self._grid.addWidget(words, row, 1)
         if problem.mend is not None:
-            button = QPushButton(problem.mend.words)
+            button = QPushButton(said(problem.mend.words))
             button.setProperty("role", "mend")
             button.clicked.connect(lambda _=False: self.mend_asked.emit(problem))
             self._grid.addWidget(button, row + 1, 1, Qt.AlignmentFlag.AlignLeft)
