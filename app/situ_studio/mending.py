@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
 MOST = 8
-"""Of so many problems at most a menu has entries: the list has them all."""
+"""Of so many problems at most a menu has entries, and leads to the list of all."""
 WIDE = 420
 """Px of a problem's words in a menu."""
 
@@ -72,11 +72,13 @@ class MendingSide(QObject):
         ]
 
     def _of(self, file: str) -> dict[Place, list[Problem]]:
-        """The problems of a document, by the card that they are about, errors first."""
+        """The problems of a document, by the card that they are about, errors first, and those with
+        a mend before others.
+        """
         if file not in self._known:
             found = self._known[file] = {}
-            by_severity = sorted(self._session.problems_of(file), key=lambda p: p.severity)
-            for problem in by_severity:
+            every = self._session.problems_of(file)
+            for problem in sorted(every, key=lambda p: (p.severity, p.mend is None)):
                 found.setdefault(places.root(problem.place), []).append(problem)
         return self._known[file]
 
@@ -151,6 +153,13 @@ class MendingSide(QObject):
             below.setToolTipsVisible(True)
             below.menuAction().setToolTip(said(problem.message))
             self._add(below, problem)
+        if len(problems) > MOST:
+            more = self.tr("{0} more in the list of problems").format(len(problems) - MOST)
+            menu.addAction(more).triggered.connect(lambda _=False: self._show_list())
+
+    def _show_list(self) -> None:
+        self._window.bottom.choose("problems")
+        self._window.problems.list.setFocus()
 
     def _add(self, menu: QMenu, problem: Problem) -> None:
         if problem.mend is not None:

@@ -7,13 +7,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAccessible, QContextMenuEvent, QHelpEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
 from situ.document import codec
+from situ_studio.panels.lists import MARKS
 from situ_studio.panels.problems import PROBLEM
+from situ_studio.theme import LIGHT
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 FILE = "ward.rbd.xml"
@@ -61,11 +63,9 @@ languages = ["en", "ja", "de"]
 
 [[setting]]
 tag = "volume"
-form = "number"
 
 [[setting]]
 tag = "dose"
-form = "number"
 """
 PO = """msgid ""
 msgstr "Content-Type: text/plain; charset=UTF-8\\n"
@@ -114,13 +114,12 @@ def entries(menu: QMenu) -> list[str]:
 
 def choose(used: Any, menu: QMenu, text: str) -> None:
     """Goes down to an entry by keys, and takes it."""
+    (wanted,) = [action for action in menu.actions() if action.text() == text]
     for _ in menu.actions():
-        active = menu.activeAction()
-        if active is not None and active.text() == text:
+        if menu.activeAction() == wanted:
             break
         QTest.keyClick(menu, Qt.Key.Key_Down)
-    assert menu.activeAction() is not None
-    assert menu.activeAction().text() == text
+    assert menu.activeAction() == wanted
     QTest.keyClick(menu, Qt.Key.Key_Return)
     used.settle()
 
@@ -184,9 +183,20 @@ def test_what_is_selected_is_mended_by_keys(ward: Any) -> None:
     menu = window.mending.shown
     below = {action.text() for action in menu.actions()}
     assert any("hard to read" in text for text in below), below
+    assert len(below) == 3
     QTest.keyClick(menu, Qt.Key.Key_Escape)
     ward.settle()
+    # Of many problems the menu has the first, and leads to the rest.
+    ward.select("state", "1")
+    ward.key(Qt.Key.Key_Period, CONTROL)
+    menu = window.mending.shown
+    assert len(entries(menu)) == 9
+    window.bottom.choose("find")
+    choose(ward, menu, f"{len(window.mending.here()) - 8} more in the list of problems")
+    assert window.bottom.current == "problems"
+    assert window.problems.list.hasFocus()
     # One problem: what can be done stands in the menu itself.
+    window.current_view.current_view().setFocus()
     ward.select("state", "1", "timeout")
     ward.key(Qt.Key.Key_Period, CONTROL)
     menu = window.mending.shown
@@ -243,6 +253,54 @@ def test_a_warning_is_accepted_and_told_again_after_undo(ward: Any) -> None:
     ward.settle()
 
 
+def test_components_with_problems_are_marked_on_the_screen_and_in_its_list(ward: Any) -> None:
+    """With words for the pointer, and for those who hear them."""
+    window = ward.window
+    ward.select("state", "1")
+    window.show_mode("screen")
+    ward.settle()
+    designer = window.current_view.piece("designer")
+    sheet, layers = designer.sheet, designer.side.layers
+    pale = [p.message for p in ward.session.problems if p.place[-1:] == ("pale",)]
+    assert list(sheet.problems.areas()) == ["tea", "coffee", "pale"]
+    sign = sheet.problems.areas()["pale"]
+    assert sheet.area(sheet.own()["pale"]).intersects(sign)
+    seen = sheet.grab().toImage()
+    inside = sign.toRect()
+    wanted = LIGHT.color("warning")
+    off = {
+        max(
+            abs(wanted.red() - one.red()),
+            abs(wanted.green() - one.green()),
+            abs(wanted.blue() - one.blue()),
+        )
+        for x in range(inside.left(), inside.right())
+        for y in range(inside.top(), inside.bottom())
+        for one in [seen.pixelColor(x, y)]
+    }
+    assert min(off) < 4
+    at = sign.center().toPoint()
+    QApplication.sendEvent(sheet, QHelpEvent(QEvent.Type.ToolTip, at, sheet.mapToGlobal(at)))
+    assert set(QToolTip.text().split("\n")) == set(pale)
+    QToolTip.hideText()
+    row = layers.model().index(layers.ids.index("pale"), 0)
+    assert row.data(MARKS) == (("warning", "warning"),)
+    assert set(row.data(Qt.ItemDataRole.ToolTipRole).split("\n")) == set(pale)
+    assert f"Warning: {pale[0]}" in row.data(Qt.ItemDataRole.AccessibleTextRole)
+    heard = QAccessible.queryAccessibleInterface(sheet).child(2)
+    assert f"Warning: {pale[0]}" in heard.text(QAccessible.Text.Description)
+    # What is mended is marked no more.
+    box = 'x="10" y="10" width="80" height="40"'
+    text = f'<text id="pale" {box} size="9">Hi</text>'
+    screen = f"<screen><components>{text}</components></screen>"
+    state = f'<state no="1" final="true">{screen}</state>'
+    whole = f'<application name="ward">{state}</application>'.replace("Hi", "Tea")
+    window.commit(codec.read(whole.encode(), FILE)[0], "Mend it")
+    ward.settle()
+    assert sheet.problems.areas() == {}
+    assert layers.model().index(layers.ids.index("pale"), 0).data(MARKS) == ()
+
+
 def test_the_context_menu_of_a_component_has_its_problems(ward: Any) -> None:
     window = ward.window
     ward.select("state", "1", "screen", "tea")
@@ -275,5 +333,5 @@ def _inside(menu: QMenu) -> list[str]:
     found = []
     for action in menu.actions():
         below = action.menu()
-        found += _inside(below) if below is not None else [action.text()]
+        found += _inside(below) if isinstance(below, QMenu) else [action.text()]
     return found

@@ -72,7 +72,7 @@ class ScreenBeside(QScrollArea):
 
     def show_document(self, application: rbd.Application, problems: list[Problem]) -> None:
         """Takes a new value, of which ``select`` says what is shown."""
-        self._shown.show_document(application)
+        self._shown.show_document(application, problems)
 
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""

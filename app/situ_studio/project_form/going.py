@@ -39,7 +39,7 @@ def go_to_line(form: ProjectForm, text: str, line: int) -> None:
 
 
 def _show(form: ProjectForm, field: QWidget) -> None:
-    # A form that was not seen before gets its widths first, its heights from them, and then scrolls.
+    # A form that was not seen before gets widths first, heights from them, and only then scrolls.
     for _ in range(3):
         QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
     form.area.ensureWidgetVisible(field, 24, 24)

@@ -25,6 +25,7 @@ from situ_studio import kinds
 from situ_studio.language import tr, translated
 from situ_studio.screens import marks
 from situ_studio.screens.placing import box_of
+from situ_studio.screens.problem_marks import spoken
 
 if TYPE_CHECKING:
     from situ_studio.screens.sheet import Sheet
@@ -222,7 +223,10 @@ class AccessibleComponent(QAccessibleInterface):
             return ""
         if kind == QAccessible.Text.Name:
             return called(component)
-        return described(component) if kind == QAccessible.Text.Description else ""
+        if kind != QAccessible.Text.Description:
+            return ""
+        wrong = spoken(self._shown.sheet.problems.told.get(self.id, ()))
+        return "; ".join(one for one in (described(component), wrong) if one)
 
     def setText(self, kind: QAccessible.Text, text: str) -> None:
         return

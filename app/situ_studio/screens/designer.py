@@ -125,7 +125,7 @@ class Designer(QWidget):
 
     def show_document(self, application: rbd.Application, problems: list[Problem]) -> None:
         """Takes a new value, of which ``select`` says what is shown."""
-        self.shown.show_document(application)
+        self.shown.show_document(application, problems)
 
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""
@@ -153,7 +153,7 @@ class Designer(QWidget):
         chosen = self.sheet.selected
         if selected[:1] == ((*place, "screen"),):
             chosen = (BACKGROUND,)
-        self.side.layers.show_screen(self.shown.screen, chosen)
+        self.side.layers.show_screen(self.shown.screen, chosen, self.shown.problems)
         tags = self.sampling.tags()
         self.side.tags.show_tags(tags)
         self.sheet.offer_tags(tags)

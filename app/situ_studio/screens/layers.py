@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from PySide6.QtCore import QModelIndex, QPoint, QSize, Qt, Signal
@@ -17,11 +18,14 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QListView, QWidget
 
 from situ.document import rbd
+from situ.document.problem import Problem
 from situ_studio import kinds
-from situ_studio.panels.lists import COUNT, ICON, PLACE, RowDelegate
+from situ_studio.panels.lists import COUNT, ICON, MARKS, PLACE, RowDelegate
+from situ_studio.screens.problem_marks import Told, spoken, told_words, worst
 from situ_studio.theme import Theme
 
 ROW = 24
+NONE: Told = {}
 BACKGROUND = ""
 """The id of the row of what is behind everything."""
 
@@ -65,7 +69,10 @@ class Layers(QListView):
         """Of the rows, front to back; the last one is the background's."""
         return [self._model.item(row).data(PLACE) for row in range(self._model.rowCount())]
 
-    def show_screen(self, screen: rbd.Screen | None, selected: tuple[str, ...]) -> None:
+    def show_screen(
+        self, screen: rbd.Screen | None, selected: tuple[str, ...], told: Told = NONE
+    ) -> None:
+        """told: the problems by which rows are marked."""
         self._showing = True
         try:
             rows = [_row(one) for one in reversed(screen.components)] if screen is not None else []
@@ -84,6 +91,7 @@ class Layers(QListView):
                     (PLACE, id),
                     (ICON, icon),
                     (COUNT, count),
+                    *_marked(text, told.get(id, ())),
                 ):
                     if item.data(role) != value:
                         item.setData(value, role)
@@ -184,6 +192,19 @@ class Layers(QListView):
         painter.setPen(QPen(self._theme.color("accent"), 2))
         painter.drawLine(4, y, self.viewport().width() - 4, y)
         painter.end()
+
+
+def _marked(text: str, problems: Sequence[Problem]) -> tuple[tuple[int, object], ...]:
+    """A row's sign, its tip, and how it is heard."""
+    token = worst(problems)
+    return (
+        (MARKS, ((token, token),) if token else ()),
+        (int(Qt.ItemDataRole.ToolTipRole), told_words(problems)),
+        (
+            int(Qt.ItemDataRole.AccessibleTextRole),
+            f"{text}, {spoken(problems)}" if token else text,
+        ),
+    )
 
 
 def _row(component: rbd.Component) -> tuple[str, str, tuple[str, str], str]:

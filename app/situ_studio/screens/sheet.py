@@ -1,7 +1,8 @@
 """The screen on which components are placed: what is selected, proposed and told of it.
 
 ``hand`` is the mouse on it, ``keyboard`` the keys, ``writing`` the text that is edited in place,
-``marks`` what is painted over it, ``accessible`` what a screen reader finds.
+``marks`` what is painted over it, ``problem_marks`` what is wrong there, ``accessible`` what a
+screen reader finds.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from PySide6.QtGui import (
     QDragMoveEvent,
     QDropEvent,
     QFocusEvent,
+    QHelpEvent,
     QInputMethodEvent,
     QKeyEvent,
     QMouseEvent,
@@ -23,7 +25,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QResizeEvent,
 )
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from situ.document import rbd
 from situ_studio.kinds import COMPONENTS, MIME
@@ -32,6 +34,7 @@ from situ_studio.screens import accessible, keyboard, marks, placing
 from situ_studio.screens.drags import Proposal
 from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import Box
+from situ_studio.screens.problem_marks import ProblemMarks, Told
 from situ_studio.screens.resting import Resting
 from situ_studio.screens.shown import Values, content
 from situ_studio.screens.writing import Writing
@@ -77,6 +80,7 @@ class Sheet(ScreenPreview):
         self._shows_above = True
         self._hand = Hand(self)
         self.writing = Writing(self)
+        self.problems = ProblemMarks(self)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled)
         self.setMouseTracking(True)
@@ -108,6 +112,12 @@ class Sheet(ScreenPreview):
         self._shows_above = shown
         self._above = self._all_above if shown else ()
         self.update()
+
+    def show_problems(self, told: Told) -> None:
+        """Marks the components that these are about."""
+        if told != self.problems.told:
+            self.problems.told = told
+            self.update()
 
     def offer_tags(self, tags: tuple[str, ...]) -> None:
         """What ``{`` completes in a text that is edited in place."""
@@ -271,6 +281,11 @@ class Sheet(ScreenPreview):
             self.dropped.emit(name, *self.scale.percent(event.position()))
 
     def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            words = self.problems.words_at(QPointF(event.pos()))
+            if words:
+                QToolTip.showText(event.globalPos(), words, self)
+                return True
         if isinstance(event, QKeyEvent):
             # What is done with a component here is not done with its state on the graph.
             if event.type() == QEvent.Type.ShortcutOverride and keyboard.takes(self, event):
@@ -350,6 +365,8 @@ class Sheet(ScreenPreview):
             whole = placing.around(boxes.values())
             text = marks.measured(whole, components)
             marks.paint_badge(painter, theme, scale, whole, text, self._proposal is not None)
+        if self._proposal is None and not self.writing.is_open:
+            self.problems.paint(painter)
         if self._hand.band is not None:
             marks.paint_band(painter, theme, scale, self._hand.band)
         if self.hasFocus() and not boxes:

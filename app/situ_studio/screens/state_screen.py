@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QPoint, Signal
 
 from situ.document import rbd
+from situ.document.problem import Problem
 from situ_studio import kinds, places
 from situ_studio.edit import Place
 from situ_studio.insert import NotHere, insert
 from situ_studio.screens import placing
+from situ_studio.screens.problem_marks import Told, by_screen
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.shown import Values
 from situ_studio.theme import Theme
@@ -48,6 +50,7 @@ class StateScreen(QObject):
         """What references are filled in with at the next ``show``; None: as they are written."""
         self._theme = theme
         self._media = media
+        self._problems: dict[Place, dict[str, list[Problem]]] = {}
         sheet.chosen.connect(self._on_chosen)
         sheet.edited.connect(self._on_edited)
         sheet.dropped.connect(self._on_dropped)
@@ -85,9 +88,15 @@ class StateScreen(QObject):
         self._theme = theme
         self.show()
 
-    def show_document(self, application: rbd.Application) -> None:
+    @property
+    def problems(self) -> Told:
+        """Those of the screen's components, by their ids."""
+        return self._problems.get((*self.place, "screen"), {})
+
+    def show_document(self, application: rbd.Application, problems: Iterable[Problem] = ()) -> None:
         """Takes a new value, of which ``select`` says what is shown."""
         self.application = application
+        self._problems = by_screen(problems)
 
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""
@@ -103,6 +112,7 @@ class StateScreen(QObject):
             self.place = ()
         within = (*self.place, "screen")
         self.sheet.select(tuple(p[-1] for p in selected if p[:-1] == within))
+        self.sheet.show_problems(self.problems)
         self.show()
 
     def show(self) -> None:
