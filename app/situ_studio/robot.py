@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from situ.document.rbd import Application
 from situ.errors import SituError
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.live.follower import Follower
 from situ_studio.live.link import RobotLink
 from situ_studio.live.recordings import ReadingRecording, Recording
+from situ_studio.live.timeline.panel import Timeline
 from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
 from situ_studio.panels.trace import Trace
@@ -22,7 +24,7 @@ from situ_studio.working import Work
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
-PANELS = ("blackboard", "authority", "trace")
+PANELS = ("blackboard", "timeline", "authority", "trace")
 USUAL = "tcp://127.0.0.1:5570"
 
 
@@ -40,11 +42,17 @@ class RobotSide(QObject):
             Authority(theme),
             Trace(theme),
         )
-        titles = (self.tr("Blackboard"), self.tr("Authority"), self.tr("Trace"))
+        self.follower = Follower(self, self.link, self.blackboard, self.authority, self.trace, self)
+        self.timeline = Timeline(theme, self.follower.viewing, self.state_name)
+        titles = (
+            self.tr("Blackboard"),
+            self.tr("Timeline"),
+            self.tr("Authority"),
+            self.tr("Trace"),
+        )
         for name, title, panel in zip(PANELS, titles, self.panels, strict=True):
             window.bottom.add(name, title, panel)
             window.bottom.set_shown(name, False)
-        self.follower = Follower(self, self.link, self.blackboard, self.authority, self.trace, self)
         self.recording: Recording | None = None
         """The one that is looked at, instead of the robot."""
         self._reading = ReadingRecording(self)
@@ -57,8 +65,8 @@ class RobotSide(QObject):
         window.session.opened.connect(self.follower.compare)
 
     @property
-    def panels(self) -> tuple[Blackboard, Authority, Trace]:
-        return self.blackboard, self.authority, self.trace
+    def panels(self) -> tuple[Blackboard, Timeline, Authority, Trace]:
+        return self.blackboard, self.timeline, self.authority, self.trace
 
     @property
     def connected(self) -> bool:
@@ -138,6 +146,16 @@ class RobotSide(QObject):
         found = {file: session.document(file) for file in session.files}
         return {file: document for file, document in found.items() if document is not None}
 
+    def state_name(self, application: str, state: str) -> str:
+        """What a designer calls it: its number and name, as the open documents have it."""
+        for document in self.live_documents().values():
+            if isinstance(document, Application) and document.name == application:
+                no, inside, within = state.partition("/")
+                found = document.state(no)
+                own = f"{no} {found.name}" if found is not None and found.name else no
+                return f"{own} / {within}" if inside else own
+        return state
+
     def show_live(self, file: str, live: LiveView | LiveScript | None) -> None:
         for view in self._window.sides.views_of(file):
             view.set_live(live)
@@ -151,7 +169,7 @@ class RobotSide(QObject):
         self.follower.compare()
 
     def settle(self) -> None:
-        """The robot's panels are there while there is a link."""
+        """The robot's panels are there while there is something live."""
         for name in PANELS:
-            self._window.bottom.set_shown(name, self.connected or self.recording is not None)
+            self._window.bottom.set_shown(name, self.follower.shows)
         self._window.actions_.refresh()

@@ -38,18 +38,29 @@ class Lane(Struct):
 
 
 class Series(Struct):
-    """Numbers over time; true and false are 1 and 0, a value that is deleted or none is NaN."""
+    """Numbers over time; true and false are 1 and 0, a value that is deleted or none is NaN.
+
+    truth: the first was true or false. gone: how many were dropped.
+    """
 
     t: array[float] = field(default_factory=lambda: array("d"))
     y: array[float] = field(default_factory=lambda: array("d"))
+    truth: bool = False
+    gone: int = 0
 
     def add(self, t: float, y: float) -> None:
         self.t.append(t)
         self.y.append(y)
 
+    def at(self, t: float) -> float:
+        """What holds at ``t``; NaN before the first."""
+        index = bisect_right(self.t, t)
+        return self.y[index - 1] if index else NAN
+
     def forget(self, before: float) -> None:
         """Drops what ended before that."""
         index = max(0, bisect_right(self.t, before) - 1)
+        self.gone += index
         del self.t[:index]
         del self.y[:index]
 
@@ -78,7 +89,7 @@ def _data(lanes: Lanes, event: dict[str, Any]) -> None:
     value, series = event["value"], lanes.data.get(event["tag"])
     if isinstance(value, int | float):
         if series is None:
-            series = lanes.data[event["tag"]] = Series()
+            series = lanes.data[event["tag"]] = Series(truth=isinstance(value, bool))
         series.add(event["t"], value)
     elif series is not None:
         series.add(event["t"], NAN)

@@ -16,7 +16,10 @@ from situ_studio.live.moment import Moment
 
 
 class Viewing(QObject):
-    """t is seconds of the trace. end: when the log's end is, for one that goes on by itself."""
+    """t is seconds of the trace. end: when the log's end is, for one that goes on by itself.
+
+    grows: whether the log that is looked at does.
+    """
 
     exchanged = Signal()
     """``log`` is another one."""
@@ -28,12 +31,14 @@ class Viewing(QObject):
         self.log = log
         self._end: Callable[[], float] = self._last
         self._cursor: float | None = None
+        self.grows = False
 
     def show(self, log: TraceLog, end: Callable[[], float] | None = None) -> None:
         """Another log, from its end."""
         self.log = log
         self._end = end or self._last
         self._cursor = None
+        self.grows = end is not None
         self.exchanged.emit()
         self.moved.emit()
 

@@ -1,0 +1,184 @@
+"""How a timeline's rows look: blocks with names, who holds what, curves of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import cast
+
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QFontMetricsF, QPainter, QPen, QPolygonF
+
+from situ_studio import icons
+from situ_studio.language import tr
+from situ_studio.live.lanes import Lane, Series
+from situ_studio.live.timeline.axis import TimeAxis
+from situ_studio.live.timeline.drawn import Block, Extremes, Strokes, blocks
+from situ_studio.live.timeline.rows import RowKind, TimelineRow
+from situ_studio.theme import CAPTION, LABEL, Theme, font
+
+GUTTER = 132
+"""Px at the left for the rows' names."""
+NARROW = 3
+"""Px below which blocks are put together."""
+ICONS: dict[RowKind, str] = {
+    "state": "state",
+    "situation": "situation",
+    "resource": "resource",
+    "data": "data",
+}
+
+StateName = Callable[[str, str], str]
+"""What a designer calls a state: application and its number to words."""
+
+
+class RowPainter:
+    """Paints rows into a painter whose left edge is the gutter's; rows know nothing of time.
+
+    end: the moment after which nothing is known yet.
+    """
+
+    def __init__(self, axis: TimeAxis, theme: Theme, state_name: StateName) -> None:
+        self.axis = axis
+        self.theme = theme
+        self.state_name = state_name
+        self._extremes: dict[int, Extremes] = {}
+
+    def forget(self) -> None:
+        """What follows is of another log."""
+        self._extremes.clear()
+
+    def title(self, painter: QPainter, row: TimelineRow, top: float) -> None:
+        """The row's icon and name, and of data between what they are."""
+        theme, high = self.theme, row.height
+        icons.paint(painter, ICONS[row.kind], QRectF(12, top + 6, 14, 14), theme.color(row.kind))
+        painter.setFont(font(LABEL))
+        painter.setPen(theme.color("text"))
+        name = row.name or tr("Situation")
+        metrics = QFontMetricsF(painter.font())
+        shown = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, GUTTER - 40)
+        painter.drawText(QPointF(34, top + 13 + metrics.ascent() / 2 - 1), shown)
+        if row.kind == "data":
+            between = self._strokes(row).range
+            series = cast("Series", row.lane)
+            if between is not None and not series.truth:
+                painter.setFont(font(CAPTION))
+                painter.setPen(theme.color("text3"))
+                words = tr("{0} to {1}").format(number(between[0]), number(between[1]))
+                painter.drawText(QPointF(34, top + high - 9), words)
+
+    def row(self, painter: QPainter, row: TimelineRow, top: float, end: float) -> None:
+        """The row's blocks or curve, up to ``end``."""
+        if row.kind == "data":
+            self._curve(painter, row, top, end)
+            return
+        axis = self.axis
+        lane = cast("Lane", row.lane)
+        until = min(end, axis.end)
+        for block in blocks(lane, axis.start, until, axis.pixel * NARROW):
+            if block.value is None and block.many == 1:
+                continue
+            self._block(painter, row, block, top, block.end >= end)
+
+    def _block(
+        self, painter: QPainter, row: TimelineRow, block: Block, top: float, goes_on: bool
+    ) -> None:
+        axis, theme = self.axis, self.theme
+        left = max(axis.x(block.start), -4.0) + GUTTER
+        right = min(axis.x(block.end), axis.width + 4.0) + GUTTER
+        rect = QRectF(left, top + 3, max(right - left, 1.0), row.height - 6)
+        token = "module" if row.kind == "resource" else row.kind
+        lively = goes_on and row.kind == "state"
+        edge = theme.color("live" if lively else token)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme.color("live_soft" if lively else f"{token}_soft"))
+        if rect.width() < NARROW or block.many > 1:
+            painter.setBrush(edge)
+            painter.setOpacity(0.55)
+            painter.drawRect(rect)
+            painter.setOpacity(1.0)
+            return
+        painter.drawRoundedRect(rect, 3, 3)
+        line = theme.color("live" if lively else "card_border")
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(line, 1))
+        painter.drawRoundedRect(rect.adjusted(0.5, 0.5, -0.5, -0.5), 3, 3)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(edge)
+        painter.drawRoundedRect(QRectF(left, rect.top(), 3, rect.height()), 1.5, 1.5)
+        room = rect.width() - 14
+        if room > 12:
+            painter.setFont(font(LABEL))
+            painter.setPen(theme.color("text"))
+            # A block that began before the left edge is named where it is seen.
+            begin = max(left, GUTTER - 4.0)
+            room = rect.right() - begin - 14
+            text = painter.fontMetrics().elidedText(
+                self.words(row, block), Qt.TextElideMode.ElideRight, int(max(room, 0))
+            )
+            at = QRectF(begin + 9, rect.top(), max(room, 0), rect.height())
+            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, text)
+
+    def words(self, row: TimelineRow, block: Block) -> str:
+        """What a block says."""
+        if block.many > 1:
+            return tr("{0} changes").format(block.many)
+        if block.value is None:
+            return tr("nobody") if row.kind == "resource" else tr("none")
+        return self.state_name(row.name, block.value) if row.kind == "state" else block.value
+
+    def _strokes(self, row: TimelineRow) -> Strokes:
+        series = cast("Series", row.lane)
+        kept = self._extremes.get(id(series))
+        if kept is None or kept.series is not series:
+            kept = self._extremes[id(series)] = Extremes(series)
+        axis = self.axis
+        return kept.strokes(axis.start, axis.end, axis.pixel)
+
+    def _curve(self, painter: QPainter, row: TimelineRow, top: float, end: float) -> None:
+        strokes = self._strokes(row)
+        series = cast("Series", row.lane)
+        between = (0.0, 1.0) if series.truth else strokes.range
+        if between is None:
+            return
+        least, most = between
+        if least == most:
+            least, most = least - 1, most + 1
+        floor, room = top + row.height - 6, row.height - 12
+        axis = self.axis
+
+        def y(value: float) -> float:
+            return floor - (value - least) / (most - least) * room
+
+        painter.setPen(QPen(self.theme.color("data"), 1.5))
+        line: list[QPointF] = []
+        upright: list[QLineF] = []
+        edges = [*strokes.t[1:], min(end, axis.end)]
+        for n, t in enumerate(strokes.t):
+            if strokes.low[n] != strokes.low[n]:
+                _draw(painter, line)
+                continue
+            x = max(axis.x(t), 0.0) + GUTTER
+            if strokes.first[n] == strokes.first[n]:
+                line.append(QPointF(x, y(strokes.first[n])))
+            if strokes.low[n] < strokes.high[n]:
+                upright.append(QLineF(x, y(strokes.low[n]), x, y(strokes.high[n])))
+            if strokes.last[n] != strokes.last[n]:
+                _draw(painter, line)
+                continue
+            line.append(QPointF(x, y(strokes.last[n])))
+            # A value holds until the next.
+            after = min(axis.x(edges[n]), axis.width) + GUTTER
+            line.append(QPointF(max(after, x), y(strokes.last[n])))
+        _draw(painter, line)
+        painter.drawLines(upright)
+
+
+def _draw(painter: QPainter, line: list[QPointF]) -> None:
+    if line:
+        painter.drawPolyline(QPolygonF(line))
+        line.clear()
+
+
+def number(value: float) -> str:
+    """As short as tells it apart: ``0.25``, ``1200``."""
+    return f"{value:.4g}"
