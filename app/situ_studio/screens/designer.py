@@ -35,6 +35,7 @@ from situ_studio.screens.preview_window import PreviewWindow
 from situ_studio.screens.sampling import Sampling
 from situ_studio.screens.state_screen import StateScreen
 from situ_studio.screens.strip import StateStrip
+from situ_studio.screens.walk import Walk
 from situ_studio.theme import Theme
 
 
@@ -177,13 +178,13 @@ class Designer(QWidget):
             self.show_device(device)
 
     def open_preview(self) -> None:
-        """The screen as a person sees it, in a window of its own."""
-        screen, above = self.shown.screen, self.shown.above
-        values = self.sampling.values(screen, above) or {}
-        self.preview = PreviewWindow(self._theme, self.device, self)
-        self.preview.screen_.show_screen(
-            self._theme, screen or rbd.Screen(), above, self.shown.media, values
-        )
+        """The screen as a person sees and uses it, in a window of its own."""
+        application, place = self.shown.application, self.shown.place
+        if application is None:
+            return
+        no = place[1] if len(place) > 1 else application.start_no or ""
+        walk = Walk(application, no, self.sampling.known())
+        self.preview = PreviewWindow(self._theme, self.device, walk, self.shown.media, self)
         self.preview.finished.connect(self._on_preview_closed)
         self.preview.open()
 

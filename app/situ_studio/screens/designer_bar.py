@@ -73,7 +73,7 @@ class DesignerBar(QFrame):
         line.addWidget(self.always)
         line.addStretch(1)
         self.preview = ThemedButton(theme, "play", self.tr("Preview"), "", "text2", 14)
-        self.preview.setToolTip(self.tr("The screen as a person sees it"))
+        self.preview.setToolTip(self.tr("The screen as a person sees and uses it"))
         self.preview.clicked.connect(self.preview_asked)
         line.addWidget(self.preview)
         self.show_device(USUAL)

@@ -7,6 +7,7 @@ type, choose and get from services. None of them is part of a document.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -126,13 +127,25 @@ def offered(known: Mapping[str, tuple[Any, ...]], name: str) -> tuple[Any, ...]:
 # -- scenarios -----------------------------------------------------------------------------------
 
 
-def _lines(project: Project) -> Iterator[scenario.Line]:
+def version(project: Project) -> tuple[tuple[str, int, int], ...]:
+    """Of the scenarios that ``gather`` reads: another one where they have changed on disk."""
+    found = []
+    for file in _files(project):
+        with suppress(OSError):
+            known = file.stat()
+            found.append((file.name, known.st_mtime_ns, known.st_size))
+    return tuple(found)
+
+
+def _files(project: Project) -> list[Path]:
     folder = Path(project.root) / project.scenarios if project.scenarios is not None else None
-    if folder is None or not folder.is_dir():
-        return
+    return sorted(folder.glob("*.jsonl"))[:FEW] if folder is not None else []
+
+
+def _lines(project: Project) -> Iterator[scenario.Line]:
     ours: list[scenario.Line] = []
     others: list[scenario.Line] = []
-    for file in sorted(folder.glob("*.jsonl"))[:FEW]:
+    for file in _files(project):
         try:
             lines = scenario.load(file)
         except UsageError:

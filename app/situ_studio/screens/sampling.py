@@ -14,13 +14,16 @@ from situ.document.project import Project
 from situ_studio.screens import samples
 from situ_studio.screens.designer_bar import DesignerBar
 from situ_studio.screens.sample_popup import SamplePopup
-from situ_studio.screens.shown import Values
+from situ_studio.screens.samples import LANGUAGE
+from situ_studio.screens.shown import Texts, Values
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import tags
 
 
 class Sampling(QObject):
-    """What is picked is kept here, never in a document. Scenarios are read once a project."""
+    """What is picked is kept here, never in a document. Scenarios are read again where they have
+    changed on disk.
+    """
 
     changed = Signal()
 
@@ -39,7 +42,7 @@ class Sampling(QObject):
         self._picked: dict[str, Any] = {}
         self._names: tuple[str, ...] = ()
         self._known: dict[str, tuple[Any, ...]] = {}
-        self._of: tuple[str, str | None, dict[str, Any]] | None = None
+        self._of: tuple[Any, ...] | None = None
         self._tags: tuple[Project | None, tuple[str, ...]] = (None, ())
         self._read: dict[int, tuple[Any, frozenset[str]]] = {}
         """The states that were read, kept so that no other has their id, and the tags of each."""
@@ -53,7 +56,17 @@ class Sampling(QObject):
         """What this screen is shown with; None where texts stay as they are written."""
         self._names = samples.wanted(screen, above)
         self._tell()
-        return samples.filled(self._values(), screen, above) if self._used else None
+        if not self._used:
+            return None
+        return Values(samples.filled(self._values(), screen, above), self._texts())
+
+    def known(self) -> Values:
+        """All values that are known or picked, whatever this screen shows."""
+        return Values(self._values() if self._used else {}, self._texts())
+
+    def _texts(self) -> Texts:
+        project = self._project()
+        return project.texts if project is not None else {}
 
     def tags(self) -> tuple[str, ...]:
         """The tags of the project: those it names at the start and those its states mention."""
@@ -79,16 +92,24 @@ class Sampling(QObject):
         popup = SamplePopup(self._theme, self._bar)
         popup.picked.connect(self._on_picked)
         popup.shown.connect(self._on_used)
-        popup.show_values(self._used, self._names, self._all(), self._values())
+        known = self._all()
+        languages = (LANGUAGE,) if LANGUAGE in known else ()
+        names = tuple(dict.fromkeys((*self._names, *languages)))
+        popup.show_values(self._used, names, known, self._values())
         self.popup = popup
         popup.open_below(self._bar.samples)
 
     def _all(self) -> dict[str, tuple[Any, ...]]:
         project = self._project()
-        of = (project.root, project.scenarios, project.tags) if project is not None else None
-        if project is not None and self._of != of:
+        if project is None:
+            return self._known
+        of = (project.root, samples.version(project), project.tags, project.languages)
+        if self._of != of:
             self._of = of
             self._known = samples.gather(project)
+            if len(project.languages) > 1:
+                spoken = dict.fromkeys((*self._known.get(LANGUAGE, ()), *project.languages))
+                self._known[LANGUAGE] = tuple(spoken)
         return self._known
 
     def _values(self) -> dict[str, Any]:

@@ -10,9 +10,30 @@ from situ.decide.board import Board
 from situ.decide.screens import ComponentProgram, Shown
 from situ.decide.values import template
 from situ.document import rbd
+from situ_studio.screens.samples import LANGUAGE
 
-Values = Mapping[str, Any]
-"""Tag to value, as they may stand on the robot's blackboard."""
+Texts = Mapping[str, Mapping[str, str]]
+"""Language to text as it is written to its translation."""
+
+
+class Values(dict[str, Any]):
+    """Tag to value, as they may stand on the robot's blackboard.
+
+    texts: the project's; those of the language that the tag ``language`` names are shown.
+    """
+
+    def __init__(self, tags: Mapping[str, Any], texts: Texts | None = None) -> None:
+        super().__init__(tags)
+        self.texts: Texts = texts or {}
+
+    def __or__(self, tags: Mapping[str, Any]) -> Values:  # type: ignore[override]
+        return Values({**self, **tags}, self.texts)
+
+    def translate(self, text: str, missing: list[str] | None) -> str:
+        """A text in that language; as it is written where it has none."""
+        language = self.get(LANGUAGE)
+        found = self.texts.get(language, {}) if isinstance(language, str) else {}
+        return found.get(text) or text
 
 
 class Content(NamedTuple):
@@ -28,11 +49,13 @@ class Content(NamedTuple):
 
 
 def content(
-    screen: rbd.Screen, above: tuple[rbd.Component, ...] = (), values: Values | None = None
+    screen: rbd.Screen,
+    above: tuple[rbd.Component, ...] = (),
+    values: Mapping[str, Any] | None = None,
 ) -> Content:
     """What a screen shows with these values; without them, texts as they are written.
 
-    above: the components that Always adds.
+    above: the components that Always adds. Only ``Values`` have texts in other languages.
     """
     kept: dict[str, rbd.Component] = {}
     for one in (*screen.components, *above):
@@ -43,11 +66,12 @@ def content(
     board = Board()
     for tag, value in values.items():
         board.write(tag, value, "", 0, None)
-    shown = tuple(_program(one).show(board, _as_written, None) for one in components)
+    translate = values.translate if isinstance(values, Values) else _as_written
+    shown = tuple(_program(one).show(board, translate, None) for one in components)
     background = screen.background
     if background:
         background = template(background).text(board.look)
-    language = board.look("language")
+    language = board.look(LANGUAGE)
     return Content(shown, background, language if isinstance(language, str) else "en")
 
 

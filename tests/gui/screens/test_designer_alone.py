@@ -26,6 +26,7 @@ from situ.document import folder
 from situ_studio.screens.designer import Designer
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.own_device import OwnDevice
+from situ_studio.screens.shown import content
 from situ_studio.screens.tag_chips import dragged
 from situ_studio.theme import LIGHT
 
@@ -159,6 +160,37 @@ def test_texts_are_filled_with_sample_values_that_a_person_chooses(desk: Desk) -
     assert desk.document is before
 
 
+def test_a_screen_is_looked_at_in_the_language_that_is_picked(desk: Desk) -> None:
+    desk.go_to("2")
+    written = {one.text for one in desk.components("2") if hasattr(one, "text")}
+    desk.click(desk.bar.samples)
+    popup: Any = desk.designer.sampling.popup
+    desk.choose(popup.fields["language"], "ja")
+    popup.close()
+    shown = content(desk.designer.shown.screen, (), desk.designer.shown.values)
+    seen = {one["text"] for one in shown.components if "text" in one}
+    assert shown.language == "ja"
+    assert seen
+    assert not seen & written
+    # The preview speaks it too.
+    desk.click(desk.bar.preview)
+    assert desk.designer.preview.walk.shown["language"] == "ja"
+    QTest.keyClick(desk.designer.preview, Qt.Key.Key_Escape)
+    desk.settle()
+
+
+def test_a_scenario_that_is_saved_meanwhile_gives_its_values(desk: Desk) -> None:
+    desk.go_to("10")
+    line = '{"at":1,"set":{"user":{"name":"Aroha"}}}\n'
+    (desk.root / "scenarios" / "zz.jsonl").write_text(line, encoding="utf-8")
+    desk.go_to("10")
+    desk.click(desk.bar.samples)
+    popup: Any = desk.designer.sampling.popup
+    field = popup.fields["user.name"]
+    assert "Aroha" in [field.itemText(at) for at in range(field.count())]
+    popup.close()
+
+
 def test_what_is_in_every_state_can_be_hidden_while_one_designs(desk: Desk) -> None:
     desk.go_to("2")
     shown = desk.sheet.grab().toImage()
@@ -175,7 +207,7 @@ def test_the_preview_shows_the_screen_without_marks_and_goes_with_a_key(desk: De
     desk.click(desk.bar.preview)
     preview: Any = desk.designer.preview
     assert preview.isVisible()
-    assert preview.screen_.width() * 800 == pytest.approx(preview.screen_.height() * 1280, rel=0.01)
+    assert preview.page.width() * 800 == pytest.approx(preview.page.height() * 1280, rel=0.01)
     QTest.keyClick(preview, Qt.Key.Key_Escape)
     desk.settle()
     assert desk.designer.preview is None
