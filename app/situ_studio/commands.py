@@ -483,6 +483,15 @@ class Commands(FileCommands):
     def has_recording(self) -> bool:
         return self._window.robot.recording is not None
 
+    def deploy(self) -> None:
+        self._window.deploying.ask()
+
+    def can_deploy(self) -> bool:
+        return self._window.deploying.can_deploy
+
+    def differs_from_robot(self) -> bool:
+        return self._window.deploying.differs
+
     def about(self) -> None:
         self._window.dialogs.tell(
             self.tr("Situ Studio {0}\nDraw what a robot says, shows and does.").format(

@@ -20,6 +20,7 @@ def reasons() -> dict[str, str]:
         "can_begin_script": tr("the project has a script already"),
         "can_auto_layout": graph,
         "can_copy": card,
+        "can_deploy": tr("connect to a robot first"),
         "can_duplicate": card,
         "can_enter_part": inside,
         "can_find_usages": selection,

@@ -56,6 +56,8 @@ QPushButton[role="filled"] {{ background: {accent}; border-color: {accent}; colo
   font-weight: 600; }}
 QPushButton[role="filled"]:hover {{ background: {accent_over}; border-color: {accent_over}; }}
 QPushButton[role="filled"]:focus {{ border-color: {text}; }}
+QPushButton[role="filled"]:disabled {{ background: {hover}; border-color: {line};
+  color: {text3}; }}
 QPushButton[role="mend"] {{ border-color: {accent_line}; color: {accent}; font-size: 12px;
   padding: 0 8px; min-height: 20px; border-radius: 5px; }}
 QPushButton[role="bare"], QToolButton[role="bare"] {{ border: 1px solid transparent;

@@ -27,6 +27,7 @@ from situ_studio.edit import Document, Place
 from situ_studio.exporting import ExportingSide
 from situ_studio.frame import Frame
 from situ_studio.helping import HelpSide
+from situ_studio.live.deploying_side import DeployingSide
 from situ_studio.live.link import RobotLink
 from situ_studio.looking import FindingSide
 from situ_studio.mending import MendingSide
@@ -87,6 +88,7 @@ class MainWindow(Frame):
         self.claim = Claim(home)
         self.commands = Commands(self)
         self.robot = RobotSide(self, link)
+        self.deploying = DeployingSide(self)
         self.disk = DiskSide(self)
         CheckWork(session.checker, self.status.work)
         self.designing = DesigningSide(self)

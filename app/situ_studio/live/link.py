@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from msgspec import Struct
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
@@ -18,10 +19,12 @@ from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
 
 if TYPE_CHECKING:
-    from situ.blackboard.client import Call
+    from situ.blackboard.client import Call, Dialog
     from situ.blackboard.link import Link
     from situ.blackboard.protocol import Entry as Standing
     from situ.blackboard.protocol import ModuleState
+
+T = TypeVar("T")
 
 
 class LinkState(Struct, frozen=True):
@@ -160,15 +163,33 @@ class RobotLink(QObject):
 
         call.then(done)
 
-    def _await(self, call: Call[Any], told: Callable[[str], None]) -> None:
+    def ask(
+        self,
+        begin: Callable[[Dialog], Call[T]],
+        answered: Callable[[T], None],
+        refused: Callable[[str], None],
+    ) -> None:
+        """Any request of the protocol; later ``answered`` gets what came, or ``refused`` one line
+        that says why nothing did. Either may ask for more, connect, or hold up the loop.
+        """
+        if self._link is None:
+            refused(self.tr("No robot is connected."))
+            return
+        call = begin(self._link.dialog)
+
         def done() -> None:
             try:
-                call.result()
+                result = call.result()
             except BlackboardError as error:
-                told(str(error))
+                QTimer.singleShot(0, self, partial(refused, str(error)))
+            else:
+                QTimer.singleShot(0, self, partial(answered, result))
 
         call.then(done)
-        self._turn()
+        self._timer.start(0)
+
+    def _await(self, call: Call[Any], told: Callable[[str], None]) -> None:
+        self.ask(lambda _: call, lambda _: None, told)
 
     # -- the loop ------------------------------------------------------------
 
