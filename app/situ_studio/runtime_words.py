@@ -48,10 +48,13 @@ class RuntimeWords:
             (_compiled(one) for one in templates if HOLE.search(one)),
             key=lambda one: -one.weight,
         )
+        self._speaks = any(translate(one) != one for one in templates)
         self.said = functools.lru_cache(maxsize=4096)(self._said)
 
     def _said(self, text: str, depth: int = 0) -> str:
         """The text in the user's language; what fits no template stays as it is."""
+        if not self._speaks:
+            return text
         if text in self._whole:
             return self._translate(text)
         if QUOTED.fullmatch(text):

@@ -144,8 +144,8 @@ class CardItem(NodeFace):
 
     @staticmethod
     def _lead(leaving: Exit) -> float:
-        """Room for what stands before an exit's name: a clock or a shield."""
-        return 16.0 if leaving.timeout or leaving.guard else 0.0
+        """Room for what stands before an exit's name: a clock or a shield, and a problem's sign."""
+        return 16.0 * bool(leaving.timeout or leaving.guard) + 16.0 * bool(leaving.mark.sign)
 
     # -- painting -------------------------------------------------------------------
 
@@ -452,6 +452,9 @@ class CardItem(NodeFace):
             look.icon(painter, TIMEOUT, left - 15, y - 6, 12, look["text3"])
         elif leaving.guard:
             look.icon(painter, "guard", left - 15, y - 6.5, 13, look["condition"])
+        sign = leaving.mark.sign
+        if sign:
+            look.icon(painter, sign, left - self._lead(leaving), y - 7, 13, look[sign])
         phrase = self._texts.get(f"phrase {leaving.id}")
         if phrase is not None:
             phrase.draw_right(painter, left - 6 - self._lead(leaving), y + 4, look["text3"])

@@ -19,6 +19,7 @@ from situ.document import rbd, words
 from situ.document.problem import Problem
 from situ.document.rbd import Application, Event, State, Timeout
 from situ_studio import kinds
+from situ_studio.canvas.problem_marks import NONE, Mark, Marks, Sign, changed, marks_of
 from situ_studio.edit import Place
 from situ_studio.language import say, tr
 from situ_studio.words import condition_words
@@ -46,7 +47,7 @@ class Exit(Struct, frozen=True):
 
     id: the event's position in the state, or ``timeout``.
     short: where it leads without a pipe: ``#back``, ``#again`` or a number that no state has.
-    seconds: of a timeout.
+    seconds: of a timeout. mark: what is wrong with it.
     """
 
     id: str
@@ -57,6 +58,7 @@ class Exit(Struct, frozen=True):
     short: str = ""
     missing: bool = False
     seconds: float = 0.0
+    mark: Mark = NONE
 
     @property
     def timeout(self) -> bool:
@@ -79,7 +81,9 @@ class Card(Struct, frozen=True):
     screen: rbd.Screen | None = None
     exits: tuple[Exit, ...] = ()
     chips: tuple[str, ...] = ()
-    mark: Literal["", "warning", "error"] = ""
+    mark: Sign = ""
+    wrong: Mark = NONE
+    """``mark``, and the words for it."""
 
     @property
     def height(self) -> float:
@@ -116,7 +120,8 @@ class Card(Struct, frozen=True):
             return "Drag to where a new event leads"
         leaving = self.exit(name)
         if leaving is None:
-            return "\n".join(part for part in (f"{self.no} {self.name}".strip(), self.line) if part)
+            said = (f"{self.no} {self.name}".strip(), self.line, *self.wrong.told())
+            return "\n".join(part for part in said if part)
         parts = [leaving.label]
         if leaving.phrase:
             parts.append(f"“{leaving.phrase}”")
@@ -126,12 +131,14 @@ class Card(Struct, frozen=True):
             parts.append(f"leads to state {leaving.next}, which does not exist")
         elif leaving.next is None:
             parts.append("stays in the state")
+        parts += leaving.mark.told()
         return "\n".join(parts)
 
     def spoken(self) -> str:
         """The card for those who hear it: what it is and says, and where its exits lead."""
         ways = [
             f"{'after ' * e.timeout}{e.label} {'leads to ' + e.next if e.next else 'stays'}"
+            + {"error": ", with an error", "warning": ", with a warning"}.get(e.mark.sign, "")
             for e in self.exits
         ]
         kind = self.kind if self.kind in ("start", "end", "part") else ""
@@ -198,7 +205,11 @@ def _label(event: Event) -> str:
 
 
 def _exits(
-    events: Sequence[Event], timeout: Timeout | None, known: frozenset[str] | set[str]
+    events: Sequence[Event],
+    timeout: Timeout | None,
+    known: frozenset[str] | set[str],
+    marks: Marks,
+    place: Place,
 ) -> tuple[Exit, ...]:
     made = []
     for index, event in enumerate(events):
@@ -210,6 +221,7 @@ def _exits(
                     phrase=event.says[0].text if event.says else "",
                     guard=condition_words(event.when) if event.name else "",
                     next=event.next,
+                    mark=marks.get((*place, "event", str(index)), NONE),
                 ),
                 known,
             )
@@ -220,6 +232,7 @@ def _exits(
             label=words.seconds(timeout.seconds, say),
             next=timeout.next,
             seconds=timeout.seconds,
+            mark=marks.get((*place, TIMEOUT), NONE),
         )
         made.append(_leading(exit, known))
     return tuple(made)
@@ -270,18 +283,6 @@ def _chips(application: Application) -> tuple[str, ...]:
     return tuple(made)
 
 
-def _marks(problems: Iterable[Problem]) -> Marks:
-    marks: dict[Place, Literal["warning", "error"]] = {}
-    for problem in problems:
-        root = problem.place[:1] if problem.place[:1] == (ALWAYS,) else problem.place[:2]
-        if problem.severity == "error" or root not in marks:
-            marks[root] = problem.severity
-    return marks
-
-
-Marks = Mapping[Place, Literal["warning", "error"]]
-
-
 class _Made(NamedTuple):
     """A card with what it was made from. laid: its place where the value has none."""
 
@@ -315,7 +316,7 @@ class Projector:
         around = (
             application.start_no,
             _chips(application),
-            _marks(problems),
+            marks_of(problems),
             dict(places or {}),
             known,
         )
@@ -341,8 +342,10 @@ class Projector:
         """The uids whose card may be another one now."""
         if not self._around:
             return list(values)
-        before, hung, _, _, there = self._around
+        before, hung, was, _, there = self._around
         assert isinstance(there, frozenset)
+        assert isinstance(was, Mapping)
+        marked = changed(was, marks)
         # Numbers that are there now and were not, or the other way round.
         other = frozenset([*(known ^ there)])
         begins = {start, before} if start != before else set()
@@ -353,7 +356,7 @@ class Projector:
                 other.isdisjoint(kept.targets)
                 and not (hung != chips and card.no)
                 and card.no not in begins
-                and marks.get(card.place, "") == card.mark
+                and card.place not in marked
                 and (kept.laid is None or places.get(uid) == kept.laid)
             )
 
@@ -414,11 +417,13 @@ def _card(
     marks: Marks,
 ) -> Card:
     x, y = position
-    exits = _exits(value.events, value.timeout, known)
+    place = ("state", value.no) if isinstance(value, State) else (ALWAYS,)
+    exits = _exits(value.events, value.timeout, known, marks, place)
+    wrong = marks.get(place, NONE)
     if not isinstance(value, State):
         return Card(
             uid=uid,
-            place=(ALWAYS,),
+            place=place,
             kind="always",
             no="",
             name=tr("In every state"),
@@ -428,7 +433,8 @@ def _card(
             line_icon="always",
             screen=value.screen,
             exits=exits,
-            mark=marks.get((ALWAYS,), ""),
+            mark=wrong.sign,
+            wrong=wrong,
         )
     kind: Kind = "state"
     if value.no == start:
@@ -440,7 +446,7 @@ def _card(
     line, icon = _line(value)
     return Card(
         uid=uid,
-        place=("state", value.no),
+        place=place,
         kind=kind,
         no=value.no,
         name=value.name or f"state {value.no}",
@@ -452,7 +458,8 @@ def _card(
         screen=value.screen,
         exits=exits,
         chips=chips if value.always else (),
-        mark=marks.get(("state", value.no), ""),
+        mark=wrong.sign,
+        wrong=wrong,
     )
 
 

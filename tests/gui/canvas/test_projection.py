@@ -67,6 +67,37 @@ def test_a_problem_marks_its_card_and_errors_outweigh_warnings(small: Applicatio
         assert Projector().picture(small, order).cards["2"].mark == "error"
 
 
+def test_a_problem_of_an_exit_stands_at_that_exit_in_words(small: Application) -> None:
+    place = ("state", "2")
+    found = [
+        Problem(
+            file="f", severity="warning", code="w", message="Odd.", place=(*place, "event", "0")
+        ),
+        Problem(file="f", code="e", message="No.", place=(*place, "event", "0", "action", "1")),
+        Problem(file="f", severity="warning", code="s", message="Dull.", place=place),
+    ]
+    projector = Projector()
+    before = projector.picture(small).cards
+    cards = projector.picture(small, found).cards
+    card = cards["2"]
+    assert (card.mark, card.exits[0].mark.sign) == ("error", "error")
+    assert card.hint(card.exits[0].id).split("\n")[-2:] == ["No.", "Odd."]
+    assert card.hint().split("\n")[-1] == "Dull."
+    assert "with an error" in card.spoken()
+    assert {exit.mark.sign for exit in card.exits[1:]} <= {""}
+    # Others are the very same, and so is this one when the problem is gone.
+    assert [uid for uid in cards if cards[uid] is not before[uid]] == ["2"]
+    same = projector.picture(small, list(reversed(found))).cards
+    assert same["2"] == card
+    assert projector.picture(small).cards["2"] == before["2"]
+
+
+def test_of_many_problems_a_tip_tells_the_first(small: Application) -> None:
+    many = [Problem(file="f", code="e", message=f"{n}.", place=("state", "2")) for n in range(9)]
+    card = Projector().picture(small, many).cards["2"]
+    assert card.hint().split("\n")[-5:] == ["0.", "1.", "2.", "3.", "…"]
+
+
 def test_places_and_exits_are_each_other_s_reverse(small: Application) -> None:
     cards = Projector().picture(small).cards
     for card in cards.values():
