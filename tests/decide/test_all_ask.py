@@ -61,3 +61,8 @@ def test_rivals_are_told_exactly_where_another_order_gives_another_holder(
     found = [who_holds(order, priorities).get(resource) for order in orders]
     mine = who_holds(asking, priorities).get(resource)
     assert bool(mine is not None and mine.rivals) == (len({f and f.module for f in found}) > 1)
+
+
+def test_when_all_ask_equals_below_the_holder_are_no_rivals() -> None:
+    held = who_holds(MODULES, {"transfer": 30, "nod": 20, "chase": 20})
+    assert held["head"] == Holding("transfer")

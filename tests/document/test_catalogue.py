@@ -211,3 +211,87 @@ def test_another_reading_is_told_as_a_change() -> None:
     after = catalogue.with_readings(before, {"Dr.": "Doctor"})
     (change,) = beside.compare(project, "texts/en.po", before, after)
     assert change.text == "in en, “Dr.” is said as written → “Doctor”"
+
+
+def test_of_several_entries_of_a_text_the_one_in_use_counts() -> None:
+    found = _of(
+        Translation("Yes", "ええ", obsolete=True),
+        Translation("Yes", "はい"),
+        Translation("Yes", "うん", obsolete=True),
+    )
+    assert found.by_text() == {"Yes": Translation("Yes", "はい")}
+    assert found.entry("Yes") == Translation("Yes", "はい")
+
+
+def test_a_reworded_text_without_a_translation_is_the_new_text() -> None:
+    found = catalogue.reworded(_of(Translation("Helo")), "Helo", "Hello", stays=False)
+    assert found == _of(Translation("Hello"))
+
+
+@pytest.mark.parametrize("before", [_of(), _of(Translation("Helo", "やあ", obsolete=True))])
+def test_rewording_what_is_not_in_use_changes_nothing(before: Catalogue) -> None:
+    assert catalogue.reworded(before, "Helo", "Hello", stays=False) is before
+
+
+@pytest.mark.parametrize("stays", [True, False])
+def test_a_text_that_becomes_one_that_is_there_leaves_no_second_entry(stays: bool) -> None:
+    before = _of(Translation("Helo"), Translation("Hello", "やあ"))
+    found = catalogue.reworded(before, "Helo", "Hello", stays=stays)
+    assert found.used == {"Hello": "やあ"}
+    assert [e.text for e in found.translations] == (["Helo", "Hello"] if stays else ["Hello"])
+
+
+def test_a_single_document_has_no_files_beside_it() -> None:
+    alone, _ = folder.load_texts({"a.rbd.xml": '<application name="a" start="1"/>'}, "ward")
+    assert alone is not None
+    assert beside.files(alone) == []
+    assert [beside.is_beside(file) for file in ("situ.toml", "texts/ja.po", "a.rbd.xml")] == [
+        True,
+        True,
+        False,
+    ]
+
+
+def test_a_project_file_that_can_not_be_read_says_why() -> None:
+    value, problems = beside.read(b"[project", "situ.toml")
+    assert value is None
+    assert [p.code for p in problems] == ["malformed-toml"]
+
+
+def test_what_is_wrong_in_a_file_by_itself_is_told() -> None:
+    project, _ = folder.load_texts({"situ.toml": ""}, "ward")
+    assert project is not None
+    wrong = Toml('[project]\nnaem = "p"\napplications = ["b.rbd.xml", "a.rbd.xml"]\n')
+    assert [p.code for p in beside.problems(project, "situ.toml", wrong)] == ["unknown-key"]
+    assert beside.problems(project, "texts/ja.po", _of()) == []
+    assert beside.applications(wrong) == ["b.rbd.xml", "a.rbd.xml"]
+
+
+def test_what_changes_nothing_of_the_robot_is_told_as_such() -> None:
+    text = '[project]\nlanguages = ["en", "ja"]\n'
+    project, _ = folder.load_texts({"situ.toml": text}, "ward")
+    assert project is not None
+    (change,) = beside.compare(project, "situ.toml", Toml(text), Toml("# why\n" + text))
+    assert (change.text, change.behaviour) == ("comments or layout", False)
+    noted = _of(Translation("Yes", "はい", note="to a guest"))
+    (change,) = beside.compare(project, "texts/ja.po", _of(Translation("Yes", "はい")), noted)
+    assert change.text == "notes, or what is not used"
+
+
+def test_readings_that_stay_are_no_change() -> None:
+    project, _ = folder.load_texts({"situ.toml": '[project]\nlanguages = ["en"]\n'}, "ward")
+    assert project is not None
+    before = catalogue.with_readings(catalogue.empty("ward", "en"), {"Dr.": "Doctor"})
+    after = catalogue.with_readings(before, {"Dr.": "Doctor", "St.": "Street"})
+    (change,) = beside.compare(project, "texts/en.po", before, after)
+    assert "St." in change.text
+
+
+def test_a_project_is_read_with_its_readings() -> None:
+    data = catalogue.write(
+        catalogue.with_readings(catalogue.empty("ward", "en"), {"Dr.": "Doctor"})
+    )
+    files = {"situ.toml": '[project]\nlanguages = ["en"]\n', "texts/en.po": data.decode()}
+    project, _ = folder.load_texts(files, "ward")
+    assert project is not None
+    assert project.readings == {"en": {"Dr.": "Doctor"}}

@@ -617,3 +617,34 @@ def test_the_sources_of_a_project_are_all_its_texts_its_parts_among_them(tmp_pat
     project, _ = folder.load(single)
     assert project is not None
     assert folder.sources(project) == {"a.rbd.xml": single.read_text("utf-8")}
+
+
+def test_what_killed_writers_left_is_cleared_and_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gone, other = 4_000_001, 4_000_002
+
+    def kill(process: int, signal: int) -> None:
+        if process == gone:
+            raise ProcessLookupError
+        if process == other:
+            raise PermissionError
+
+    monkeypatch.setattr(folder.os, "kill", kill)
+    (tmp_path / "texts").mkdir()
+    (tmp_path / "a" / "b").mkdir(parents=True)
+    left = [tmp_path / f".a.xml.{gone}.unfinished-x", tmp_path / f"texts/.ja.po.{gone}.unfinished-"]
+    stay = [
+        tmp_path / f".a.xml.{os.getpid()}.unfinished-x",
+        tmp_path / f".a.xml.{other}.unfinished-x",
+        tmp_path / ".a.xml.unfinished-x",
+        tmp_path / f"a/b/.deep.{gone}.unfinished-x",
+        tmp_path / "a.xml",
+    ]
+    for file in (*left, *stay):
+        file.touch()
+    # One that can not be taken away hinders no other.
+    (tmp_path / f".folder.{gone}.unfinished-x").mkdir()
+    folder.clear_unfinished(tmp_path)
+    assert [file.exists() for file in left] == [False, False]
+    assert all(file.exists() for file in stay)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from situ.document import words
 from situ.document.analysis_cover import Cover
-from situ.document.analysis_search import NOWHERE, Search
+from situ.document.analysis_search import Search
 from situ.document.analysis_states import never_holds
 from situ.document.datatypes import shown
 from situ.document.finding import Place
@@ -104,20 +104,17 @@ def _shadowed(
         "move it up, or change a condition"
     )
     place: Place = ("situation", situation.name)
-    mend = _put_above(search, file, place, begins, above[by[0]]) if len(by) == 1 else None
+    mend = _put_above(search, file, situation, begins, above[by[0]]) if len(by) == 1 else None
     search.warn(file, "shadowed-situation", message, situation.aside, place, mend)
 
 
 def _put_above(
-    search: Search, file: str, place: Place, begins: Node, upper: tuple[Situation, Node]
+    search: Search, file: str, situation: Situation, begins: Node, upper: tuple[Situation, Node]
 ) -> Mend | None:
     """To put it before the only one that shadows it, where that would still be current then."""
     opposite = search.moment.opposite
     if search.possible(opposite(upper[1]), opposite(begins)) is not True:
         return None
-    path, to = search.path(file, place), search.path(file, ("situation", upper[0].name))
-    situation = search.project.spds.situation(place[1]) if search.project.spds else None
-    if situation is None or path == NOWHERE or to == NOWHERE:
-        return None
+    path, to = (search.path(file, ("situation", one.name)) for one in (situation, upper[0]))
     change = Change(path, "move", str(to[-1]), written(situation))
     return search.mend(file, f"Put it before {shown(upper[0].name)}", change)
