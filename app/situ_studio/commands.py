@@ -483,6 +483,21 @@ class Commands(FileCommands):
     def has_recording(self) -> bool:
         return self._window.robot.recording is not None
 
+    def rehearse(self) -> None:
+        self._window.rehearsing.rehearse()
+
+    def pause_rehearsal(self) -> None:
+        self._window.rehearsing.pause()
+
+    def step_rehearsal(self) -> None:
+        self._window.rehearsing.step()
+
+    def end_rehearsal(self) -> None:
+        self._window.rehearsing.end()
+
+    def is_rehearsing(self) -> bool:
+        return self._window.rehearsing.running is not None
+
     def deploy(self) -> None:
         self._window.deploying.ask()
 

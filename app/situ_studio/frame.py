@@ -260,6 +260,7 @@ class Frame(QMainWindow):
             self.welcome,
             *self._middle_in_order(),
             *(self.inspector.header, self.inspector),
+            *(self.docks["rehearsal"].titleBarWidget(), self.docks["rehearsal"].widget()),
             *(self.bottom.strip, self.bottom),
             self.status,
         )

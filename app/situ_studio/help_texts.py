@@ -224,6 +224,23 @@ PAGES: tuple[Page, ...] = (
         ),
     ),
     Page(
+        "rehearsal",
+        "Rehearsing without a robot",
+        """
+        Rehearse (F5) runs the project as it is drawn, here, from its start. Touch the robot's
+        screen, let people say what it listens for, turn data, let modules ask: the drawings
+        and tables show what comes of it, as they do with a robot.
+
+        Speech and movements end by themselves after a while; for a service you say how it
+        ended. The clock goes as fast as the one on the wall, ten times as fast, or from one
+        thing that happens to the next.
+
+        An edit does not change what runs: Start again runs it as it is then.
+        """,
+        ("command/rehearse", "command/rehearse.pause", "command/rehearse.step",
+         "command/rehearse.end", "panel/rehearsal"),
+    ),
+    Page(
         "window",
         "Panels, keys and finding things",
         """
@@ -342,6 +359,11 @@ PANELS: dict[str, Panel] = {
         "Authority", "Which module holds which part of the robot, who else asks, and why not they."
     ),
     "panel/trace": Panel("Trace", "What the robot did, one line each, the latest at the end."),
+    "panel/rehearsal": Panel(
+        "Rehearsal",
+        "The robot's screen, to be touched; what people say, data and modules. Nothing of it is "
+        "in the documents.",
+    ),
     "panel/tabs": Panel(
         "Tabs", "One for each open document; at the right, the ways in which it can be shown."
     ),

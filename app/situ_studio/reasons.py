@@ -62,6 +62,7 @@ def reasons() -> dict[str, str]:
         "has_tests": tr("select tests of a condition first"),
         "has_two_cards": cards,
         "is_application": application,
+        "is_rehearsing": tr("only while you rehearse"),
         "is_script": tr("only in a script"),
         "on_application": tr("only in the graph of an application"),
         "on_graph": graph,

@@ -39,6 +39,7 @@ from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.parts import PartsSide
 from situ_studio.recovery import Recovery
+from situ_studio.rehearsing.side import RehearsingSide
 from situ_studio.robot import RobotSide
 from situ_studio.session import Looking, Session
 from situ_studio.showing import keep as keep_shown
@@ -89,6 +90,7 @@ class MainWindow(Frame):
         self.commands = Commands(self)
         self.robot = RobotSide(self, link)
         self.deploying = DeployingSide(self)
+        self.rehearsing = RehearsingSide(self)
         self.disk = DiskSide(self)
         CheckWork(session.checker, self.status.work)
         self.designing = DesigningSide(self)
@@ -655,6 +657,7 @@ class MainWindow(Frame):
         """The documents and the robot's panels take the theme too."""
         super().set_theme(theme)
         self.robot.set_theme(theme)
+        self.rehearsing.set_theme(theme)
         self.finding.set_theme(theme)
         self.pages.set_theme(theme)
         for view in self.sides.views():
@@ -684,6 +687,7 @@ class MainWindow(Frame):
             event.ignore()
             return
         self.designing.leave()
+        self.rehearsing.end()
         self.keep()
         keep_shown(self.settings, self)
         self.recovery.forget()

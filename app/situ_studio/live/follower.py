@@ -6,6 +6,7 @@ changes a document.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 from PySide6.QtCore import QObject, QTimer
@@ -16,6 +17,7 @@ from situ.document.spds import Spds
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.live.link import RobotLink
+from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import ApplicationMoment, TraceFields
 from situ_studio.live.recordings import Recording
 from situ_studio.live.viewing import Viewing
@@ -66,6 +68,7 @@ class Follower(QObject):
         self.viewing.show(link.log, self._end)
         self.viewing.moved.connect(self.refresh)
         self._recording: Recording | None = None
+        self._rehearses = False
         self._traced: list[TraceFields] = []
         self.same: bool | None = None
         self._soon = QTimer(self)
@@ -82,15 +85,28 @@ class Follower(QObject):
 
     def show_recording(self, recording: Recording) -> None:
         """All views show that run, from its beginning."""
-        self._recording = recording
+        self._recording, self._rehearses = recording, False
         self.viewing.show(recording.log)
         self.viewing.seek(recording.log.lanes.start)
         self._trace.show_all(recording.log[-LIMIT:])
         self.compare()
 
+    def show_rehearsal(self, log: TraceLog, end: Callable[[], float]) -> None:
+        """All views show that run, as it goes on. end: its time now."""
+        self._recording, self._rehearses = None, True
+        self.viewing.show(log, end)
+        self._trace.show_all(log[-LIMIT:])
+        self.compare()
+
+    def take_rehearsed(self, events: list[TraceFields]) -> None:
+        """The rehearsal that is shown has gone on, through these."""
+        self._trace.add(events)
+        if not self._soon.isActive():
+            self._soon.start()
+
     def show_link(self) -> None:
         """All views show the link's robot again; as drawn where there is none."""
-        self._recording = None
+        self._recording, self._rehearses = None, False
         self.viewing.show(self._link.log, self._end)
         self._trace.show_all(self._link.log[-LIMIT:])
         self.compare()
@@ -98,7 +114,9 @@ class Follower(QObject):
 
     @property
     def _files(self) -> dict[str, str] | None:
-        """The documents of who is looked at."""
+        """The documents of who is looked at; None where they are the open ones, or not known."""
+        if self._rehearses:
+            return None
         return self._recording.files if self._recording is not None else self._link.files
 
     def compare(self) -> None:
@@ -129,7 +147,7 @@ class Follower(QObject):
                 self._window.show_live(file, live_script(moment))
         self._blackboard.show_moment(moment, t)
         self._authority.show_moment(moment, t)
-        if self._recording is not None:
+        if self._recording is not None or self._rehearses:
             return
         if traced and traced[0]["seq"] == 1:
             self._trace.show_all(traced)
@@ -139,7 +157,8 @@ class Follower(QObject):
     @property
     def shows(self) -> bool:
         """Whether there is anything live to be shown: a robot, or a log that is looked at."""
-        return self._link.state.kind != "none" or self._recording is not None
+        looked_at = self._recording is not None or self._rehearses
+        return self._link.state.kind != "none" or looked_at
 
     def _end(self) -> float:
         """The robot's time now: while nothing comes it goes on all the same."""
@@ -152,7 +171,7 @@ class Follower(QObject):
             self._soon.start()
 
     def _on_state(self) -> None:
-        if self._link.state.kind == "none":
+        if self._link.state.kind == "none" and not self._rehearses:
             self._soon.stop()
             self._tick.stop()
         if not self.shows:
@@ -169,6 +188,9 @@ class Follower(QObject):
         if self._recording is not None:
             kind = "replaying"
             words = self.tr("{0}, {1}").format(self._recording.path.name, viewing.clock())
+        elif self._rehearses:
+            kind = "rehearsing"
+            words = self.tr("rehearsing, {0:.1f} s").format(viewing.t)
         elif not viewing.follows and kind != "none":
             kind, words = "replaying", self.tr("replaying {0}").format(viewing.clock())
         if kind in ("live", "replaying") and self.same is not None:

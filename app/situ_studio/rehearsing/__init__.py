@@ -1,0 +1,1 @@
+"""Rehearsals: the project as it is drawn runs in virtual time inside the editor."""

@@ -1,0 +1,271 @@
+"""The rehearsal desk: the robot's screen to touch, what it says, and all that the world can do."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from situ.decide import inputs
+from situ.document.folder import resolve
+from situ.document.project import Project
+from situ.document.values import read
+from situ_studio import kinds
+from situ_studio.icon_widgets import Elided, retheme
+from situ_studio.language import translated
+from situ_studio.layouts import clear, rule
+from situ_studio.panels.fields import Flag
+from situ_studio.rehearsing.clock_bar import ClockBar
+from situ_studio.rehearsing.course import Pending
+from situ_studio.rehearsing.dial_rows import DialRow
+from situ_studio.rehearsing.dials import dials
+from situ_studio.rehearsing.module_rows import ModuleRow
+from situ_studio.rehearsing.robot_screen import RobotScreen
+from situ_studio.rehearsing.running import Running
+from situ_studio.screens.shown import Content
+from situ_studio.theme import Theme
+
+WRITER = "scenario"
+"""Who writes what somebody turns here: as in a scenario, which it can become."""
+WIDE = 320
+
+
+class Desk(QScrollArea):
+    """Shows one running rehearsal, and does to it what somebody does here."""
+
+    again_asked = Signal()
+    """From the start, with the project as it is now."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._running: Running | None = None
+        self._phrases: list[tuple[str, str]] = []
+        self._pending: list[Pending] = []
+        self.dials: dict[str, DialRow] = {}
+        self.modules: dict[str, ModuleRow] = {}
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        body = QWidget()
+        body.setProperty("role", "panel")
+        column = QVBoxLayout(body)
+        column.setContentsMargins(12, 8, 12, 12)
+        column.setSpacing(8)
+        self.clock = ClockBar(theme)
+        self.clock.restart_asked.connect(self.again_asked)
+        column.addWidget(self.clock)
+        self.changed = self._notice()
+        column.addWidget(self.changed)
+        self.screen_ = RobotScreen(theme)
+        self.screen_.used.connect(lambda id, value: self._give(inputs.Use(id, value)))
+        self.screen_.touched.connect(lambda: self._give(inputs.Touch()))
+        column.addWidget(self.screen_)
+        self.says = QLabel()
+        self.says.setProperty("role", "words")
+        self.says.setWordWrap(True)
+        self.says.setTextFormat(Qt.TextFormat.PlainText)
+        self.says.setAccessibleName(self.tr("What the robot says"))
+        column.addWidget(self.says)
+        self._people = self._section(column, self.tr("People say"))
+        self._actions = self._section(column, self.tr("Goes on"))
+        self._data = self._section(column, self.tr("Data"))
+        self._askers = self._section(column, self.tr("Modules"))
+        column.addStretch(1)
+        self.setWidget(body)
+
+    def _notice(self) -> QWidget:
+        notice = QWidget()
+        line = QHBoxLayout(notice)
+        line.setContentsMargins(0, 0, 0, 0)
+        words = QLabel(self.tr("The project has changed since."))
+        words.setProperty("role", "words")
+        words.setWordWrap(True)
+        line.addWidget(words, 1)
+        self.again = QPushButton(self.tr("Start again"))
+        self.again.setProperty("role", "mend")
+        self.again.clicked.connect(self.again_asked)
+        line.addWidget(self.again)
+        notice.hide()
+        return notice
+
+    def _section(self, column: QVBoxLayout, title: str) -> QVBoxLayout:
+        whole = QWidget()
+        inside = QVBoxLayout(whole)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.setSpacing(6)
+        inside.addWidget(rule())
+        heading = QLabel(title)
+        heading.setProperty("role", "heading")
+        inside.addWidget(heading)
+        rows = QVBoxLayout()
+        rows.setSpacing(4)
+        inside.addLayout(rows)
+        column.addWidget(whole)
+        return rows
+
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        retheme(self, theme)
+        self.screen_.set_theme(theme)
+        for flag in self.findChildren(Flag):
+            flag.set_theme(theme)
+
+    # -- what runs -------------------------------------------------------------------
+
+    def show_running(self, running: Running) -> None:
+        """Another rehearsal, from its start."""
+        self._running = running
+        running.went.connect(self._on_went)
+        running.begun.connect(self._on_begun)
+        running.paced.connect(lambda: self.clock.show_pace(running.pace))
+        self.clock.pace_asked.connect(running.set_pace)
+        self.clock.step_asked.connect(running.step)
+        self.clock.show_pace(running.pace)
+        self._on_begun()
+
+    def leave(self) -> None:
+        """Nothing is shown any more."""
+        running, self._running = self._running, None
+        if running is not None:
+            self.clock.pace_asked.disconnect(running.set_pace)
+            self.clock.step_asked.disconnect(running.step)
+
+    def show_changed(self, changed: bool) -> None:
+        """Whether the project is another one than that which runs."""
+        self.changed.setVisible(changed)
+
+    def _give(self, given: inputs.AnyInput) -> None:
+        if self._running is not None:
+            self._running.give(given)
+
+    def _on_begun(self) -> None:
+        assert self._running is not None
+        project = self._running.course.project
+        self.show_changed(False)
+        clear(self._data)
+        clear(self._askers)
+        self.dials, self.modules = {}, {}
+        for dial in dials(project):
+            row = self.dials[dial.tag] = DialRow(self._theme, dial)
+            row.written.connect(lambda tag, value: self._give(inputs.Set({tag: value}, WRITER)))
+            self._data.addWidget(row)
+        self._data.addWidget(self._any_tag())
+        for name, resources in project.declared().items():
+            asker = self.modules[name] = ModuleRow(self._theme, name, resources)
+            asker.done.connect(self._give)
+            self._askers.addWidget(asker)
+        _show(self._askers, bool(self.modules))
+        self._settle()
+
+    def _any_tag(self) -> QWidget:
+        self.other = QLineEdit()
+        self.other.setPlaceholderText(self.tr("any tag = value"))
+        self.other.setAccessibleName(self.tr("Any tag and its value"))
+        self.other.returnPressed.connect(self._on_other)
+        return self.other
+
+    def _on_other(self) -> None:
+        tag, divided, value = self.other.text().partition("=")
+        if divided and tag.strip():
+            text = value.strip()
+            self.other.clear()
+            self._give(inputs.Set({tag.strip(): read(text) if text else None}, WRITER))
+
+    # -- what it is like now ---------------------------------------------------------
+
+    def _on_went(self, events: list[dict[str, Any]]) -> None:
+        assert self._running is not None
+        self.clock.show_time(self._running.seconds)
+        if events:
+            self._settle()
+
+    def _settle(self) -> None:
+        running = self._running
+        assert running is not None
+        course = running.course
+        self.clock.show_time(running.seconds)
+        components, behind = course.screen()
+        language = course.look("language")
+        spoken = language if isinstance(language, str) else "en"
+        content = Content(components, behind, spoken)
+        self.screen_.show_content(content, media_of(course.project))
+        speech = course.look("robot/speech")
+        text = speech.get("text") if isinstance(speech, dict) else None
+        self.says.setText(f"“{text}”" if text else self.tr("says nothing"))
+        self.says.setEnabled(bool(text))
+        self._show_phrases(
+            [
+                (event.name, phrase)
+                for one in course.expected.values()
+                for event in one.events
+                for phrase in event.says
+            ]
+        )
+        self._show_pending(course.pending)
+        for tag, row in self.dials.items():
+            row.show_value(course.look(tag))
+        asking, there = course.log.now.asking, course.modules
+        for name, asker in self.modules.items():
+            asker.show_state(bool(asking.get(name)), there.get(name, False))
+
+    def _show_phrases(self, phrases: Sequence[tuple[str, str]]) -> None:
+        if list(phrases) == self._phrases:
+            return
+        self._phrases = list(phrases)
+        clear(self._people)
+        for event, phrase in self._phrases:
+            button = QPushButton(f"“{phrase}”")
+            button.setProperty("role", "answer")
+            button.setToolTip(self.tr("A person says that: {0}").format(event))
+            heard = inputs.Set({"heard": {"text": phrase, "confidence": 1}}, WRITER)
+            button.clicked.connect(lambda _=False, one=heard: self._give(one))
+            self._people.addWidget(button)
+        _show(self._people, bool(self._phrases))
+
+    def _show_pending(self, pending: Sequence[Pending]) -> None:
+        if list(pending) == self._pending:
+            return
+        self._pending = list(pending)
+        clear(self._actions)
+        for one in self._pending:
+            row = QWidget()
+            line = QHBoxLayout(row)
+            line.setContentsMargins(0, 0, 0, 0)
+            line.setSpacing(6)
+            called = one.name or (f"“{one.text}”" if one.text else "")
+            what = f"{translated(kinds.kind(one.action).title)} {called}".strip()
+            line.addWidget(Elided(what, "label"), 1)
+            for words, ok in ((self.tr("Ends well"), True), (self.tr("Fails"), False)):
+                button = QPushButton(words)
+                button.setProperty("role", "mend")
+                button.setAccessibleName(f"{words}: {what}")
+                given = one.finish(ok)
+                button.clicked.connect(lambda _=False, one=given: self._give(one))
+                line.addWidget(button)
+            self._actions.addWidget(row)
+        _show(self._actions, bool(self._pending))
+
+
+def media_of(project: Project) -> Path | None:
+    """The folder of a project's pictures."""
+    return resolve(project.root, project.media) if project.media is not None else None
+
+
+def _show(rows: QVBoxLayout, shown: bool) -> None:
+    """A section is there while it has rows."""
+    whole = rows.parentWidget()
+    if whole is not None:
+        whole.setVisible(shown)

@@ -1,0 +1,135 @@
+"""The window's part of a rehearsal: its desk at the right, and every live view shows it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt
+
+from situ.document.check import structure
+from situ_studio.icon_widgets import IconButton
+from situ_studio.panels.header import PanelHeader
+from situ_studio.rehearsing.desk import WIDE, Desk
+from situ_studio.rehearsing.running import Running
+from situ_studio.theme import Theme
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+DOCK = "rehearsal"
+AWAY = "inspector"
+"""The dock that makes room for the desk."""
+
+
+class RehearsingSide(QObject):
+    """``running`` is the rehearsal of this window, or None. clock: seconds that go on."""
+
+    def __init__(self, window: MainWindow, clock: Callable[[], float] = time.monotonic) -> None:
+        super().__init__(window)
+        self._window = window
+        self.clock = clock
+        self.running: Running | None = None
+        self._away = False
+        self.desk = Desk(window.theme)
+        self.desk.again_asked.connect(self.start_again)
+        header = PanelHeader(self.tr("Rehearsal"))
+        close = IconButton(window.theme, "close", self.tr("End the rehearsal"), "text3", 14)
+        close.clicked.connect(self.end)
+        header.add(close)
+        right = Qt.DockWidgetArea.RightDockWidgetArea
+        window.docking.add(DOCK, self.tr("Rehearsal"), self.desk, header, right)
+        self._dock = window.docks[DOCK]
+        self._dock.toggleViewAction().setVisible(False)
+        self._dock.hide()
+        window.session.opened.connect(self.end)
+        window.session.changed.connect(self._on_changed)
+        window.robot.follower.viewing.exchanged.connect(self._on_exchanged)
+
+    def rehearse(self) -> None:
+        """The project as it is runs from its start; errors are told instead."""
+        window = self._window
+        window.finish_fields()
+        project = window.session.project
+        if project is None or self._refused():
+            return
+        if self.running is not None:
+            self.start_again()
+            self._dock.show()
+            return
+        window.robot.close_recording()
+        running = self.running = Running(project, self.clock, self)
+        running.went.connect(window.robot.follower.take_rehearsed)
+        running.begun.connect(self._show_course)
+        self.desk.show_running(running)
+        self._show_course()
+        window.docks[AWAY].hide()
+        self._dock.show()
+        window.resizeDocks([self._dock], [WIDE], Qt.Orientation.Horizontal)
+        self.desk.screen_.setFocus()
+
+    def start_again(self) -> None:
+        """From the start, with the project as it is now."""
+        project = self._window.session.project
+        if self.running is not None and project is not None and not self._refused():
+            self.running.begin(project)
+
+    def end(self) -> None:
+        """The views show the robot again, if there is one."""
+        running, self.running = self.running, None
+        if running is None:
+            return
+        running.stop()
+        self.desk.leave()
+        running.deleteLater()
+        self._dock.hide()
+        self._window.docks[AWAY].show()
+        follower = self._window.robot.follower
+        if follower.viewing.log is running.course.log:
+            follower.show_link()
+        self._window.robot.settle()
+
+    def pause(self) -> None:
+        """Stands still, or goes on."""
+        if self.running is not None:
+            self.desk.clock.pause.click()
+
+    def step(self) -> None:
+        """To what happens next, and stands still there."""
+        if self.running is not None:
+            self.running.step()
+
+    def set_theme(self, theme: Theme) -> None:
+        self.desk.set_theme(theme)
+
+    def _refused(self) -> bool:
+        """Whether the project can not run, which is told then."""
+        window, session = self._window, self._window.session
+        project = session.project
+        wrong = project is None or any(session.is_incomplete(file) for file in session.files)
+        if project is not None and not wrong:
+            wrong = any(p.severity == "error" for p in structure(project))
+        if wrong:
+            window.bottom.choose("problems")
+            window.say(self.tr("Mend the errors first, then the project can be rehearsed."))
+        return wrong
+
+    def _show_course(self) -> None:
+        running = self.running
+        assert running is not None
+        self._window.robot.follower.show_rehearsal(running.course.log, lambda: running.seconds)
+        self._window.robot.follower.take_rehearsed(running.course.take())
+        self._window.robot.settle()
+
+    def _on_changed(self, _: str) -> None:
+        if self.running is not None:
+            project = self._window.session.project
+            self.desk.show_changed(project is not self.running.course.project)
+
+    def _on_exchanged(self) -> None:
+        """Something else is looked at, a recording: that ends it."""
+        running = self.running
+        shown = self._window.robot.follower.viewing.log
+        if running is not None and shown is not running.course.log:
+            self.end()

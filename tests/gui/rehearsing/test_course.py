@@ -1,0 +1,100 @@
+"""A rehearsal's course: the robot in virtual time, and what was done to it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from situ.decide import inputs
+from situ.decide.step import SECOND
+from situ.decide.trace import to_fields
+from situ.document.project import Project
+from situ.document.ready import load_ready
+from situ.rehearse.simulate import Rehearsal
+from situ.resources import examples
+from situ_studio.rehearsing.course import Course
+from situ_studio.rehearsing.dials import dials
+
+
+def ready(name: str) -> Project:
+    return load_ready(Path(examples()[name]))
+
+
+def again(course: Course) -> list[dict[str, Any]]:
+    """What the simulator makes of what was done."""
+    events: list[dict[str, Any]] = []
+    run = Rehearsal(course.project, lambda came: events.extend(map(to_fields, came)))
+    for one in course.done:
+        run.give(one.does, one.at)
+    run.advance(course.now)
+    return events
+
+
+def test_a_speech_ends_by_itself_and_that_counts_as_done() -> None:
+    course = Course(ready("conversation"))
+    assert [one.action for one in course.pending] == ["speech"]
+    course.advance(20 * SECOND)
+    assert course.pending == []
+    assert [type(one.does) for one in course.done] == [inputs.Finish]
+    assert 0 < course.done[0].at < 10 * SECOND
+
+
+def test_a_service_waits_for_somebody_to_say_how_it_went() -> None:
+    course = Course(ready("reception"))
+    course.give(inputs.Touch())
+    for event in ("Continue", "Confirm", "Confirm", "Confirm", "Yes"):
+        course.give(inputs.Raise(f"click{event}"))
+    pending = [one for one in course.pending if one.action == "service"]
+    assert [one.name for one in pending] == ["findPatientsByInitials"]
+    course.advance(course.now + SECOND)
+    assert pending[0] in course.pending
+    course.give(pending[0].finish(ok=False))
+    assert pending[0] not in course.pending
+
+
+_DEEDS = st.one_of(
+    st.builds(inputs.Touch),
+    st.sampled_from(["yes", "no", "repeat"]).map(inputs.Use),
+    st.sampled_from(["head", "speech", "base"]).map(
+        lambda resource: inputs.Acquire("transfer", (resource,))
+    ),
+    st.sampled_from(["transfer", "nod"]).map(inputs.Lost),
+    st.booleans().map(lambda on: inputs.Set({"hand.waving": on}, "scenario")),
+    st.just(inputs.Set({"heard": {"text": "yes", "confidence": 1}}, "scenario")),
+)
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.lists(st.tuples(st.integers(0, 9000), _DEEDS), max_size=8))
+def test_what_was_done_gives_the_same_again(deeds: list[tuple[int, Any]]) -> None:
+    course = Course(CONVERSATION)
+    for wait, deed in deeds:
+        course.advance(course.now + wait * 1000)
+        course.give(deed)
+    course.take()
+    assert list(course.log) == again(course)
+
+
+CONVERSATION = ready("conversation")
+
+
+def test_dials_are_what_the_script_observes_and_modules_bring() -> None:
+    found = {one.tag: one for one in dials(ready("conversation"))}
+    assert found["hand.waving"].kind == "boolean"
+    assert (found["person.direction"].kind, found["person.direction"].low) == ("number", -180)
+    distance = next(one for one in dials(ready("reception")) if one.tag == "human.distance")
+    assert (distance.kind, distance.unit) == ("number", "m")
+    assert distance.low <= 0 < 1.5 < distance.high
+
+
+@pytest.mark.parametrize("name", sorted(examples()))
+def test_a_dial_never_turns_what_the_robot_keeps_itself(name: str) -> None:
+    for dial in dials(ready(name)):
+        course = Course(ready(name))
+        course.take()
+        course.give(inputs.Set({dial.tag: 1}, "scenario"))
+        assert [e["kind"] for e in course.take() if e["kind"] == "warning"] == []

@@ -1,0 +1,197 @@
+"""The rehearsal desk in a window: one key starts it, and hands do what the world does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+
+from situ.decide.step import SECOND
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+LEFT = Qt.MouseButton.LeftButton
+
+
+class Desk:
+    """A window that rehearses; its clock goes on only when told."""
+
+    def __init__(self, studio: Any) -> None:
+        self.studio = studio
+        self.time = 0.0
+        self.window = studio.window
+        self.side = studio.window.rehearsing
+        self.side.clock = lambda: self.time
+        studio.key(Qt.Key.Key_F5)
+        self.desk = self.side.desk
+
+    @property
+    def state(self) -> str | None:
+        """Where the first application is, as every live view sees it."""
+        moment = self.window.robot.follower.viewing.moment()
+        return str(next(iter(moment.applications.values())).state)
+
+    def go_on(self, seconds: float) -> None:
+        for _ in range(round(seconds / 0.25)):
+            self.time += 0.25
+            self.side.running.catch_up()
+        self.studio.settle()
+
+    def touch(self, words: str) -> None:
+        """A click on what has these words on the robot's screen."""
+        shown = self.desk.screen_
+        target = next(t for t in shown.targets if t.words == words)
+        at = shown.place_of(target).toPoint()
+        QTest.mouseClick(shown, LEFT, pos=at)
+        self.studio.settle()
+
+    def glowing(self) -> set[str]:
+        self.window.robot.follower.refresh()
+        view = self.window.current_view
+        return set(view._live.active)
+
+
+@pytest.fixture
+def desk(studio: Callable[..., Any], project: Callable[[str], Path]) -> Callable[[str], Desk]:
+    def start(name: str) -> Desk:
+        return Desk(studio(project(name)))
+
+    return start
+
+
+def test_one_key_rehearses_and_a_click_on_the_screen_goes_on(desk: Any) -> None:
+    used = desk("conversation")
+    assert used.desk.isVisible()
+    assert used.state == "1"
+    assert used.glowing() == {"1"}
+    used.touch("YES")
+    assert used.state == "2"
+    assert used.glowing() == {"2"}
+    assert "Did you sleep well?" in used.desk.says.text()
+
+    # What people may say is offered; said, it is heard once the robot has spoken.
+    used.go_on(6)
+    button = next(b for b in used.desk.findChildren(QPushButton) if b.text() == "“not so well”")
+    used.studio.click(button)
+    assert used.state == "4"
+
+    # All live views show it.
+    told = used.window.robot.trace.rows.rows
+    assert any("not so well" in cell for row in told for cell in row.cells)
+
+    # Shift+F5 ends it, and the drawing is as drawn.
+    used.studio.key(Qt.Key.Key_F5, SHIFT)
+    assert used.side.running is None
+    assert not used.desk.isVisible()
+    assert used.window.current_view._live is None
+    assert used.window.docks["inspector"].isVisible()
+
+
+def test_data_is_turned_by_switch_and_slider(desk: Any) -> None:
+    used = desk("conversation")
+    course = used.side.running.course
+    waving = used.desk.dials["hand.waving"]
+    used.desk.ensureWidgetVisible(waving)
+    used.studio.click(waving.flag, QPoint(8, waving.flag.height() // 2))
+    assert course.look("hand.waving") is True
+    turned = used.desk.dials["person.direction"]
+    used.desk.ensureWidgetVisible(turned)
+    turned.slider.setFocus()
+    used.studio.key(Qt.Key.Key_End)
+    assert course.look("person.direction") == 180
+    assert turned.value.text() == "180°"
+    used.desk.ensureWidgetVisible(used.desk.other)
+    used.studio.fill(used.desk.other, "weather.tomorrow = 3")
+    assert course.look("weather.tomorrow") == 3
+    assert used.desk.other.text() == ""
+
+
+def test_modules_ask_give_back_and_are_lost(desk: Any) -> None:
+    used = desk("conversation")
+    moment = used.window.robot.follower.viewing.moment
+    row = used.desk.modules["transfer"]
+    used.desk.ensureWidgetVisible(row)
+    used.studio.click(row.asks)
+    assert set(moment().asking["transfer"]) == set(row.resources)
+    used.studio.click(row.asks)
+    assert not moment().asking.get("transfer")
+    used.studio.click(row.asks)
+    used.studio.click(row.lose)
+    assert not moment().asking.get("transfer")
+    assert not row.asks.isChecked()
+
+
+def test_the_clock_pauses_steps_and_goes_ten_times_as_fast(desk: Any) -> None:
+    used = desk("conversation")
+    running, clock = used.side.running, used.desk.clock
+    used.go_on(1)
+    assert running.course.now == 1 * SECOND
+    used.studio.click(clock.pause)
+    used.go_on(5)
+    assert running.course.now == 1 * SECOND
+    used.studio.click(clock.step)
+    assert used.side.running.course.pending == []  # the speech has ended: that was next
+    stepped = running.course.now
+    used.studio.click(clock.paces.button("10"))
+    used.go_on(1)
+    assert running.course.now == stepped + 10 * SECOND
+    used.studio.click(clock.restart)
+    assert running.course.now == 0
+    assert used.state == "1"
+
+
+def test_it_is_typed_into_the_robots_screen(desk: Any) -> None:
+    used = desk("reception")
+    used.touch("English")
+    used.go_on(12)
+    used.touch("CONTINUE")
+    assert used.state == "3"
+    used.touch("initial")
+    assert used.desk.screen_.field.isVisible()
+    used.studio.type("J")
+    used.studio.key(Qt.Key.Key_Return)
+    course = used.side.running.course
+    assert course.look("user.initial.x") == "J"
+
+
+def test_after_an_edit_it_is_offered_to_start_again(desk: Any) -> None:
+    used = desk("conversation")
+    used.touch("YES")
+    assert not used.desk.again.isVisible()
+    used.studio.select("state", "1")
+    used.studio.key(Qt.Key.Key_F2)
+    used.studio.type("hi")
+    used.studio.key(Qt.Key.Key_Return)
+    assert used.desk.again.isVisible()
+    used.studio.click(used.desk.again)
+    assert used.state == "1"
+    assert used.side.running.course.project is used.studio.session.project
+    assert not used.desk.again.isVisible()
+
+
+def test_a_project_with_errors_is_not_rehearsed(
+    studio: Callable[..., Any], project: Callable[[str], Path]
+) -> None:
+    root = project("conversation")
+    file = root / "converse.rbd.xml"
+    file.write_text(file.read_text().replace('next="2"', 'next="77"', 1))
+    made = studio(root)
+    made.key(Qt.Key.Key_F5)
+    assert made.window.rehearsing.running is None
+    assert made.window.bottom.current == "problems"
+
+
+def test_what_was_rehearsed_when_the_window_closed_is_not_there_the_next_time(
+    studio: Callable[..., Any], project: Callable[[str], Path]
+) -> None:
+    root = project("conversation")
+    first = Desk(studio(root))
+    assert first.desk.isVisible()
+    first.window.close()
+    again = studio(root).window
+    assert not again.docks["rehearsal"].isVisible()
+    assert again.docks["inspector"].isVisible()
