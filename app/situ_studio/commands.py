@@ -483,6 +483,12 @@ class Commands(FileCommands):
     def has_recording(self) -> bool:
         return self._window.robot.recording is not None
 
+    def ask_why(self) -> None:
+        self._window.why.ask()
+
+    def can_ask_why(self) -> bool:
+        return self._window.why.can_ask()
+
     def rehearse(self) -> None:
         self._window.rehearsing.rehearse()
 

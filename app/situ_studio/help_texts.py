@@ -215,12 +215,16 @@ PAGES: tuple[Page, ...] = (
         is, or for how long nothing has been heard. What is shown after a robot was lost is
         old, and is shown as old.
 
+        Why? (F7, and the menus of cards, arrows and rows) shows what led to it: one event a
+        row, from the input that began it, with the values then. A click on a row goes to that
+        moment and to the card.
+
         Following changes nothing on the robot. Where its documents differ from yours, that
         is told, since the drawing may not be what the robot does.
         """,
         (
             "command/connect", "panel/blackboard", "panel/authority", "panel/trace",
-            "status/link",
+            "panel/why", "command/why", "status/link",
         ),
     ),
     Page(
@@ -363,6 +367,9 @@ PANELS: dict[str, Panel] = {
         "Rehearsal",
         "The robot's screen, to be touched; what people say, data and modules. Nothing of it is "
         "in the documents.",
+    ),
+    "panel/why": Panel(
+        "Why?", "What led to it, the input that began it first. A click on a row goes there."
     ),
     "panel/tabs": Panel(
         "Tabs", "One for each open document; at the right, the ways in which it can be shown."

@@ -18,6 +18,7 @@ def reasons() -> dict[str, str]:
     return {
         "can_align": cards,
         "can_begin_script": tr("the project has a script already"),
+        "can_ask_why": tr("follow a robot or open a recording first"),
         "can_auto_layout": graph,
         "can_copy": card,
         "can_deploy": tr("connect to a robot first"),

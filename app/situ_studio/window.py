@@ -29,6 +29,7 @@ from situ_studio.frame import Frame
 from situ_studio.helping import HelpSide
 from situ_studio.live.deploying_side import DeployingSide
 from situ_studio.live.link import RobotLink
+from situ_studio.live.why_side import WhySide
 from situ_studio.looking import FindingSide
 from situ_studio.mending import MendingSide
 from situ_studio.menus import Actions
@@ -89,6 +90,7 @@ class MainWindow(Frame):
         self.claim = Claim(home)
         self.commands = Commands(self)
         self.robot = RobotSide(self, link)
+        self.why = WhySide(self)
         self.deploying = DeployingSide(self)
         self.rehearsing = RehearsingSide(self)
         self.disk = DiskSide(self)
@@ -657,6 +659,7 @@ class MainWindow(Frame):
         """The documents and the robot's panels take the theme too."""
         super().set_theme(theme)
         self.robot.set_theme(theme)
+        self.why.set_theme(theme)
         self.rehearsing.set_theme(theme)
         self.finding.set_theme(theme)
         self.pages.set_theme(theme)

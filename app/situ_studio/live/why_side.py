@@ -1,0 +1,215 @@
+"""A window's Why?: asked of what is selected, or of a row of the robot's panels.
+
+A long log is looked through in slices; the window stays in use.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QPoint, Qt, QTimer
+from PySide6.QtWidgets import QMenu
+
+from situ.decide.values import in_text
+from situ.document.project import Project
+from situ.rehearse.telling import Teller
+from situ_studio import icons
+from situ_studio.language import said
+from situ_studio.live.why import Thing, latest, trail
+from situ_studio.live.why_places import priorities, tags_of, thing_at, where
+from situ_studio.panels.table import RowsTable
+from situ_studio.panels.why import Link, Why
+from situ_studio.theme import Theme
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+PANEL = "why"
+SLICE = 0.012
+"""Seconds of looking at a time."""
+
+
+class WhySide(QObject):
+    """Asks, and goes to what the answer names. ``panel`` has the answer."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window, self._robot = window, window.robot
+        self._viewing = window.robot.follower.viewing
+        self.panel = Why(window.theme)
+        self.panel.chosen.connect(self._go)
+        window.bottom.add(PANEL, self.tr("Why?"), self.panel)
+        self.shown: QMenu | None = None
+        self._looking: Iterator[int | None] = iter(())
+        self._other: Thing | None = None
+        self._slices = QTimer(self)
+        self._slices.setInterval(0)
+        self._slices.timeout.connect(self._look)
+        robot = window.robot
+        for table in (robot.blackboard, robot.authority, robot.trace):
+            table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+            table.customContextMenuRequested.connect(partial(self._on_menu, table))
+        robot.link.state_changed.connect(self.settle)
+        self._viewing.exchanged.connect(self._on_exchanged)
+        self.settle()
+
+    def set_theme(self, theme: Theme) -> None:
+        self.panel.set_theme(theme)
+
+    def settle(self) -> None:
+        """The panel is there while there is something to ask about."""
+        if not self._robot.follower.shows:
+            self._slices.stop()
+            self.panel.reset()
+        self._window.bottom.set_shown(PANEL, self._robot.follower.shows)
+
+    def _on_exchanged(self) -> None:
+        self._slices.stop()
+        self.panel.reset()
+        self.settle()
+
+    # -- what is asked about -----------------------------------------------------------
+
+    def can_ask(self) -> bool:
+        """Whether there is a robot, a recording or a rehearsal to ask about."""
+        return self._robot.follower.shows and self._window.session.project is not None
+
+    def ask(self) -> None:
+        """About the current row of the table that has the keyboard; else what is selected."""
+        for table in (self._robot.blackboard, self._robot.authority, self._robot.trace):
+            if table.hasFocus() and table.currentIndex().isValid():
+                things = [thing for _, thing in self._of_row(table)]
+                self.ask_about(*things[:2])
+                return
+        thing = self._selected()
+        if thing is None:
+            self._window.say(self.tr("A trace tells nothing of that."))
+        else:
+            self.ask_about(thing)
+
+    def _selected(self) -> Thing | None:
+        window, project = self._window, self._window.session.project
+        view, document = window.current_view, window.current_document
+        if project is None or view is None or document is None:
+            return None
+        place = view.selected[0] if view.selected else ()
+        thing = thing_at(project, view.file, document, place)
+        if thing is None and document is project.spds and not place:
+            current = self._viewing.moment().situation
+            return Thing("situation", current) if current is not None else None
+        return thing
+
+    def _of_row(self, table: RowsTable) -> list[tuple[str, Thing]]:
+        """What can be asked of a table's current row, with its words."""
+        index = table.currentIndex()
+        if not index.isValid():
+            return []
+        key = table.rows.rows[index.row()].key
+        if table is self._robot.blackboard:
+            return [(self.tr("Why?"), Thing("tag", key))]
+        if table is self._robot.trace:
+            return [(self.tr("Why?"), Thing("event", key))]
+        return [
+            (self.tr("Why did {0} move?").format(key), Thing("resource", key)),
+            (self.tr("Why is {0} held so?").format(key), Thing("held", key)),
+        ]
+
+    def _on_menu(self, table: RowsTable, at: QPoint) -> None:
+        pressed = table.indexAt(at)
+        if pressed.isValid():
+            table.setCurrentIndex(pressed)
+        things = self._of_row(table)
+        if not things or not self.can_ask():
+            return
+        menu = QMenu(self._window)
+        sign = icons.icon("why", self._window.theme.color("text2"), 18)
+        for words, thing in things:
+            action = menu.addAction(sign, words)
+            action.triggered.connect(lambda _=False, thing=thing: self.ask_about(thing))
+        menu.aboutToHide.connect(menu.deleteLater)
+        self.shown = menu
+        menu.popup(table.viewport().mapToGlobal(at))
+
+    # -- answering -----------------------------------------------------------------------
+
+    def ask_about(self, thing: Thing, other: Thing | None = None) -> None:
+        """Shows the panel with the answer, as of the cursor. other: where ``thing`` never was."""
+        project = self._window.session.project
+        if project is None:
+            return
+        self._window.bottom.choose(PANEL)
+        self.panel.table.setFocus()
+        self.panel.tell(self.tr("Looking…"))
+        self._other = other
+        self._looking = latest(self._viewing.log, project, thing, self._viewing.t)
+        self._slices.start()
+        self._look()
+
+    def _look(self) -> None:
+        end = time.perf_counter() + SLICE
+        while time.perf_counter() < end:
+            try:
+                place = next(self._looking)
+            except StopIteration:
+                self._slices.stop()
+                if self._other is not None:
+                    self.ask_about(self._other)
+                else:
+                    self.panel.tell(
+                        self.tr("It has not happened up to this moment."),
+                        self.tr("Nothing of it is in what is kept of the trace."),
+                    )
+                return
+            if place is not None:
+                self._slices.stop()
+                self._answer(place)
+                return
+
+    def _answer(self, place: int) -> None:
+        project, log = self._window.session.project, self._viewing.log
+        if project is None:
+            return
+        teller = Teller(project)
+        every = trail(log, place)
+        links = [self._link(teller, project, one) for one in every]
+        last = log.time(place)
+        passed = last - log.time(every[0])
+        more = self.tr("at {0} s").format(f"{last:.3f}")
+        if passed > 0:
+            more = self.tr("at {0} s, {1} s after what began it").format(
+                f"{last:.3f}", f"{passed:.3f}"
+            )
+        self.panel.answer(said(teller.tell(log[place])), more, links)
+
+    def _link(self, teller: Teller, project: Project, place: int) -> Link:
+        log = self._viewing.log
+        event, words = log[place], said(teller.tell(log[place]))
+        if event["cause"] is None and event["kind"] != "mapping":
+            words = self.tr("{0} ({1})").format(words, said(teller.origin(event)))
+        moment = log.after(place + 1)
+        tags = tags_of(project, event)
+        values = [
+            f"{tag} {in_text(moment.board[tag].value)}"
+            if tag in moment.board
+            else self.tr("{0} not set").format(tag)
+            for tag in tags
+        ]
+        values += [
+            self.tr("{0} has priority {1}").format(module, number)
+            if number is not None
+            else self.tr("{0} has no priority").format(module)
+            for module, number in priorities(project, event, moment).items()
+        ]
+        return Link(event["t"], words, ", ".join(values), where(project, event))
+
+    # -- going there ---------------------------------------------------------------------
+
+    def _go(self, link: Link) -> None:
+        """To the moment of a link, and to the element that it is about."""
+        self._viewing.seek(link.t)
+        if link.where is not None and self._window.session.document(link.where[0]) is not None:
+            self._window.go_to(*link.where)
+        self.panel.table.setFocus()

@@ -1,0 +1,91 @@
+"""Why?: what led to something the robot did, one event a row, the input that began it first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from msgspec import Struct
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from situ_studio.edit import Place
+from situ_studio.language import tr
+from situ_studio.panels.table import Row, RowsTable
+from situ_studio.theme import Theme
+
+
+class Link(Struct, frozen=True):
+    """An event of the chain. t: seconds of the trace. values: what it hung on, then.
+
+    where: the file and place that it is about; None where it is about none.
+    """
+
+    t: float
+    words: str
+    values: str = ""
+    where: tuple[str, Place] | None = None
+
+
+class Why(QWidget):
+    """Shows one answer, and tells which link of it a person chose."""
+
+    chosen = Signal(object)
+    """A ``Link``."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        line = QHBoxLayout()
+        line.setContentsMargins(12, 6, 12, 6)
+        line.setSpacing(12)
+        self.title, self.more = QLabel(), QLabel()
+        self.title.setProperty("role", "subject")
+        self.more.setProperty("role", "dim")
+        self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        for label, share in ((self.title, 1), (self.more, 0)):
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            line.addWidget(label, share)
+        column.addLayout(line)
+        titles = (tr("Time"), tr("What happened"), tr("Values then"))
+        self.table = RowsTable(tr("Why?"), titles, (90, 400), theme)
+        self.table.when_chosen(self._on_chosen)
+        column.addWidget(self.table, 1)
+        self.links: tuple[Link, ...] = ()
+        self.reset()
+
+    def set_theme(self, theme: Theme) -> None:
+        self.table.set_theme(theme)
+
+    def reset(self) -> None:
+        """Nothing was asked."""
+        title = tr("Ask Why? of a card, an arrow or a row.")
+        self.tell(title, tr("It is in their menus; F7 asks for what is selected."))
+
+    def tell(self, title: str, more: str = "") -> None:
+        """Words, and no chain."""
+        self._show(title, more, ())
+
+    def answer(self, title: str, more: str, links: Sequence[Link]) -> None:
+        """A chain; its last link is what was asked for, and is current."""
+        self._show(title, more, tuple(links))
+        last = self.table.rows.index(len(links) - 1, 0)
+        self.table.setCurrentIndex(last)
+        self.table.scrollTo(last)
+
+    def _show(self, title: str, more: str, links: tuple[Link, ...]) -> None:
+        self.title.setText(title)
+        self.title.setToolTip(title)
+        self.more.setText(more)
+        self.links = links
+        self.table.rows.show(
+            [
+                Row(str(n), (f"{link.t:.3f} s", link.words, link.values), n == len(links) - 1)
+                for n, link in enumerate(links)
+            ]
+        )
+
+    def _on_chosen(self, key: str) -> None:
+        self.chosen.emit(self.links[int(key)])
