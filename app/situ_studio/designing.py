@@ -11,8 +11,10 @@ from situ.errors import UsageError
 from situ_studio import places, words
 from situ_studio.edit import Place
 from situ_studio.screens import media_import
+from situ_studio.screens.devices import USUAL
 
 if TYPE_CHECKING:
+    from situ_studio.document_view import DocumentView
     from situ_studio.screens.designer import Designer
     from situ_studio.window import MainWindow
 
@@ -25,7 +27,7 @@ AWAY = ("project", "outline", "palette")
 
 
 class DesigningSide(QObject):
-    """While a screen is designed, its panel stands where project, outline and palette stood."""
+    """While a designer is seen, its panel stands where project, outline and palette stood."""
 
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
@@ -40,21 +42,27 @@ class DesigningSide(QObject):
     @property
     def designer(self) -> Designer | None:
         """The designer of the current document, while it is shown."""
-        view = self._window.current_view
-        shown: Designer | None = None
-        if view is not None and view.mode == PANEL:
-            shown = view.piece(PANEL)
-        return shown
+        return _designer(self._window.current_view)
+
+    @property
+    def seen(self) -> Designer | None:
+        """The same, else that of the group of tabs beside: its panel stays while one works in
+        the current group.
+        """
+        other = self._window.sides.other
+        return self.designer or (_designer(other.current_view) if other is not None else None)
 
     def settle(self) -> None:
-        """Shows the panel of the designer that is shown, or what stood there before."""
-        designer, stack = self.designer, self._window.designer_stack
+        """Shows the panel of the designer that is seen, or what stood there before."""
+        here, designer, stack = self.designer, self.seen, self._window.designer_stack
+        self._window.inspector.look_at(here.device if here is not None else USUAL)
         if designer is None:
             self.leave()
             return
         if stack.indexOf(designer.side) < 0:
             stack.addWidget(designer.side)
             designer.view_asked.connect(self._show)
+            designer.device_changed.connect(self._window.inspector.look_at)
         stack.setCurrentWidget(designer.side)
         docks = self._window.docks
         if self._away is None:
@@ -107,3 +115,10 @@ class DesigningSide(QObject):
             return
         after = places.change(document, place, **{attribute: src})
         window.commit(after, words.change_words(document, place, attribute, self.tr("File")))
+
+
+def _designer(view: DocumentView | None) -> Designer | None:
+    shown: Designer | None = None
+    if view is not None and view.mode == PANEL:
+        shown = view.piece(PANEL)
+    return shown

@@ -18,6 +18,7 @@ from situ_studio.language import translated
 from situ_studio.layouts import clear
 from situ_studio.panels.subject import MARGIN, Subject
 from situ_studio.screens import placing
+from situ_studio.screens.devices import USUAL
 from situ_studio.screens.fitness import fits
 from situ_studio.theme import Theme
 
@@ -166,7 +167,10 @@ class FitList(ComponentSection):
             self.hide()
             return
         file = next((f for f, one in project.flows.items() if one is document), "")
-        found = fits(project, file, document, screen, subject.value)
+        found = fits(project, file, document, screen, subject.value, subject.device)
+        if found and subject.device != USUAL:
+            said = Elided(self.tr("On this screen: {0}").format(subject.device.words), "hint")
+            self.body.addWidget(said)
         for one in found:
             sign = self.tr("All right") if one.is_fit else self.tr("Warning")
             self.body.addLayout(_told(self.theme, one.is_fit, one.words, sign))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
@@ -24,6 +25,7 @@ from situ_studio.panels.header import TitleBar
 from situ_studio.panels.over_scroll import OverScroll
 from situ_studio.panels.subject import Subject
 from situ_studio.panels.told import Told
+from situ_studio.screens.devices import USUAL, Device
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -52,6 +54,8 @@ class Inspector(QWidget):
         self._theme = theme
         self._place: Place = ()
         self._form: Form | None = None
+        self._subject: Subject | None = None
+        self._device = USUAL
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -179,17 +183,26 @@ class Inspector(QWidget):
         self._pill.show()
         self._back.setVisible(len(place) > 2 or (place[:1] == ("always",) and len(place) > 1))
         self.told.show_problems(tuple(p for p in problems if p.place == place))
-        self._form.show_subject(
-            Subject(
-                document=document,
-                place=place,
-                value=value,
-                theme=self._theme,
-                vocabulary=vocabulary,
-                problems=problems,
-                project=project,
-            )
+        self._subject = Subject(
+            document=document,
+            place=place,
+            value=value,
+            theme=self._theme,
+            vocabulary=vocabulary,
+            problems=problems,
+            project=project,
+            device=self._device,
         )
+        self._form.show_subject(self._subject)
+
+    def look_at(self, device: Device) -> None:
+        """What is told of sizes is that of this screen."""
+        if device == self._device:
+            return
+        self._device = device
+        if self._form is not None and self._subject is not None:
+            self._subject = replace(self._subject, device=device)
+            self._form.show_subject(self._subject)
 
     def set_theme(self, theme: Theme) -> None:
         """Takes the theme; the form is made anew at the next ``show_selection``."""
@@ -198,6 +211,7 @@ class Inspector(QWidget):
         self._drop_form()
 
     def _drop_form(self) -> None:
+        self._subject = None
         form = self._scroll.takeWidget()
         if form is not None:
             form.hide()

@@ -10,6 +10,7 @@ from msgspec import Struct
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ_studio.edit import Document, Place
+from situ_studio.screens.devices import USUAL, Device
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -27,6 +28,8 @@ class Subject(Struct, frozen=True, kw_only=True):
     vocabulary: Vocabulary = Vocabulary()
     problems: tuple[Problem, ...] = ()
     project: Project | None = None
+    device: Device = USUAL
+    """The screen that is looked at."""
 
     @property
     def media(self) -> Path | None:

@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QBuffer, QIODevice, QPoint, QSize, Qt, Signal
+from PySide6.QtCore import QBuffer, QIODevice, QPoint, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QKeyEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -49,6 +49,8 @@ class Designer(QWidget):
     status = Signal(str)
     filled_in = Signal(tuple)
     menu_requested = Signal(tuple, QPoint)
+    device_changed = Signal(object)
+    """Another device is looked at."""
     view_asked = Signal(str, tuple)
     """Another view of the document is wanted, at a place."""
 
@@ -168,9 +170,10 @@ class Designer(QWidget):
     def show_device(self, device: Device) -> None:
         """The screen as it is on that device."""
         self.device = device
-        self.sheet.show_device(QSize(device.wide, device.high))
+        self.sheet.look_at(device)
         self.ground.show_device(device)
         self.bar.show_device(device)
+        self.device_changed.emit(device)
 
     def _ask_device(self) -> None:
         device = ask_device(self.device, self)

@@ -6,8 +6,11 @@ from math import hypot
 
 from msgspec import Struct
 from msgspec.structs import replace
+from PySide6.QtCore import QSize
 
+from situ.document import care_screen
 from situ_studio.language import tr
+from situ_studio.screens.painting import layer
 
 INCH = 25.4
 """Millimetres."""
@@ -43,10 +46,18 @@ class Device(Struct, frozen=True):
         """The same, upright or lying."""
         return self if self.is_upright == upright else self.turned()
 
+    @property
+    def pixel(self) -> float:
+        """Millimetres of one px."""
+        return self.inches * INCH / hypot(self.wide, self.high)
+
     def millimetres(self, width: float, height: float) -> tuple[float, float]:
-        """What so many percent of its sides are."""
-        each = self.inches * INCH / hypot(self.wide, self.high)
-        return width / 100 * self.wide * each, height / 100 * self.high * each
+        """How large something is there that has so many percent of what components share."""
+        if self == USUAL:
+            # As the care lints have it, to the last digit.
+            return width * care_screen.WIDE / 100, height * care_screen.HIGH / 100
+        shared = layer(QSize(self.wide, self.high)) / 100 * self.pixel
+        return width * shared.width(), height * shared.height()
 
 
 DEVICES = (

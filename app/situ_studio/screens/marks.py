@@ -8,9 +8,9 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 
 from situ.document import rbd
-from situ.document.care_screen import HIGH, WIDE
 from situ_studio.language import tr
 from situ_studio.screens import placing
+from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.placing import Box
 from situ_studio.screens.snapping import Gap, Snap
 from situ_studio.theme import CAPTION, Theme, font
@@ -53,11 +53,16 @@ class Scale:
         )
 
 
-def measured(box: Box, components: Sequence[rbd.Component]) -> str:
-    """How large a box is on a 10-inch screen, and what a touch of its only component sends."""
-    size = tr("{0} × {1} mm").format(round(box.width * WIDE / 100), round(box.height * HIGH / 100))
+def measured(box: Box, components: Sequence[rbd.Component], device: Device = USUAL) -> str:
+    """How large a box is on a device, which is told unless it has 10 inches, and what a touch of
+    its only component sends.
+    """
+    wide, high = (round(side) for side in device.millimetres(box.width, box.height))
+    told = [tr("{0} × {1} mm").format(wide, high)]
+    if device != USUAL:
+        told.append(tr("{0} inch").format(f"{device.inches:g}"))
     event = getattr(components[0], "event", None) if len(components) == 1 else None
-    return f"{size}, {event}" if event else size
+    return ", ".join([*told, event] if event else told)
 
 
 def paint_guides(painter: QPainter, theme: Theme, scale: Scale, snap: Snap) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSizeF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QDragEnterEvent,
@@ -31,6 +31,7 @@ from situ.document import rbd
 from situ_studio.kinds import COMPONENTS, MIME
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens import accessible, keyboard, marks, placing
+from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.drags import Proposal
 from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import Box
@@ -78,6 +79,8 @@ class Sheet(ScreenPreview):
         """The screen of the document, while what is proposed is painted in its place."""
         self._all_above: tuple[rbd.Component, ...] = ()
         self._shows_above = True
+        self.looked_at = USUAL
+        """Whose millimetres are told."""
         self._hand = Hand(self)
         self.writing = Writing(self)
         self.problems = ProblemMarks(self)
@@ -106,6 +109,11 @@ class Sheet(ScreenPreview):
         self.writing.follow()
         if self.spoken_as is not None:
             self.spoken_as.on_shown()
+
+    def look_at(self, device: Device) -> None:
+        """Shows the screen as it is on that device."""
+        self.looked_at = device
+        self.show_device(QSize(device.wide, device.high))
 
     def show_always(self, shown: bool) -> None:
         """Whether the components that Always adds are seen, and snapped to."""
@@ -363,7 +371,7 @@ class Sheet(ScreenPreview):
         if boxes and not self.writing.is_open:
             components = [c for id in boxes if (c := self.component(id)) is not None]
             whole = placing.around(boxes.values())
-            text = marks.measured(whole, components)
+            text = marks.measured(whole, components, self.looked_at)
             marks.paint_badge(painter, theme, scale, whole, text, self._proposal is not None)
         if self._proposal is None and not self.writing.is_open:
             self.problems.paint(painter)

@@ -110,6 +110,41 @@ def test_the_panel_of_the_designer_stands_where_project_outline_and_palette_stoo
     assert docks["project"].isVisible()
 
 
+def test_side_by_side_the_panels_stay_while_the_focus_goes_from_one_to_the_other(
+    desk: Desk,
+) -> None:
+    window, docks = desk.window, desk.window.docks
+    window.sides.beside_asked.emit(FILE, False)
+    desk.used.settle()
+    graph = window.current_view
+    window.show_mode("graph")
+    desk.used.settle()
+    groups = window.sides.groups
+    assert [group.current_view.shown_as for group in groups] == ["screen", "graph"]
+
+    def standing() -> list[str]:
+        return [name for name, dock in docks.items() if dock.isVisible()]
+
+    before, folded = standing(), window.bottom.is_folded
+    assert "designer" in before
+    for group in (groups[0], groups[1], groups[0]):
+        window.sides.enter(group)
+        desk.used.settle()
+        assert (standing(), window.bottom.is_folded) == (before, folded)
+    # What is pressed there is done in the designer, wherever the focus was.
+    window.sides.enter(groups[1])
+    desk.designer.go_to(("state", "2"))
+    count = len(desk.components("2"))
+    desk.used.click(desk.side.components.findChildren(QAbstractButton)[0])
+    assert len(desk.components("2")) == count + 1
+    # When no designer is seen, everything is as it was.
+    window.show_mode("graph")
+    desk.used.settle()
+    assert not docks["designer"].isVisible()
+    assert docks["palette"].isVisible()
+    assert graph.shown_as == "graph"
+
+
 def test_the_state_is_chosen_in_the_strip_by_the_keys_and_left_by_the_names_above(
     desk: Desk,
 ) -> None:
@@ -206,6 +241,12 @@ def test_the_form_says_what_is_fit_and_where_a_touch_leads(desk: Desk) -> None:
     form = desk.window.inspector.form
     said = [label.text() for label in form.told("fit").findChildren(QLabel)]
     assert "91 × 33 mm, at least 12 mm is needed" in said
+    # On another screen it is as large as it is there, and which one is told.
+    desk.used.choose(desk.bar.devices, "7 inch, 1024 × 600")
+    said = [label.text() for label in form.told("fit").findChildren(QLabel)]
+    assert "On this screen: 7 inch, 1024 × 600" in said
+    assert "64 × 22 mm, at least 12 mm is needed" in said
+    desk.used.choose(desk.bar.devices, "10 inch, 1280 × 800")
     desk.used.click(form.told("align").buttons["center"])
     no = next(c for c in desk.components("5") if c.id == "no")
     assert no.x == pytest.approx(50 - no.width / 2)

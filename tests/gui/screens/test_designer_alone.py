@@ -167,15 +167,17 @@ def test_a_screen_is_looked_at_in_the_language_that_is_picked(desk: Desk) -> Non
     popup: Any = desk.designer.sampling.popup
     desk.choose(popup.fields["language"], "ja")
     popup.close()
-    shown = content(desk.designer.shown.screen, (), desk.designer.shown.values)
+    screen: Any = desk.designer.shown.screen
+    shown = content(screen, (), desk.designer.shown.values)
     seen = {one["text"] for one in shown.components if "text" in one}
     assert shown.language == "ja"
     assert seen
     assert not seen & written
     # The preview speaks it too.
     desk.click(desk.bar.preview)
-    assert desk.designer.preview.walk.shown["language"] == "ja"
-    QTest.keyClick(desk.designer.preview, Qt.Key.Key_Escape)
+    preview: Any = desk.designer.preview
+    assert preview.walk.shown["language"] == "ja"
+    QTest.keyClick(preview, Qt.Key.Key_Escape)
     desk.settle()
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from PySide6.QtWidgets import QApplication
 from tests.document.care_projects import app, state, whole
 
 from situ.document.check import check
+from situ_studio.screens.devices import DEVICES, Device
 from situ_studio.screens.fitness import fits
 
 JUDGED = {"small-target", "small-text", "low-contrast"}
@@ -62,3 +64,30 @@ def test_the_numbers_are_those_of_a_10_inch_screen() -> None:
         "9 mm to the next button",
     ]
     assert all(one.is_fit for one in found)
+
+
+def test_on_another_device_sizes_are_those_that_it_shows(qt: QApplication) -> None:
+    components = (
+        '<button id="a" x="10" y="60" width="38" height="22" size="8" event="e">YES</button>'
+        '<button id="b" x="52" y="60" width="38" height="22" size="8" event="f">NO</button>'
+    )
+    application = app(state(components))
+    project = whole(application)
+    file = next(iter(project.applications))
+    screen = application.states[0].screen
+    assert screen is not None
+
+    def told(device: Device) -> list[str]:
+        every = fits(project, file, application, screen, screen.components[1], device)
+        assert len(every) == 4
+        return [one.words for one in every]
+
+    seven, phone = DEVICES[1], DEVICES[3]
+    assert told(seven)[0] == "58 × 20 mm, at least 12 mm is needed"
+    assert told(seven)[3] == "6 mm to the next button"
+    small = fits(project, file, application, screen, screen.components[1], phone)
+    # 22 % of a side of 65 mm still take a finger; 8 % of it are read from half as far.
+    assert small[0].words == "53 × 14 mm, at least 12 mm is needed"
+    assert [one.is_fit for one in small] == [True, False, True, True]
+    # Held upright it is narrower, and components share less than its height.
+    assert told(phone.turned())[0].startswith("25 × ")

@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 
 from situ_studio import places
 from situ_studio.screens import marks
+from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import around, box_of
 
@@ -142,6 +143,7 @@ def test_the_badge_tells_millimetres_at_ten_inches_and_what_a_touch_sends(page: 
     assert marks.measured(box_of(measure), [measure]) == "91 × 33 mm, clickMeasure"
     assert marks.measured(box_of(heart), [heart]) == "65 × 44 mm"
     assert marks.measured(box_of(heart), [heart, measure]) == "65 × 44 mm"
+    assert marks.measured(box_of(heart), [heart], DEVICES[1]) == "46 × 29 mm, 7 inch"
 
 
 def test_what_always_adds_is_seen_and_snapped_to_unless_it_is_hidden(page: Page) -> None:
