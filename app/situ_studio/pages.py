@@ -98,15 +98,13 @@ class PagesSide(QObject):
         if page is not None:
             page.bring(file, place, language)
 
-    def go_to_line(self, file: str, line: int) -> None:
-        """Shows what stands in a line of ``situ.toml`` in its form."""
+    def go_to_line(self, file: str, text: str, line: int) -> None:
+        """Shows what stands in a line of ``situ.toml`` in its form. text: in which the line is."""
         self._window.open_file(PROJECT_FILE)
         form = self._form_of(self._window.sides.current)
-        toml = self._session.value(file)
         if form is not None:
             form.show_file(file)
-            if isinstance(toml, Toml):
-                go_to_line(form, toml.text, line)
+            go_to_line(form, text, line)
 
     def unsaved(self) -> list[str]:
         """The pages on which something is not saved."""

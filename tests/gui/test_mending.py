@@ -13,6 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
 from situ.document import codec
+from situ.document.beside import Toml
 from situ_studio.panels.lists import MARKS
 from situ_studio.panels.problems import PROBLEM
 from situ_studio.theme import LIGHT
@@ -164,6 +165,19 @@ def test_a_problem_is_shown_where_it_can_be_seen(ward: Any) -> None:
     field = form.sections["settings"].rows.field(1, 0)
     assert field.hasFocus()
     assert not field.visibleRegion().isEmpty()
+    # An edit that is not saved has moved what stands below it.
+    toml = ward.session.value("situ.toml")
+    moved = Toml(toml.text.replace("[tags]", "[robot]\nadaptr = 'sim'\n\n[tags]"))
+    ward.session.commit("situ.toml", moved, "Choose an adapter")
+    ward.settle()
+    form.sections["tags"].setFocus()
+    second = [p for p in ward.session.problems if p.code == "setting-not-durable"][1]
+    ward.click_row(rows, row_of(ward, second))
+    assert field.hasFocus()
+    ward.click_row(rows, row_of(ward, problem(ward, "unknown-key")))
+    assert form.sections["robot"].isAncestorOf(QApplication.focusWidget()) or (
+        form.sections["robot"].hasFocus()
+    )
 
 
 def test_the_outline_stays_where_somebody_works_in_it(ward: Any) -> None:
