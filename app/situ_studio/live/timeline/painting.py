@@ -6,11 +6,11 @@ from collections.abc import Callable
 from typing import cast
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 
 from situ_studio import icons
 from situ_studio.language import tr
-from situ_studio.live.lanes import Lane, Series
+from situ_studio.live.lanes import NAN, Lane, Series
 from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.drawn import Block, Extremes, Strokes, blocks
 from situ_studio.live.timeline.rows import RowKind, TimelineRow
@@ -42,13 +42,14 @@ class RowPainter:
         self.theme = theme
         self.state_name = state_name
         self._extremes: dict[int, Extremes] = {}
+        self._ranges: dict[str, tuple[float, float] | None] = {}
 
     def forget(self) -> None:
         """What follows is of another log."""
         self._extremes.clear()
 
     def title(self, painter: QPainter, row: TimelineRow, top: float) -> None:
-        """The row's icon and name, and of data between what they are."""
+        """The row's icon and name, and of numbers between what they were drawn."""
         theme, high = self.theme, row.height
         icons.paint(painter, ICONS[row.kind], QRectF(12, top + 6, 14, 14), theme.color(row.kind))
         painter.setFont(font(LABEL))
@@ -58,9 +59,8 @@ class RowPainter:
         shown = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, GUTTER - 40)
         painter.drawText(QPointF(34, top + 13 + metrics.ascent() / 2 - 1), shown)
         if row.kind == "data":
-            between = self._strokes(row).range
-            series = cast("Series", row.lane)
-            if between is not None and not series.truth:
+            between = self._ranges.get(row.name)
+            if between is not None:
                 painter.setFont(font(CAPTION))
                 painter.setPen(theme.color("text3"))
                 words = tr("{0} to {1}").format(number(between[0]), number(between[1]))
@@ -137,46 +137,40 @@ class RowPainter:
     def _curve(self, painter: QPainter, row: TimelineRow, top: float, end: float) -> None:
         strokes = self._strokes(row)
         series = cast("Series", row.lane)
-        between = (0.0, 1.0) if series.truth else strokes.range
+        between = strokes.range
+        self._ranges[row.name] = None if series.truth else between
         if between is None:
             return
-        least, most = between
+        least, most = (0.0, 1.0) if series.truth else between
         if least == most:
             least, most = least - 1, most + 1
-        floor, room = top + row.height - 6, row.height - 12
+        # Some thousand strokes in each of 30 frames a second: no calls but for the lines.
         axis = self.axis
-
-        def y(value: float) -> float:
-            return floor - (value - least) / (most - least) * room
-
-        painter.setPen(QPen(self.theme.color("data"), 1.5))
-        line: list[QPointF] = []
-        upright: list[QLineF] = []
-        edges = [*strokes.t[1:], min(end, axis.end)]
-        for n, t in enumerate(strokes.t):
-            if strokes.low[n] != strokes.low[n]:
-                _draw(painter, line)
-                continue
-            x = max(axis.x(t), 0.0) + GUTTER
-            if strokes.first[n] == strokes.first[n]:
-                line.append(QPointF(x, y(strokes.first[n])))
-            if strokes.low[n] < strokes.high[n]:
-                upright.append(QLineF(x, y(strokes.low[n]), x, y(strokes.high[n])))
-            if strokes.last[n] != strokes.last[n]:
-                _draw(painter, line)
-                continue
-            line.append(QPointF(x, y(strokes.last[n])))
-            # A value holds until the next.
-            after = min(axis.x(edges[n]), axis.width) + GUTTER
-            line.append(QPointF(max(after, x), y(strokes.last[n])))
-        _draw(painter, line)
-        painter.drawLines(upright)
-
-
-def _draw(painter: QPainter, line: list[QPointF]) -> None:
-    if line:
-        painter.drawPolyline(QPolygonF(line))
-        line.clear()
+        tall = (row.height - 12) / (most - least)
+        floor = top + row.height - 6 + least * tall
+        per, left, right = 1 / axis.pixel, GUTTER - axis.start / axis.pixel, GUTTER + axis.width
+        starts = [max(t * per + left, GUTTER) for t in strokes.t]
+        stops = [*starts[1:], min(end * per + left, right)]
+        lines: list[QLineF] = []
+        add, before = lines.append, NAN
+        each = zip(starts, stops, strokes.low, strokes.high, strokes.last, strict=True)
+        for x, after, low, high, last in each:
+            if low == low:
+                # Up to where the one before has ended, if there was one.
+                low = before if before < low else low
+                high = before if before > high else high
+                if low < high:
+                    add(QLineF(x, floor - low * tall, x, floor - high * tall))
+                # A value holds until the next.
+                if last == last and after > x + 0.5:
+                    level = floor - last * tall
+                    add(QLineF(x, level, after, level))
+            before = last
+        # All lines stand upright or lie: smoothing would cost much, and only blur them.
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(QPen(self.theme.color("data"), 1))
+        painter.drawLines(lines)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
 
 def number(value: float) -> str:
