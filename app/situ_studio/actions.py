@@ -220,7 +220,7 @@ COMMANDS: tuple[Command, ...] = (
         menu="Edit",
         when="can_copy",
         rule=True,
-        contexts="state states component cells",
+        contexts="state states thing component cells",
     ),
     _c(
         "copy",
@@ -230,7 +230,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+C",
         menu="Edit",
         when="can_copy",
-        contexts="state states component cells",
+        contexts="state states thing component cells",
     ),
     _c(
         "paste",
@@ -283,7 +283,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+D",
         menu="Edit",
         when="can_duplicate",
-        contexts="state states component",
+        contexts="state states thing component",
     ),
     _c(
         "delete",
@@ -500,7 +500,7 @@ COMMANDS: tuple[Command, ...] = (
         shortcut="Ctrl+8",
         menu="View",
         when="has_selection",
-        contexts="states",
+        contexts="states thing",
     ),
     _c(
         "reset_layout",

@@ -87,25 +87,18 @@ class Commands(FileCommands):
         return self._window.finding.can_rename()
 
     def can_copy(self) -> bool:
-        """States, notes and frames, components of a screen, or cells of the matrix."""
+        """States, notes and frames, components of a screen, parts of a script, or cells."""
         return self.can_duplicate() or self.cells is not None
 
     def can_duplicate(self) -> bool:
-        return self.has_selection() and self.is_application()
+        on_application = self.has_selection() and self.is_application()
+        return on_application or self.has_parts_of_script()
 
     def can_order(self) -> bool:
         return bool(self.components.chosen)
 
     def can_paste(self) -> bool:
-        return self.is_application() or self.cells is not None
-
-    def has_cells(self) -> bool:
-        return self.cells is not None
-
-    def on_cells(self, method: str) -> None:
-        """Of the matrix what a spreadsheet does with a range."""
-        if self.cells is not None:
-            getattr(self.cells.range, method)()
+        return self.is_application() or self.on_script() or self.cells is not None
 
     def has_cells(self) -> bool:
         return self.cells is not None

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QApplication, QSplitter, QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
 from situ.document.project import Project
-from situ_studio.copying import Copying
 from situ_studio.edit import Document, Place
 from situ_studio.panels.twin import Twin
 from situ_studio.theme import Theme
@@ -216,7 +215,7 @@ class DocumentView(QWidget):
         return piece
 
     def _add(self, name: str, piece: Any) -> None:
-        if isinstance(piece, Copying):
+        if hasattr(piece, "origin"):
             piece.origin = self.origin
         piece.edited.connect(self.edited)
         piece.selection_changed.connect(self._on_selection)

@@ -284,7 +284,7 @@ COMMANDS: dict[str, str] = {
     "redo": "Does again what was taken back.",
     "cut": "Takes what is selected away and keeps it to be pasted.",
     "copy": "Keeps what is selected to be pasted, in other projects too.",
-    "paste": "Puts in what was cut or copied; numbers that are taken become new ones.",
+    "paste": "Puts in what was cut or copied; numbers and names that are taken become new ones.",
     "duplicate": "Puts another one of what is selected beside it.",
     "delete": "Takes what is selected away, with the arrows that lead there.",
     "rename": "Another name for what is selected, in its place.",

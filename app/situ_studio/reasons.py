@@ -10,6 +10,7 @@ def reasons() -> dict[str, str]:
     application = tr("only in an application")
     graph = tr("only in the graph")
     card = tr("select a state first")
+    part = tr("select a state, or something of a script, first")
     cards = tr("select two states first")
     exit = tr("select a transition first")
     either = tr("select a state or transition first")
@@ -20,9 +21,10 @@ def reasons() -> dict[str, str]:
         "can_begin_script": tr("the project has a script already"),
         "can_ask_why": tr("follow a robot or open a recording first"),
         "can_auto_layout": graph,
-        "can_copy": card,
+        "can_copy": part,
+        "can_break": tr("select a state, transition or situation first"),
         "can_deploy": tr("connect to a robot first"),
-        "can_duplicate": card,
+        "can_duplicate": part,
         "can_enter_part": inside,
         "can_find_usages": selection,
         "can_insert_action": card,
@@ -35,7 +37,7 @@ def reasons() -> dict[str, str]:
         "can_leave_part": tr("you are in no part"),
         "can_make_part": card,
         "can_order": tr("select a component first"),
-        "can_paste": application,
+        "can_paste": tr("only where states or situations are drawn"),
         "can_redo": tr("nothing was undone"),
         "can_rename_everywhere": tr("select an event, tag or module first"),
         "can_reopen_tab": tr("no tab was closed"),

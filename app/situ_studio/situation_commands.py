@@ -6,7 +6,7 @@ from situ.document.beside import Toml
 from situ.document.condition import Group, Test
 from situ.document.folder import PROJECT_FILE
 from situ.document.spds import Entry, Spds
-from situ_studio import new_script, places
+from situ_studio import new_script, places, script_copies
 from situ_studio.state_commands import StateCommands
 
 
@@ -36,6 +36,11 @@ class SituationCommands(StateCommands):
 
     def has_data(self) -> bool:
         return self._is_about("data")
+
+    def has_parts_of_script(self) -> bool:
+        """Whether something that can be copied is selected on the graph of a script."""
+        view = self._window.current_view
+        return view is not None and self.on_script() and script_copies.can_be_copied(view.selected)
 
     def has_tests(self) -> bool:
         """Whether tests, groups of them or a condition are selected."""

@@ -143,7 +143,7 @@ def _graph(setting: Setting) -> Any:
         return ApplicationCanvas(setting.theme, setting.parent)
     from situ_studio.canvas.script import ScriptCanvas
 
-    return ScriptCanvas(setting.theme, setting.parent)
+    return ScriptCanvas(setting.theme, setting.parent, setting.project)
 
 
 def _outline(setting: Setting) -> Any:

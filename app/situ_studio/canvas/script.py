@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF
@@ -10,6 +10,7 @@ from PySide6.QtGui import QPainter, QResizeEvent, Qt
 from PySide6.QtWidgets import QWidget
 
 from situ.document.problem import Problem
+from situ.document.project import Project
 from situ.document.spds import Spds
 from situ_studio.canvas import headings, script_piping, script_spoken, spoken
 from situ_studio.canvas import script_gestures as gestures
@@ -19,7 +20,7 @@ from situ_studio.canvas.ground import ZOOM_LEAST
 from situ_studio.canvas.headings import Headings
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
-from situ_studio.canvas.script_commands import ScriptCommands
+from situ_studio.canvas.script_copying import ScriptCopying
 from situ_studio.canvas.script_faces import STRIP, ScriptNode, ScriptPicture
 from situ_studio.canvas.script_laws import Laws
 from situ_studio.canvas.script_nodes import ScriptItem
@@ -31,11 +32,20 @@ from situ_studio.kinds import Kind
 from situ_studio.theme import Theme
 
 
-class ScriptCanvas(ScriptCommands):
-    """Shows a script; gestures become ``edited``. Positions are the canvas's, never the file's."""
+class ScriptCanvas(ScriptCopying):
+    """Shows a script; gestures become ``edited``. Positions are the canvas's, never the file's.
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    project: the project as it is at the time of the call.
+    """
+
+    def __init__(
+        self,
+        theme: Theme,
+        parent: QWidget | None = None,
+        project: Callable[[], Project | None] = lambda: None,
+    ) -> None:
         super().__init__(theme, parent)
+        self.project = project
         self.document = Spds(name="")
         self._picture = ScriptPicture({}, {}, {})
         self._shapes = Shapes()

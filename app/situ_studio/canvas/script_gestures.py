@@ -146,7 +146,7 @@ def change_data(script: Spds, tag: str, **fields: str | None) -> Done:
     return (after, tr("Change data {0}").format(tag)) if after != script else (script, "")
 
 
-def _free(word: str, taken: Iterable[str]) -> str:
+def free_name(word: str, taken: Iterable[str]) -> str:
     known = set(taken)
     if word not in known:
         return word
@@ -166,14 +166,14 @@ def add_situation(
     then one that does follows it.
     """
     taken = {s.name for s in script.situations}
-    name = name if name and name not in taken else _free(name or "situation", taken)
+    name = name if name and name not in taken else free_name(name or "situation", taken)
     every = list(script.situations)
     made = Situation(name=name)
     if every or tag:
         tag = tag or (script.observe[0].tag if script.observe else "data")
         made = replace(made, condition=Condition((test_of(script, tag),)))
     if not every and tag:
-        every = [Situation(name=_free(DEFAULT, {name}))]
+        every = [Situation(name=free_name(DEFAULT, {name}))]
     last = max(0, len(every) - 1)
     every.insert(last if index is None else max(0, min(last, index)), made)
     after = replace(script, situations=tuple(every))
@@ -185,7 +185,7 @@ def add_module(script: Spds, situation: str | None = None, name: str = "") -> tu
     taken = {m.name for m in script.modules} | {
         e.module for s in script.situations for e in s.entries
     }
-    name = name if name and name not in taken else _free(name or "module", taken)
+    name = name if name and name not in taken else free_name(name or "module", taken)
     after = replace(script, modules=(*script.modules, Declaration(name=name)))
     if situation is not None:
         after, _ = prioritise(after, situation, name, new_priority(script, situation))
@@ -193,7 +193,7 @@ def add_module(script: Spds, situation: str | None = None, name: str = "") -> tu
 
 
 def add_data(script: Spds) -> tuple[Spds, str, str]:
-    tag = _free("data", (o.tag for o in script.observe))
+    tag = free_name("data", (o.tag for o in script.observe))
     after = replace(script, observe=(*script.observe, Observed(tag=tag)))
     return after, tr("Add data {0}").format(tag), tag
 
