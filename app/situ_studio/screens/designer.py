@@ -73,7 +73,7 @@ class Designer(QWidget):
         self.sheet = DesignerSheet(theme)
         self.setFocusProxy(self.sheet)
         self.ground = DeviceGround(theme, self.sheet)
-        self.strip = StateStrip(theme)
+        self.strip = StateStrip(theme, media)
         self.shown = StateScreen(self.sheet, theme, media, self)
         self.sampling = Sampling(self.bar, theme, project, self)
         self.crumbs = _BareCrumbs(theme, self.ground)

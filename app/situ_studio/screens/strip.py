@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import (
     QAbstractListModel,
     QModelIndex,
     QPersistentModelIndex,
+    QPointF,
     QRectF,
     QSize,
     Qt,
     Signal,
 )
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import (
     QListView,
     QStyle,
@@ -24,14 +27,16 @@ from PySide6.QtWidgets import (
 
 from situ.document import rbd
 from situ_studio import places, words
-from situ_studio.canvas import thumbnails
-from situ_studio.canvas.style import Look
 from situ_studio.edit import Place
+from situ_studio.screens.media_pictures import picture
+from situ_studio.screens.painting import paint_screen
 from situ_studio.theme import CAPTION, Theme, font
 
 WIDE, HIGH = 104, 84
 """Px of a state's place."""
 PICTURE = QRectF(10, 9, 84, 52)
+MOST = 400
+"""Pictures that are kept."""
 AnyIndex = QModelIndex | QPersistentModelIndex
 NOWHERE = QModelIndex()
 PART = int(Qt.ItemDataRole.UserRole) + 1
@@ -73,12 +78,15 @@ class _States(QAbstractListModel):
 
 
 class _Pictures(QStyledItemDelegate):
-    """Small pictures as the cards have them; marks are worked out once for each screen."""
+    """The screens in small, as the robot shows them; each is painted once."""
 
-    def __init__(self, theme: Theme, parent: QWidget) -> None:
+    def __init__(self, theme: Theme, media: Callable[[], Path | None], parent: QWidget) -> None:
         super().__init__(parent)
-        self.look = Look(theme)
-        self._marks: dict[int, tuple[rbd.Screen, tuple[thumbnails.Mark, ...]]] = {}
+        self.theme = theme
+        self.above: tuple[rbd.Component, ...] = ()
+        """The components that Always adds."""
+        self._media = media
+        self._painted: dict[tuple[int, int, float], tuple[tuple[Any, ...], QPixmap]] = {}
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
         return QSize(WIDE, HIGH)
@@ -86,13 +94,17 @@ class _Pictures(QStyledItemDelegate):
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        theme = self.look.theme
+        theme = self.theme
         area = PICTURE.translated(option.rect.x(), option.rect.y())
         selected = bool(option.state & QStyle.StateFlag.State_Selected)
         part = index.data(PART)
         screen = part.screen if part is not None else None
-        thumbnails.paint(painter, self._marked(screen), area, self.look)
+        if screen is not None:
+            above = self.above if getattr(part, "always", False) else ()
+            painter.drawPixmap(area.topLeft(), self._picture(screen, above))
         painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(theme.color("line_strong"), 1))
+        painter.drawRoundedRect(area, 4, 4)
         if selected:
             painter.setPen(QPen(theme.color("accent"), 2))
             painter.drawRoundedRect(area.adjusted(-4, -4, 4, 4), 5, 5)
@@ -112,15 +124,26 @@ class _Pictures(QStyledItemDelegate):
         painter.drawText(below, int(Qt.AlignmentFlag.AlignCenter), text)
         painter.restore()
 
-    def _marked(self, screen: rbd.Screen | None) -> tuple[thumbnails.Mark, ...]:
-        if screen is None:
-            return ()
-        kept = self._marks.get(id(screen))
-        if kept is None or kept[0] is not screen:
-            if len(self._marks) > 2000:
-                self._marks.clear()
-            kept = self._marks[id(screen)] = (screen, thumbnails.marks(screen))
-        return kept[1]
+    def _picture(self, screen: rbd.Screen, above: tuple[rbd.Component, ...]) -> QPixmap:
+        view: Any = self.parent()
+        ratio, media = view.devicePixelRatioF(), self._media()
+        every = (screen.background, *(getattr(one, "src", None) for one in screen.components))
+        # Compared too: what has the same id later may be another one, and a file be written anew.
+        of = (screen, above, tuple(picture(media, src) for src in every if src))
+        key = (id(screen), id(above), ratio)
+        kept = self._painted.get(key)
+        if kept is not None and kept[0][0] is screen and kept[0][1:] == of[1:]:
+            return kept[1]
+        if len(self._painted) > MOST:
+            self._painted.clear()
+        made = QPixmap(PICTURE.size().toSize() * ratio)
+        made.setDevicePixelRatio(ratio)
+        made.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(made)
+        paint_screen(painter, QRectF(QPointF(0, 0), PICTURE.size()), screen, above, media)
+        painter.end()
+        self._painted[key] = (of, made)
+        return made
 
 
 class StateStrip(QListView):
@@ -128,11 +151,13 @@ class StateStrip(QListView):
 
     chosen = Signal(tuple)
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, theme: Theme, media: Callable[[], Path | None], parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.setAccessibleName(self.tr("States"))
         self._states = _States(self)
-        self._pictures = _Pictures(theme, self)
+        self._pictures = _Pictures(theme, media, self)
         self.setModel(self._states)
         self.setItemDelegate(self._pictures)
         self.setFlow(QListView.Flow.LeftToRight)
@@ -145,11 +170,14 @@ class StateStrip(QListView):
         self.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
 
     def set_theme(self, theme: Theme) -> None:
-        self._pictures.look = Look(theme)
+        self._pictures.theme = theme
         self.viewport().update()
 
     def show_state(self, application: rbd.Application, place: Place) -> None:
         """Shows the states, one of them as the one that is drawn."""
+        always = application.always
+        above = always.screen.components if always is not None and always.screen is not None else ()
+        self._pictures.above = above
         self._states.show(application)
         every = self._states.places
         row = every.index(place) if place in every else -1

@@ -23,6 +23,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 
 from situ.document import folder
+from situ_studio import places
 from situ_studio.screens.designer import Designer
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.own_device import OwnDevice
@@ -230,6 +231,28 @@ def test_a_state_that_runs_a_part_takes_no_component_template_or_file(
     desk.drop(data)
     assert desk.document is before
     assert not (desk.root / "media" / "mine.png").exists()
+
+
+def test_the_strip_shows_the_screens_themselves_as_they_are_now(desk: Desk) -> None:
+    strip = desk.designer.strip
+    desk.go_to("10")
+
+    def small() -> QImage:
+        desk.settle()
+        return strip.viewport().grab(strip.visualRect(strip.currentIndex())).toImage()
+
+    before = small()
+    assert small() == before
+    file = desk.root / "media" / "robot.png"
+    other = QImage(40, 40, QImage.Format.Format_RGB32)
+    other.fill(0xFF0000)
+    other.save(str(file))
+    replaced = small()
+    assert replaced != before
+    component = desk.components("10")[0]
+    at = ("state", "10", "screen", component.id)
+    desk.designer.edited.emit(places.change(desk.document, at, text="Kia ora"), "")
+    assert small() != replaced
 
 
 def test_a_screen_of_one_s_own_size_is_asked_for(desk: Desk) -> None:
