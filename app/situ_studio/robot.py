@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from situ.document.rbd import Application
-from situ.errors import SituError
+from situ.errors import SituError, UsageError
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.live.follower import Follower
 from situ_studio.live.link import RobotLink
 from situ_studio.live.recordings import ReadingRecording, Recording
+from situ_studio.live.timeline.bookmarks import beside
 from situ_studio.live.timeline.panel import Timeline
 from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
@@ -43,7 +44,10 @@ class RobotSide(QObject):
             Trace(theme),
         )
         self.follower = Follower(self, self.link, self.blackboard, self.authority, self.trace, self)
-        self.timeline = Timeline(theme, self.follower.viewing, self.state_name)
+        self.timeline = Timeline(
+            theme, self.follower.viewing, self.state_name, self._ask_for_bookmark
+        )
+        self.timeline.marking.refused.connect(lambda why: window.dialogs.tell(why))
         titles = (
             self.tr("Blackboard"),
             self.tr("Timeline"),
@@ -121,10 +125,17 @@ class RobotSide(QObject):
         self.disconnect_robot()
         self.recording = recording
         self.follower.show_recording(recording)
+        try:
+            self.timeline.bookmarks.open(beside(recording.path))
+        except UsageError as error:
+            self._window.dialogs.tell(str(error))
         if recording.torn:
             said = self.tr("{0} ends without its end: the robot was still running, or was killed.")
             self._window.say(said.format(recording.path.name))
         self.settle()
+
+    def _ask_for_bookmark(self, usual: str) -> str | None:
+        return self._window.dialogs.name(self.tr("Bookmark"), self.tr("Name"), usual)
 
     def _on_refused(self, why: str) -> None:
         self._end_work()

@@ -1,45 +1,17 @@
-"""The timeline's drawing: rows over time, the cursor, and the hands that move both."""
+"""The timeline's drawing in use: hands and keys that move its cursor, and what is seen."""
 
 from __future__ import annotations
 
-from datetime import datetime, timedelta
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QToolTip
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QFontMetricsF,
-    QHelpEvent,
-    QHideEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPixmap,
-    QResizeEvent,
-    QShowEvent,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QAbstractScrollArea, QToolTip, QWidget
-
-from situ_studio.language import tr
-from situ_studio.live.lanes import Lane, Series
-from situ_studio.live.timeline.axis import TimeAxis
-from situ_studio.live.timeline.drawn import blocks
-from situ_studio.live.timeline.painting import (
-    GUTTER,
-    NARROW,
-    RowPainter,
-    StateName,
-    number,
-)
-from situ_studio.live.timeline.rows import TimelineRow, rows_of
+from situ_studio.live.timeline.bookmarks import Bookmarks
+from situ_studio.live.timeline.drawing import EDGE, TimelineDrawing
+from situ_studio.live.timeline.painting import GUTTER, StateName
 from situ_studio.live.viewing import Viewing
-from situ_studio.theme import CAPTION, LABEL, Theme, font
+from situ_studio.theme import Theme
 
-EDGE = 24
-"""Px of the strip at the top with the time."""
-FRAME = 33
-"""Milliseconds between two looks at a log that goes on."""
 NEAR = 4
 """Px within which a hand is on the cursor, or has not moved."""
 ZOOM = 1.25
@@ -52,292 +24,44 @@ _KEYS = {
     Qt.Key.Key_Space,
     Qt.Key.Key_Plus,
     Qt.Key.Key_Minus,
+    Qt.Key.Key_B,
+    Qt.Key.Key_PageUp,
+    Qt.Key.Key_PageDown,
 }
 
 
-class TimelineChart(QAbstractScrollArea):
-    """Shows what ``viewing`` looks at; moves its cursor, and changes nothing else.
+class TimelineChart(TimelineDrawing):
+    """Moves the cursor of what it shows, and changes nothing else.
 
     Click or drag at the top or on the cursor moves the cursor, a click elsewhere puts it there,
     a drag elsewhere moves what is seen, the wheel zooms (over the names: scrolls).
     """
 
-    marked = Signal()
-    """What is seen is another stretch of time."""
+    mark_asked = Signal()
+    """A bookmark is wanted at the cursor."""
 
     def __init__(
-        self, theme: Theme, viewing: Viewing, state_name: StateName, parent: QWidget | None = None
+        self, theme: Theme, viewing: Viewing, bookmarks: Bookmarks, state_name: StateName
     ) -> None:
-        super().__init__(parent)
-        self.axis = TimeAxis()
-        self.viewing = viewing
-        self.rows: list[TimelineRow] = []
-        self.chosen: frozenset[str] | None = None
-        self._theme = theme
-        self._painter = RowPainter(self.axis, theme, state_name)
-        self._picture = QPixmap()
-        self._pictured: tuple[object, ...] = ()
-        self._begun: tuple[object, datetime | None] = (None, None)
+        super().__init__(theme, viewing, bookmarks, state_name)
         self._hand = ""
         self._from = QPointF()
-        self.setAccessibleName(tr("Timeline"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setFrameShape(QAbstractScrollArea.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.viewport().setMouseTracking(True)
-        self.verticalScrollBar().valueChanged.connect(self.viewport().update)
-        self._frames = QTimer(self)
-        self._frames.setInterval(FRAME)
-        self._frames.timeout.connect(self._go_on)
-        viewing.exchanged.connect(self._on_exchanged)
-        viewing.moved.connect(self._on_moved)
-
-    def set_theme(self, theme: Theme) -> None:
-        self._theme = self._painter.theme = theme
-        self._changed()
-
-    def choose(self, data: frozenset[str] | None) -> None:
-        """The data whose curves are shown; None: the first that came."""
-        self.chosen = data
-        self._changed()
-
-    def zoom(self, factor: float) -> None:
-        """About the cursor where it is seen, else about the middle."""
-        t, axis = self.viewing.t, self.axis
-        axis.zoom(factor, t if axis.start <= t <= axis.end else axis.t(axis.width / 2))
-        self._changed()
-
-    def show_all(self) -> None:
-        """From the first moment to the last."""
-        start, end = self.viewing.span
-        self.axis.zoom(max(end - start, 0.1) * 1.02 / self.axis.seen, self.axis.start)
-        self.axis.start = start - self.axis.seen * 0.01
-        self._changed()
-
-    # -- time goes on ------------------------------------------------------------------
-
-    def _on_exchanged(self) -> None:
-        self._painter.forget()
-        if not self.viewing.grows:
-            self.show_all()
-        self._changed()
-
-    def _on_moved(self) -> None:
-        if not self._frames.isActive() and self.isVisible():
-            self._frames.start()
-        self._bring()
-        self.setAccessibleDescription(self.clock(self.viewing.t))
-        self.viewport().update()
-
-    def _bring(self) -> None:
-        """What the cursor is at is seen."""
-        before = self.axis.start
-        if self.viewing.follows:
-            self.axis.end_at(self.viewing.t)
-        elif not self._hand:
-            self.axis.show(self.viewing.t)
-        if before != self.axis.start:
-            self.marked.emit()
-
-    def _go_on(self) -> None:
-        if self.viewing.follows:
-            self._bring()
-        rows = rows_of(self.viewing.log.lanes, self.chosen)
-        if [id(row.lane) for row in rows] != [id(row.lane) for row in self.rows]:
-            self._lay_out()
-        if self.viewing.follows or self._pictured != self._wanted():
-            self.viewport().update()
-        elif not self.viewing.grows:
-            self._frames.stop()
-
-    def _changed(self) -> None:
-        self._pictured = ()
-        self._lay_out()
-        self.marked.emit()
-        self.viewport().update()
-
-    def _lay_out(self) -> None:
-        self.rows = rows_of(self.viewing.log.lanes, self.chosen)
-        room = self.viewport().height() - EDGE
-        high = sum(row.height for row in self.rows)
-        bar = self.verticalScrollBar()
-        bar.setRange(0, max(0, high - room))
-        bar.setPageStep(max(room, 1))
-        bar.setSingleStep(26)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        self.axis.width = max(self.viewport().width() - GUTTER, 1.0)
-        self._changed()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        self._changed()
-        self._bring()
-        self._frames.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        self._frames.stop()
-
-    # -- the clock ---------------------------------------------------------------------
-
-    def wall(self) -> datetime | None:
-        """What the clock on the wall said at 0 of the trace; None where it does not tell."""
-        log = self.viewing.log
-        if not len(log):
-            return None
-        if self._begun[0] is not log.lanes:
-            written = log[0].get("time")
-            at = None
-            if isinstance(written, str):
-                at = datetime.fromisoformat(written).astimezone() - timedelta(seconds=log.time(0))
-            self._begun = (log.lanes, at)
-        return self._begun[1]
-
-    def clock(self, t: float, finest: bool = True) -> str:
-        """How that moment is written: by the clock on the wall, or in seconds of the trace."""
-        begun = self.wall()
-        if begun is None:
-            return f"{t:.3f} s" if finest else f"{t:.10g} s"
-        at = (begun + timedelta(seconds=t)).strftime("%H:%M:%S.%f")
-        if finest:
-            return at[:-3]
-        return at.rstrip("0").rstrip(".")
-
-    # -- painting ----------------------------------------------------------------------
-
-    def _wanted(self) -> tuple[object, ...]:
-        """What the picture depends on, but for what ``_changed`` tells."""
-        axis, log = self.axis, self.viewing.log
-        end = min(self.viewing.span[1], axis.end)
-        return (axis.start, axis.seen, log.seq, end, self.verticalScrollBar().value())
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self.viewport())
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        wanted = self._wanted()
-        if self._pictured != wanted:
-            self._take_picture(self.verticalScrollBar().value())
-            self._pictured = wanted
-        painter.drawPixmap(0, 0, self._picture)
-        self._paint_cursor(painter)
-        painter.end()
-
-    def _take_picture(self, scrolled: int) -> None:
-        """All but the cursor: that moves much oftener."""
-        scale, theme = self.devicePixelRatioF(), self._theme
-        size = self.viewport().size()
-        if self._picture.size() != size * scale:
-            self._picture = QPixmap(size * scale)
-            self._picture.setDevicePixelRatio(scale)
-        self._picture.fill(theme.color("panel"))
-        painter = QPainter(self._picture)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self._paint_edge(painter)
-        end = self.viewing.span[1]
-        wide, high = size.width(), size.height()
-        top = EDGE - scrolled
-        for row in self.rows:
-            if EDGE - row.height < top < high:
-                painter.setClipRect(QRectF(GUTTER, EDGE, wide - GUTTER, high - EDGE))
-                self._painter.row(painter, row, top, end)
-                painter.setClipRect(QRectF(0, EDGE, wide, high - EDGE))
-                self._painter.title(painter, row, top)
-                painter.setPen(theme.color("line"))
-                painter.drawLine(QPointF(0, top + row.height), QPointF(wide, top + row.height))
-            top += row.height
-        painter.setClipping(False)
-        painter.setPen(theme.color("line"))
-        painter.drawLine(QPointF(GUTTER - 0.5, EDGE), QPointF(GUTTER - 0.5, high))
-        if not self.rows:
-            painter.setFont(font(LABEL))
-            painter.setPen(theme.color("text3"))
-            room = QRectF(0, EDGE, wide, high - EDGE)
-            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, tr("Nothing has happened yet."))
-        painter.end()
-
-    def _paint_edge(self, painter: QPainter) -> None:
-        theme, axis = self._theme, self.axis
-        high = self.viewport().height()
-        painter.setFont(font(CAPTION))
-        metrics = QFontMetricsF(painter.font())
-        for t in axis.marks(metrics.horizontalAdvance("00:00:00.000") + 28, self._midnight()):
-            x = axis.x(t) + GUTTER
-            painter.setPen(theme.color("line"))
-            painter.drawLine(QPointF(x, EDGE - 6), QPointF(x, high))
-            words = self.clock(t, finest=False)
-            wide = metrics.horizontalAdvance(words)
-            if x - wide / 2 > GUTTER and x + wide / 2 < axis.width + GUTTER:
-                painter.setPen(theme.color("text3"))
-                painter.drawText(QPointF(x - wide / 2, EDGE - 9), words)
-        painter.setPen(theme.color("line"))
-        painter.drawLine(QPointF(0, EDGE), QPointF(self.viewport().width(), EDGE))
-
-    def _midnight(self) -> float:
-        """A moment at which the clock on the wall stands at 0, so that marks are whole times."""
-        begun = self.wall()
-        if begun is None:
-            return 0.0
-        day = begun.replace(hour=0, minute=0, second=0, microsecond=0)
-        return -(begun - day).total_seconds()
-
-    def _paint_cursor(self, painter: QPainter) -> None:
-        theme, axis, t = self._theme, self.axis, self.viewing.t
-        x = axis.x(t)
-        if not -0.5 <= x <= axis.width + 0.5:
-            return
-        x += GUTTER
-        color = theme.color("live" if self.viewing.follows else "accent")
-        painter.setPen(QPen(color, 1.5))
-        painter.drawLine(QPointF(x, EDGE - 4), QPointF(x, self.viewport().height()))
-        painter.setFont(font(CAPTION, 600))
-        words = self.clock(t)
-        wide = QFontMetricsF(painter.font()).horizontalAdvance(words) + 12
-        left = min(max(x - wide / 2, GUTTER), self.viewport().width() - wide - 2)
-        flag = QRectF(left, 3, wide, EDGE - 7)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(color)
-        painter.drawRoundedRect(flag, 3, 3)
-        painter.setPen(theme.color("on_accent"))
-        painter.drawText(flag, Qt.AlignmentFlag.AlignCenter, words)
-        self._paint_values(painter, x, t)
-
-    def _paint_values(self, painter: QPainter, x: float, t: float) -> None:
-        """What each number is at the cursor."""
-        theme = self._theme
-        painter.setFont(font(CAPTION, 500))
-        metrics = QFontMetricsF(painter.font())
-        painter.setClipRect(QRectF(0, EDGE, self.viewport().width(), self.viewport().height()))
-        for row, top in self._tops():
-            if not isinstance(row.lane, Series) or (value := row.lane.at(t)) != value:
-                continue
-            words = _told(row.lane, value)
-            wide = metrics.horizontalAdvance(words) + 8
-            left = x + 5 if x + 5 + wide < self.viewport().width() else x - 5 - wide
-            box = QRectF(left, top + row.height - 21, wide, 16)
-            painter.setPen(QPen(theme.color("card_border"), 1))
-            painter.setBrush(theme.color("card"))
-            painter.drawRoundedRect(box, 3, 3)
-            painter.setPen(theme.color("text"))
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
-        painter.setClipping(False)
-
-    def _tops(self) -> list[tuple[TimelineRow, float]]:
-        top = float(EDGE - self.verticalScrollBar().value())
-        found = []
-        for row in self.rows:
-            found.append((row, top))
-            top += row.height
-        return found
-
-    # -- hands -------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         at = event.position()
         if event.button() != Qt.MouseButton.LeftButton or at.x() < GUTTER:
             return
         on_cursor = abs(self.axis.x(self.viewing.t) + GUTTER - at.x()) <= NEAR
-        self._hand = "scrub" if at.y() < EDGE or on_cursor else "press"
+        self._hand, self._held = "scrub" if at.y() < EDGE or on_cursor else "press", True
         self._from = at
-        if self._hand == "scrub" and not on_cursor:
+        marked = next((mark for mark, flag in self._flags() if flag.contains(at)), None)
+        if marked is not None:
+            # The hand lies on its name, beside its moment: what is meant is that.
+            self._hand, self._held = "", False
+            self.viewing.seek(marked.t)
+        elif self._hand == "scrub" and not on_cursor:
             self.viewing.seek(self.axis.t(at.x() - GUTTER))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -361,7 +85,7 @@ class TimelineChart(QAbstractScrollArea):
         self.viewport().setCursor(shape)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        hand, self._hand = self._hand, ""
+        hand, self._hand, self._held = self._hand, "", False
         if hand == "press":
             self.viewing.seek(self.axis.t(event.position().x() - GUTTER))
 
@@ -397,6 +121,13 @@ class TimelineChart(QAbstractScrollArea):
             viewing.seek(viewing.span[1])
         elif key == Qt.Key.Key_Space:
             self.toggle()
+        elif key == Qt.Key.Key_B:
+            self.mark_asked.emit()
+        elif key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
+            find = self.bookmarks.before if key == Qt.Key.Key_PageUp else self.bookmarks.after
+            mark = find(viewing.t)
+            if mark is not None:
+                viewing.seek(mark.t)
         else:
             self.zoom(ZOOM if key == Qt.Key.Key_Minus else 1 / ZOOM)
 
@@ -421,37 +152,8 @@ class TimelineChart(QAbstractScrollArea):
             return True
         return super().viewportEvent(event)
 
-    def told_at(self, at: QPoint) -> str:
-        """What a place on the drawing says: what, from when, how long; "" where nothing is."""
-        found = [row for row, top in self._tops() if top <= at.y() < top + row.height]
-        if not found or at.y() < EDGE:
-            return ""
-        row = found[0]
-        if at.x() < GUTTER:
-            return row.name
-        t = self.axis.t(at.x() - GUTTER)
-        if isinstance(row.lane, Series):
-            value = row.lane.at(t)
-            return "" if value != value else f"{row.name} = {_told(row.lane, value)}"
-        return self._told_block(row, row.lane, t)
-
-    def _told_block(self, row: TimelineRow, lane: Lane, t: float) -> str:
-        end = self.viewing.span[1]
-        for block in blocks(lane, self.axis.start, end, self.axis.pixel * NARROW):
-            if block.start <= t < block.end:
-                words = self._painter.words(row, block)
-                lasts = f"{block.end - block.start:.2f} s"
-                return tr("{0}, from {1}, {2}").format(words, self.clock(block.start), lasts)
-        return ""
-
     @staticmethod
     def _takes(event: QKeyEvent) -> bool:
         held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         plain = held in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier)
         return plain and event.key() in _KEYS
-
-
-def _told(series: Series, value: float) -> str:
-    if series.truth and value in (0.0, 1.0):
-        return "true" if value else "false"
-    return number(value)

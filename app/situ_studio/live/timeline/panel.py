@@ -7,7 +7,9 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayo
 
 from situ_studio.icon_widgets import IconButton, retheme
 from situ_studio.language import tr
+from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.chart import ZOOM, TimelineChart
+from situ_studio.live.timeline.marking import Ask, Marking
 from situ_studio.live.timeline.painting import StateName
 from situ_studio.live.viewing import Viewing
 from situ_studio.theme import Theme
@@ -16,12 +18,12 @@ from situ_studio.theme import Theme
 class Timeline(QWidget):
     """``chart`` is the drawing; everything on the bar has a key there too."""
 
-    def __init__(
-        self, theme: Theme, viewing: Viewing, state_name: StateName, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, theme: Theme, viewing: Viewing, state_name: StateName, ask: Ask) -> None:
+        super().__init__()
         self._viewing = viewing
-        self.chart = TimelineChart(theme, viewing, state_name)
+        self.bookmarks = Bookmarks(self)
+        self.chart = TimelineChart(theme, viewing, self.bookmarks, state_name)
+        self.marking = Marking(self.chart, self.bookmarks, ask, self)
         self.back = IconButton(theme, "left", tr("To the event before (Left)"))
         self.pause = IconButton(theme, "pause", "")
         self.step = IconButton(theme, "right", tr("To the next event (Right)"))
@@ -31,15 +33,11 @@ class Timeline(QWidget):
         self.seen = QLabel()
         self.seen.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.seen.setMinimumWidth(56)
-        self.data = QToolButton()
-        self.data.setText(tr("Data"))
-        self.data.setAccessibleName(tr("Data"))
-        self.data.setToolTip(tr("Which data are drawn as curves"))
-        self.data.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.data.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.choices = QMenu(self.data)
+        self.choices = QMenu(self)
         self.choices.aboutToShow.connect(self._fill_choices)
-        self.data.setMenu(self.choices)
+        self.data = _opens(self.choices, tr("Data"), tr("Which data are drawn as curves"))
+        tip = tr("Moments with a name; Page Up and Page Down go from one to another")
+        self.marks = _opens(self.marking.menu, tr("Bookmarks"), tip)
         bar = QHBoxLayout()
         bar.setContentsMargins(8, 2, 8, 2)
         bar.setSpacing(4)
@@ -47,6 +45,7 @@ class Timeline(QWidget):
             bar.addWidget(widget)
         bar.addSpacing(12)
         bar.addWidget(self.data)
+        bar.addWidget(self.marks)
         bar.addStretch(1)
         for other in (self.less, self.seen, self.more, self.whole):
             bar.addWidget(other)
@@ -63,6 +62,7 @@ class Timeline(QWidget):
         self.whole.clicked.connect(self._show_whole)
         self.chart.marked.connect(self._tell)
         viewing.moved.connect(self._tell)
+        viewing.exchanged.connect(lambda: self.bookmarks.open(None))
         self.setFocusProxy(self.chart)
         self._tell()
 
@@ -97,6 +97,18 @@ class Timeline(QWidget):
     def _choose(self, name: str, on: bool) -> None:
         shown = {row.name for row in self.chart.rows if row.kind == "data"}
         self.chart.choose(frozenset(shown | {name} if on else shown - {name}))
+
+
+def _opens(menu: QMenu, words: str, tip: str) -> QToolButton:
+    """A button on the bar that opens a menu."""
+    button = QToolButton()
+    button.setText(words)
+    button.setAccessibleName(words)
+    button.setToolTip(tip)
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    button.setMenu(menu)
+    return button
 
 
 def _long(seconds: float) -> str:
