@@ -403,11 +403,12 @@ class MainWindow(Frame):
         self.status.say(text)
 
     def select(self, place: Place) -> None:
-        """Selects a place of the current document everywhere."""
+        """Selects a place of the current document everywhere, or what of it is there."""
         view, document = self.current_view, self.current_document
         if view is None or document is None:
             return
-        self.select_all((places.nearest(document, place),) if place else ())
+        near = places.nearest(document, place)
+        self.select_all((near,) if near else ())
 
     def select_all(self, chosen: tuple[Place, ...]) -> None:
         """Selects places of the current document, which are there."""

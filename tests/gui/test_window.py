@@ -36,6 +36,16 @@ def test_the_project_tree_opens_a_document_that_has_no_tab(studio: Start, projec
     assert "modules.xml" in used.window.tabs.files()
 
 
+def test_of_a_place_that_is_not_there_nothing_is_selected(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file("modules.xml")
+    used.select("module", "nod", "requires", "99")
+    assert used.window.current_view.selected == (("module", "nod"),)
+    used.select("state", "1")
+    assert used.window.current_view.selected == ()
+    assert not used.window.actions_.actions["next_exit"].isEnabled()
+
+
 def test_the_outline_selects_everywhere(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     outline = used.window.outline.list
