@@ -1038,6 +1038,15 @@ COMMANDS: tuple[Command, ...] = (
         tip="To what happens next if nobody does anything.",
     ),
     _c(
+        "rehearse.save",
+        "Save the rehearsal as a scenario…",
+        "save_rehearsal",
+        icon="scenarios",
+        menu="Robot",
+        when="is_rehearsing",
+        tip="What was done can be done again, and what happened is expected then.",
+    ),
+    _c(
         "rehearse.end",
         "End the rehearsal",
         "end_rehearsal",

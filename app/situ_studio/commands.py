@@ -494,6 +494,9 @@ class Commands(FileCommands):
     def end_rehearsal(self) -> None:
         self._window.rehearsing.end()
 
+    def save_rehearsal(self) -> None:
+        self._window.rehearsing.save()
+
     def is_rehearsing(self) -> bool:
         return self._window.rehearsing.running is not None
 

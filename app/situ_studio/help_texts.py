@@ -240,9 +240,11 @@ PAGES: tuple[Page, ...] = (
         thing that happens to the next.
 
         An edit does not change what runs: Start again runs it as it is then.
+
+        What was done can be saved as a scenario, with what shall happen again. It is a test.
         """,
         ("command/rehearse", "command/rehearse.pause", "command/rehearse.step",
-         "command/rehearse.end", "panel/rehearsal"),
+         "command/rehearse.save", "command/rehearse.end", "panel/rehearsal"),
     ),
     Page(
         "window",

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import msgspec
 import pytest
+
+from situ.decide import inputs
+from situ.rehearse import scenario
+from situ.rehearse.expect import Expect
+from situ.rehearse.scenario import End
 
 if TYPE_CHECKING:
     from tests.rehearse.conftest import Simulate
@@ -272,3 +278,34 @@ def test_a_failed_expectation_is_told_with_its_line_and_what_came_nearest(
     assert "line 2" in run.told
     assert '"state":"3"' in run.told
     assert '"state":"2"' in run.told
+
+
+def test_what_is_written_is_read_as_the_same() -> None:
+    done: list[tuple[int, Any]] = [
+        (0, inputs.Touch()),
+        (250_000, inputs.Set({"a.b": None, "n": 2}, scenario.WRITER)),
+        (1_000_000, inputs.Raise("clickYes")),
+        (1_000_000, inputs.Raise("clickNo", "reception")),
+        (1_000_001, inputs.Use("yes")),
+        (2_000_000, inputs.Use("name", None)),
+        (2_000_000, inputs.Acquire("nod", ("head",), ("base",))),
+        (2_000_000, inputs.Abandon("nod")),
+        (2_000_000, inputs.Command("nod", "head", {"pan": 3}, 0.5)),
+        (2_000_000, inputs.Lost("nod")),
+        (3_000_000, inputs.Finish("service", "find", ok=False, error="gone", status=404)),
+        (3_000_000, inputs.Finish("speech", result=[])),
+        (3_000_000, Expect({"kind": "enter", "state": "2"})),
+        (3_500_000, End()),
+    ]
+    read = scenario.parse(scenario.write(done), "x.jsonl")
+    assert [(line.at, line.does) for line in read] == [
+        (at, msgspec.structs.replace(does, status=None))
+        if isinstance(does, inputs.Finish) and does.status is msgspec.UNSET
+        else (at, does)
+        for at, does in done
+    ]
+
+
+def test_what_has_no_verb_is_not_written() -> None:
+    with pytest.raises(ValueError, match="Finish"):
+        scenario.write([(0, inputs.Finish(id=3))])

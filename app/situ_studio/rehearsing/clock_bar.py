@@ -18,6 +18,8 @@ class ClockBar(QWidget):
     pace_asked = Signal(int)
     step_asked = Signal()
     restart_asked = Signal()
+    save_asked = Signal()
+    """What was done shall become a scenario."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -35,6 +37,10 @@ class ClockBar(QWidget):
         self.restart = IconButton(theme, "repeat", self.tr("From the start"), "text", 16)
         self.restart.clicked.connect(self.restart_asked)
         line.addWidget(self.restart)
+        words = self.tr("Save as a scenario")
+        self.save = IconButton(theme, "scenarios", words, "text", 16)
+        self.save.clicked.connect(self.save_asked)
+        line.addWidget(self.save)
         line.addStretch(1)
         self.time = QLabel()
         self.time.setProperty("role", "medium")

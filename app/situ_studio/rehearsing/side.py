@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt
 
 from situ.document.check import structure
+from situ.document.folder import resolve
 from situ_studio.icon_widgets import IconButton
 from situ_studio.panels.header import PanelHeader
 from situ_studio.rehearsing.desk import WIDE, Desk
 from situ_studio.rehearsing.running import Running
+from situ_studio.rehearsing.saving import SavingScenario
 from situ_studio.theme import Theme
 
 if TYPE_CHECKING:
@@ -34,6 +36,7 @@ class RehearsingSide(QObject):
         self._away = False
         self.desk = Desk(window.theme)
         self.desk.again_asked.connect(self.start_again)
+        self.desk.clock.save_asked.connect(self.save)
         header = PanelHeader(self.tr("Rehearsal"))
         close = IconButton(window.theme, "close", self.tr("End the rehearsal"), "text3", 14)
         close.clicked.connect(self.end)
@@ -99,6 +102,22 @@ class RehearsingSide(QObject):
         """To what happens next, and stands still there."""
         if self.running is not None:
             self.running.step()
+
+    def save(self) -> None:
+        """Asks how what was done shall be kept as a scenario; its time stands still then."""
+        running, window = self.running, self._window
+        if running is None:
+            return
+        project = running.course.project
+        home = resolve(project.root, project.scenarios) if project.scenarios is not None else None
+        if home is None:
+            said = self.tr("Say in the project's form in which folder its scenarios lie.")
+            window.dialogs.tell(said)
+            return
+        running.set_pace(0)
+        saving = SavingScenario(running.course, home, window)
+        saving.saved.connect(lambda file: window.say(self.tr("Saved {0}").format(file.name)))
+        saving.open()
 
     def set_theme(self, theme: Theme) -> None:
         self.desk.set_theme(theme)

@@ -10,7 +10,7 @@ import msgspec
 from msgspec import UNSET, Struct, UnsetType
 
 from situ.decide import inputs
-from situ.decide.step import microseconds
+from situ.decide.step import SECOND, microseconds
 from situ.errors import ScenarioError, UsageError
 from situ.rehearse.expect import Expect
 
@@ -96,6 +96,54 @@ def parse(data: bytes, file: str, applications: Iterable[str] | None = None) -> 
             raise ScenarioError(f"{file}:{number}: {said}") from None
         lines.append(line)
     return lines
+
+
+def write(lines: Iterable[tuple[int, inputs.AnyInput | Expect | End]]) -> bytes:
+    """Times in µs and what is done then, in order, as a scenario's lines; ``parse`` reads the same.
+
+    Raises ValueError for an input that scenarios have no verb for.
+    """
+    return b"".join(_written(at, does) + b"\n" for at, does in lines)
+
+
+def _written(at: int, does: inputs.AnyInput | Expect | End) -> bytes:
+    seconds: int | float = at // SECOND if at % SECOND == 0 else at / SECOND
+    fields: dict[str, Any]
+    match does:
+        case End():
+            fields = {"end": True}
+        case Expect():
+            fields = {"expect": does.fields}
+        case inputs.Touch():
+            fields = {"touch": True}
+        case inputs.Set():
+            fields = {"set": does.tags}
+        case inputs.Raise(event=event, application=application):
+            fields = {"event": event}
+            if application is not None:
+                fields["application"] = application
+        case inputs.Use() | inputs.Acquire() | inputs.Abandon() | inputs.Command():
+            fields = {type(does).__name__.lower(): _own(does)}
+        case inputs.Lost() | inputs.Finish(id=None):
+            fields = {type(does).__name__.lower(): _own(does)}
+        case _:
+            raise ValueError(f"a scenario has no verb for {type(does).__name__}")
+    return msgspec.json.encode({"at": seconds, **fields})
+
+
+def _own(does: inputs.AnyInput) -> dict[str, Any]:
+    """The fields that are not as they are where nothing is said."""
+    found = msgspec.to_builtins(does)
+    usual = {f.encode_name: f.default for f in msgspec.structs.fields(does)}
+    return {
+        name: value
+        for name, value in found.items()
+        if name != "verb" and (usual[name] is msgspec.NODEFAULT or value != _plain(usual[name]))
+    }
+
+
+def _plain(value: Any) -> Any:
+    return list(value) if isinstance(value, tuple) else value
 
 
 def _read(number: int, text: bytes, applications: set[str] | None) -> Line:

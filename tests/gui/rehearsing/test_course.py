@@ -14,10 +14,12 @@ from situ.decide.step import SECOND
 from situ.decide.trace import to_fields
 from situ.document.project import Project
 from situ.document.ready import load_ready
-from situ.rehearse.simulate import Rehearsal
+from situ.rehearse.scenario import parse
+from situ.rehearse.simulate import Rehearsal, simulate
 from situ.resources import examples
 from situ_studio.rehearsing.course import Course
 from situ_studio.rehearsing.dials import dials
+from situ_studio.rehearsing.expecting import chances, written
 
 
 def ready(name: str) -> Project:
@@ -77,6 +79,12 @@ def test_what_was_done_gives_the_same_again(deeds: list[tuple[int, Any]]) -> Non
         course.give(deed)
     course.take()
     assert list(course.log) == again(course)
+    # Saved with all that may be expected, it is a scenario that goes well.
+    expected = chances(course.log)
+    lines = parse(written(course, expected), "x.jsonl", ["converse"])
+    verdict = simulate(CONVERSATION, lines)
+    assert verdict.failures == []
+    assert verdict.fulfilled == len(expected) > 0
 
 
 CONVERSATION = ready("conversation")

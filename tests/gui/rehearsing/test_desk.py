@@ -12,6 +12,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
 from situ.decide.step import SECOND
+from situ.rehearse.scenario import load
+from situ.rehearse.suite import play
+from situ_studio.rehearsing.saving import SavingScenario
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 LEFT = Qt.MouseButton.LeftButton
@@ -171,6 +174,35 @@ def test_after_an_edit_it_is_offered_to_start_again(desk: Any) -> None:
     assert used.state == "1"
     assert used.side.running.course.project is used.studio.session.project
     assert not used.desk.again.isVisible()
+
+
+def test_what_was_done_is_saved_as_a_scenario_with_what_shall_happen_again(desk: Any) -> None:
+    used = desk("conversation")
+    used.go_on(1)
+    used.touch("YES")
+    used.studio.click(used.desk.clock.save)
+    (saving,) = used.window.findChildren(SavingScenario)
+    assert not saving.keep.isEnabled()
+    QTest.keyClicks(saving.name, "fig5")
+    assert not saving.keep.isEnabled()  # there is one of that name
+    assert saving.why.text()
+    QTest.keyClick(saving.name, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClicks(saving.name, "slept well")
+    before = len(saving.expected)
+    first = saving.list.item(0)
+    assert first.checkState() == Qt.CheckState.Checked
+    saving.list.setCurrentItem(first)
+    QTest.keyClick(saving.list, Qt.Key.Key_Space)
+    assert len(saving.expected) == before - 1
+    used.studio.click(saving.keep)
+    project = used.side.running.course.project
+    file = Path(project.root, "scenarios", "slept well.jsonl")
+    _, played = play(project, file.name, load(file, ["converse"]))
+    assert played.well
+    assert played.expectations == before - 1
+    kinds = [type(line.does).__name__ for line in load(file)]
+    assert "Use" in kinds
+    assert kinds[-1] == "End"
 
 
 def test_a_project_with_errors_is_not_rehearsed(
