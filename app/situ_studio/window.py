@@ -42,6 +42,7 @@ from situ_studio.parts import PartsSide
 from situ_studio.recovery import Recovery
 from situ_studio.rehearsing.side import RehearsingSide
 from situ_studio.robot import RobotSide
+from situ_studio.script_modules import ScriptModules
 from situ_studio.session import Looking, Session
 from situ_studio.showing import keep as keep_shown
 from situ_studio.showing import recall, show_as, show_beside
@@ -95,6 +96,7 @@ class MainWindow(Frame):
         self.rehearsing = RehearsingSide(self)
         self.disk = DiskSide(self)
         CheckWork(session.checker, self.status.work)
+        self.modules = ScriptModules(self)
         self.designing = DesigningSide(self)
         self.parts = PartsSide(self)
         self.pages = PagesSide(self)
@@ -232,7 +234,9 @@ class MainWindow(Frame):
     def add_tab(self, file: str) -> None:
         """A tab for a document, unless the current group has one; it is not chosen."""
         document = self.session.document(file)
-        if document is not None and file not in self.tabs.files():
+        if file in self.tabs.files():
+            return
+        if document is not None:
             icon, token, _ = look(document, self.parts.is_part(file))
             self.tabs.add(file, stem(file), icon, token)
         elif self.pages.has(file) and file not in self.tabs.files():
@@ -267,7 +271,10 @@ class MainWindow(Frame):
             group.tabs.views.setVisible(len(view.ways_to_show) > 1)
             group.tabs.views.show_choice(view.shown_as)
         else:
-            group.documents.setCurrentWidget(self.pages.page(file) or group.no_document)
+            page = self.pages.page(file)
+            if page is not None and group.documents.indexOf(page) < 0:
+                group.documents.addWidget(page)
+            group.documents.setCurrentWidget(page or group.no_document)
             group.tabs.views.hide()
         self._settle_shown()
 
@@ -294,6 +301,7 @@ class MainWindow(Frame):
         view.work_begun.connect(partial(follow, self.status.work))
         view.part_asked.connect(self.parts.insert)
         view.menu_requested.connect(self.context_menus.open)
+        view.module_dropped.connect(self.modules.add)
         group.add_view(view)
         return view
 
@@ -587,7 +595,7 @@ class MainWindow(Frame):
             if document is not None and view.problems != found:
                 view.show_document(document, found)
         self._refresh_tree()
-        self._settle_outline()
+        self.settle_outline()
         self._settle_selection()
 
     # -- bringing panels up to date ----------------------------------------------------------
@@ -596,8 +604,8 @@ class MainWindow(Frame):
         document, project = self.current_document, self.session.project
         self.palette_.show_document(document)
         self.status.show_counts(document)
-        self.status.show_project(document is not None)
-        self._settle_outline()
+        self.status.show_project(self.session.project is not None)
+        self.settle_outline()
         self._settle_selection()
         if project is not None and document is not None:
             application = isinstance(document, Application)
@@ -605,10 +613,11 @@ class MainWindow(Frame):
                 self.tr("Outline") if application else self.tr("Modules")
             )
 
-    def _settle_outline(self) -> None:
+    def settle_outline(self) -> None:
         project, file = self.session.project, self.current_file
         if project is None or file is None:
             return
+        self.modules.settle()
         self.outline.show_document(project, self.current_document, tuple(self._problems_of(file)))
 
     def _settle_selection(self) -> None:
@@ -617,6 +626,7 @@ class MainWindow(Frame):
             self.inspector.show_nothing(self.tr("Nothing is selected."))
             self.inspector.usages.hide()
             self.status.show_selection(())
+            self.designing.settle()
             self.actions_.refresh()
             return
         self.inspector.show_selection(
