@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from situ_studio import places, words
 from situ_studio.edit import Place
 from situ_studio.screens import media_import
 from situ_studio.screens.devices import USUAL
+from situ_studio.screens.own_templates import OwnTemplates
 
 if TYPE_CHECKING:
     from situ_studio.document_view import DocumentView
@@ -34,6 +36,7 @@ class DesigningSide(QObject):
         self._window = window
         self._away: tuple[str, ...] | None = None
         self._unfolds = False
+        self._templates = OwnTemplates(Path(window.settings.fileName()).parent)
         window.docks[PANEL].toggleViewAction().setVisible(False)
         window.inspector.file_asked.connect(self.choose_file)
         window.inspector.screen_asked.connect(self.open)
@@ -62,6 +65,8 @@ class DesigningSide(QObject):
         if stack.indexOf(designer.side) < 0:
             stack.addWidget(designer.side)
             designer.view_asked.connect(self._show)
+            designer.use_templates(self._templates)
+            designer.template_asked.connect(partial(self._keep, designer))
             designer.device_changed.connect(self._window.inspector.look_at)
         stack.setCurrentWidget(designer.side)
         docks = self._window.docks
@@ -76,6 +81,17 @@ class DesigningSide(QObject):
             docks[PANEL].show()
             if wide:
                 self._window.resizeDocks([docks[PANEL]], [wide], Qt.Orientation.Horizontal)
+
+    def _keep(self, designer: Designer, usual: str) -> None:
+        """Asks what the template shall be called."""
+        title, label = self.tr("Save this screen as a template"), self.tr("Name")
+        name = self._window.dialogs.name(title, label, usual)
+        if name is None:
+            return
+        try:
+            designer.keep_template(name)
+        except UsageError as error:
+            self._window.say(str(error))
 
     def leave(self) -> None:
         """The panels are where they are without a designer."""

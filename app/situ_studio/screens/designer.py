@@ -31,6 +31,7 @@ from situ_studio.screens.device_ground import DeviceGround
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.layers import BACKGROUND
 from situ_studio.screens.own_device import ask_device
+from situ_studio.screens.own_templates import OwnTemplates
 from situ_studio.screens.preview_window import PreviewWindow
 from situ_studio.screens.sampling import Sampling
 from situ_studio.screens.state_screen import StateScreen
@@ -51,6 +52,8 @@ class Designer(QWidget):
     menu_requested = Signal(tuple, QPoint)
     device_changed = Signal(object)
     """Another device is looked at."""
+    template_asked = Signal(str)
+    """The screen shall be kept as a template; the name that is proposed."""
     view_asked = Signal(str, tuple)
     """Another view of the document is wanted, at a place."""
 
@@ -66,6 +69,7 @@ class Designer(QWidget):
         self._theme = theme
         self._project = project
         self.device = USUAL
+        self._own: OwnTemplates | None = None
         self.side = DesignerSide(theme, self)
         self.side.hide()
         self.destroyed.connect(self.side.deleteLater)
@@ -108,6 +112,10 @@ class Designer(QWidget):
         self.strip.chosen.connect(self.go_to)
         side.components.pressed.connect(lambda name: shown.add(name, 50, 50))
         side.templates.chosen.connect(self._on_template)
+        side.templates.removed.connect(self._remove_template)
+        side.keep.clicked.connect(self._ask_to_keep)
+        sheet.template_dropped.connect(self._on_template)
+        self.strip.template_dropped.connect(self._on_template)
         side.layers.chosen.connect(sheet.choose)
         side.layers.background_chosen.connect(self._on_background)
         side.layers.moved.connect(self._on_layer_moved)
@@ -214,18 +222,49 @@ class Designer(QWidget):
 
     # -- what the side tells -------------------------------------------------------------
 
-    def _on_template(self, name: str) -> None:
+    def _on_template(self, template: rbd.State, place: Place = ()) -> None:
+        if place:
+            self.go_to(place)
         application, place = self.shown.application, self.shown.place
         if application is None or not self.shown.may_add():
             return
         had = self.shown.screen is not None and self.shown.screen.components
-        after = templates.applied(application, place, name)
+        after = templates.applied(application, place, template)
         where = words.place_words(application, place)
-        said = self.tr("Template {0} for {1}").format(templates.title(name), where)
+        said = self.tr("Template {0} for {1}").format(templates.title(template.name), where)
         self.edited.emit(after, said)
         self.go_to(place)
         if had:
             self.status.emit(self.tr("The screen is another one now: Undo brings it back."))
+
+    def use_templates(self, own: OwnTemplates) -> None:
+        """Shows a person's own templates too, and keeps there what is saved as one."""
+        self._own = own
+        self.side.templates.show_own(own.all())
+
+    def _ask_to_keep(self) -> None:
+        screen = self.shown.screen
+        if screen is None or not screen.components:
+            self.status.emit(self.tr("There is nothing on this screen that could be kept."))
+            return
+        self.template_asked.emit(getattr(self.shown.part, "name", ""))
+
+    def keep_template(self, name: str) -> None:
+        """Keeps the screen that is shown as a template of that name; as ``OwnTemplates``."""
+        if self._own is not None and self.shown.screen is not None:
+            self._own.keep(name, self.shown.screen)
+            self.side.templates.show_own(self._own.all())
+            self.status.emit(self.tr("Template {0} is kept for all your projects.").format(name))
+
+    def _remove_template(self, name: str) -> None:
+        if self._own is not None:
+            try:
+                self._own.remove(name)
+            except UsageError as error:
+                self.status.emit(str(error))
+                return
+            self.side.templates.show_own(self._own.all())
+            self.status.emit(self.tr("Template {0} is removed.").format(name))
 
     def _on_background(self) -> None:
         """The screen itself, whose form has its background."""

@@ -12,6 +12,7 @@ from situ_studio.screens import placing
 from situ_studio.screens.media_import import kind_of
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.tag_chips import TAG
+from situ_studio.screens.templates import TEMPLATE, read
 from situ_studio.theme import CAPTION, font
 
 
@@ -21,6 +22,8 @@ class DesignerSheet(Sheet):
     tag_dropped = Signal(str, float, float)
     files_dropped = Signal(tuple, float, float)
     """Paths of files that the robot's page can show, and where."""
+    template_dropped = Signal(object)
+    """A template, for the state that is shown."""
     unshown_dropped = Signal(str)
     """A file that it can not show: its path."""
 
@@ -32,7 +35,7 @@ class DesignerSheet(Sheet):
 
     def _welcome(self, event: QDragMoveEvent) -> None:
         data = event.mimeData()
-        if data.hasFormat(TAG) or files_in(data):
+        if data.hasFormat(TAG) or data.hasFormat(TEMPLATE) or files_in(data):
             event.setDropAction(Qt.DropAction.CopyAction)
             event.accept()
         elif isinstance(event, QDragEnterEvent):
@@ -42,13 +45,16 @@ class DesignerSheet(Sheet):
 
     def dropEvent(self, event: QDropEvent) -> None:
         data, at = event.mimeData(), self._percent(event.position())
-        files = files_in(data)
-        if not data.hasFormat(TAG) and not files:
+        files, template = files_in(data), read(bytes(data.data(TEMPLATE).data()))
+        if not data.hasFormat(TAG) and not files and template is None:
             super().dropEvent(event)
             return
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
         self.setFocus()
+        if template is not None:
+            self.template_dropped.emit(template)
+            return
         if data.hasFormat(TAG):
             self.tag_dropped.emit(bytes(data.data(TAG).data()).decode(), *at)
             return

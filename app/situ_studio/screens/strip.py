@@ -16,7 +16,16 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen, QPixmap
+from PySide6.QtGui import (
+    QDragEnterEvent,
+    QDragMoveEvent,
+    QDropEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPen,
+    QPixmap,
+)
 from PySide6.QtWidgets import (
     QListView,
     QStyle,
@@ -30,6 +39,7 @@ from situ_studio import places, words
 from situ_studio.edit import Place
 from situ_studio.screens.media_pictures import picture
 from situ_studio.screens.painting import paint_screen
+from situ_studio.screens.templates import TEMPLATE, read
 from situ_studio.theme import CAPTION, Theme, font
 
 WIDE, HIGH = 104, 84
@@ -150,6 +160,8 @@ class StateStrip(QListView):
     """chosen: the place of the state that a person goes to."""
 
     chosen = Signal(tuple)
+    template_dropped = Signal(object, tuple)
+    """A template, and the place of the state that gets it."""
 
     def __init__(
         self, theme: Theme, media: Callable[[], Path | None], parent: QWidget | None = None
@@ -167,6 +179,7 @@ class StateStrip(QListView):
         self.setFixedHeight(HIGH + 12)
         self.setHorizontalScrollMode(QListView.ScrollMode.ScrollPerPixel)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setAcceptDrops(True)
         self.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
 
     def set_theme(self, theme: Theme) -> None:
@@ -202,6 +215,24 @@ class StateStrip(QListView):
         index = self.indexAt(event.position().toPoint())
         if index.isValid() and event.button() == Qt.MouseButton.LeftButton:
             self.chosen.emit(self.place_at(index))
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        self._welcome(event)
+
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
+        self._welcome(event)
+
+    def _welcome(self, event: QDragMoveEvent) -> None:
+        fits = event.mimeData().hasFormat(TEMPLATE)
+        event.setAccepted(fits and self.indexAt(event.position().toPoint()).isValid())
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        index = self.indexAt(event.position().toPoint())
+        template = read(bytes(event.mimeData().data(TEMPLATE).data()))
+        if index.isValid() and template is not None:
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
+            self.template_dropped.emit(template, self.place_at(index))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         ways = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QGridLayout, QWidget
+from PySide6.QtCore import QMimeData, QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QDrag,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import QAbstractButton, QApplication, QGridLayout, QMenu, QWidget
 
+from situ.document import rbd
 from situ_studio.canvas import thumbnails
 from situ_studio.canvas.style import Look
-from situ_studio.screens.templates import templates, title
+from situ_studio.layouts import clear
+from situ_studio.screens.templates import TEMPLATE, templates, title, written
 from situ_studio.theme import CAPTION, Theme, font
 
 HIGH = 74
@@ -18,17 +28,26 @@ FEW = 4
 
 
 class TemplateTile(QAbstractButton):
-    """One template: its picture and its name."""
+    """One template: its picture and its name. Pressed, or dragged onto a screen."""
 
-    def __init__(self, theme: Theme, name: str, parent: QWidget | None = None) -> None:
+    removed = Signal()
+    """It is not wanted any more; only of one's own."""
+
+    def __init__(
+        self, theme: Theme, template: rbd.State, own: bool, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
-        self.name = name
+        self.template = template
+        self.own = own
         self._look = Look(theme)
-        screen = templates()[name].screen
+        self._press: QPoint | None = None
+        screen = template.screen
         self._marks = thumbnails.marks(screen) if screen is not None else ()
-        self.setText(title(name))
-        self.setAccessibleName(self.tr("Template: {0}").format(title(name)))
-        self.setToolTip(self.tr("The state gets this screen; undo brings back the one before"))
+        name = template.name if own else title(template.name)
+        self.setText(name)
+        self.setAccessibleName(self.tr("Template: {0}").format(name))
+        tip = self.tr("The state gets this screen; undo brings back the one before")
+        self.setToolTip(f"{tip}\n{self.tr('Delete removes this template')}" if own else tip)
         self.setFixedHeight(HIGH)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -39,6 +58,35 @@ class TemplateTile(QAbstractButton):
 
     def sizeHint(self) -> QSize:
         return QSize(88, HIGH)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._press = event.position().toPoint()
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        at, far = event.position().toPoint(), QApplication.startDragDistance()
+        if self._press is None or (at - self._press).manhattanLength() < far:
+            return
+        self._press = None
+        self.setDown(False)
+        drag = QDrag(self)
+        drag.setMimeData(dragged(self.template))
+        drag.setPixmap(self.grab())
+        drag.exec(Qt.DropAction.CopyAction)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if self.own and event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self.removed.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        if self.own:
+            menu = QMenu(self)
+            menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+            menu.addAction(self.tr("Remove this template")).triggered.connect(self.removed)
+            menu.popup(event.globalPos())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -56,35 +104,62 @@ class TemplateTile(QAbstractButton):
         painter.setFont(font(CAPTION))
         painter.setPen(theme.color("text2"))
         below = QRectF(0, area.bottom() + 1, self.width(), HIGH - area.bottom() - 1)
-        painter.drawText(below, int(Qt.AlignmentFlag.AlignCenter), self.text())
+        cut, wide = painter.fontMetrics().elidedText, int(below.width())
+        text = cut(self.text(), Qt.TextElideMode.ElideRight, wide)
+        painter.drawText(below, int(Qt.AlignmentFlag.AlignCenter), text)
         painter.end()
 
 
-class TemplateTiles(QWidget):
-    """Two columns. chosen: the name of a template."""
+def dragged(template: rbd.State) -> QMimeData:
+    data = QMimeData()
+    data.setData(TEMPLATE, written(template))
+    return data
 
-    chosen = Signal(str)
+
+class TemplateTiles(QWidget):
+    """Two columns, those of one's own first."""
+
+    chosen = Signal(object)
+    """A template: a state with a screen."""
+    removed = Signal(str)
+    """The name of one of one's own."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(8, 0, 12, 8)
-        grid.setSpacing(6)
+        self._theme = theme
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(8, 0, 12, 8)
+        self._grid.setSpacing(6)
         self.tiles: dict[str, TemplateTile] = {}
-        for at, name in enumerate(templates()):
-            tile = TemplateTile(theme, name, self)
-            tile.clicked.connect(lambda _=False, n=name: self.chosen.emit(n))
-            grid.addWidget(tile, at // 2, at % 2)
-            self.tiles[name] = tile
-        self.shows_all = True
-        self.show_all(False)
+        self.own: dict[str, TemplateTile] = {}
+        self.shows_all = False
+        self.show_own(())
+
+    def show_own(self, own: tuple[rbd.State, ...]) -> None:
+        """Shows these before those that everybody has."""
+        clear(self._grid)
+        self.own = {one.name: self._tile(one, True) for one in own}
+        self.tiles = {name: self._tile(one, False) for name, one in templates().items()}
+        for at, tile in enumerate(self._every()):
+            self._grid.addWidget(tile, at // 2, at % 2)
+        self.show_all(self.shows_all)
+
+    def _tile(self, template: rbd.State, own: bool) -> TemplateTile:
+        tile = TemplateTile(self._theme, template, own, self)
+        tile.clicked.connect(lambda _=False: self.chosen.emit(template))
+        tile.removed.connect(lambda: self.removed.emit(template.name))
+        return tile
+
+    def _every(self) -> tuple[TemplateTile, ...]:
+        return (*self.own.values(), *self.tiles.values())
 
     def show_all(self, every: bool) -> None:
         """All of them, or the first ``FEW``."""
         self.shows_all = every
-        for at, tile in enumerate(self.tiles.values()):
+        for at, tile in enumerate(self._every()):
             tile.setVisible(every or at < FEW)
 
     def set_theme(self, theme: Theme) -> None:
-        for tile in self.tiles.values():
+        self._theme = theme
+        for tile in self._every():
             tile.set_theme(theme)

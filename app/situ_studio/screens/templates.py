@@ -14,6 +14,8 @@ from situ_studio.edit import Place
 from situ_studio.language import tr
 
 FILE = ("screens", "templates.rbd.xml")
+TEMPLATE = "application/x-situ-template"
+"""What is dragged: the template, as ``written``."""
 
 
 @cache
@@ -40,16 +42,34 @@ def title(name: str) -> str:
     }.get(name, name)
 
 
-def applied(application: rbd.Application, place: Place, name: str) -> rbd.Application:
+def raised(screen: rbd.Screen) -> tuple[str, ...]:
+    """The events that its components raise, each once, in their order."""
+    every = (getattr(c, "event", None) or getattr(c, "done", None) for c in screen.components)
+    return tuple(dict.fromkeys(event for event in every if event))
+
+
+def written(template: rbd.State) -> bytes:
+    """A template as a drag carries it: a file with one state."""
+    return codec.write(rbd.Application(name="template", states=(template,)))
+
+
+def read(data: bytes) -> rbd.State | None:
+    """What ``written`` wrote; None where it is anything else."""
+    document, _ = codec.read(data, "template") if data.strip() else (None, [])
+    if not isinstance(document, rbd.Application) or len(document.states) != 1:
+        return None
+    return document.states[0] if document.states[0].screen is not None else None
+
+
+def applied(application: rbd.Application, place: Place, template: rbd.State) -> rbd.Application:
     """The application in which the state at ``place`` has the template's components.
 
     Its background stays. Events that the new screen raises and the state does not expect yet
-    are added, leading nowhere; none is taken away. LookupError where there is no such template.
+    are added, leading nowhere; none is taken away.
     """
     part = places.get(application, place)
-    wanted = templates()[name]
-    assert wanted.screen is not None
-    screen = replace(part.screen or rbd.Screen(), components=wanted.screen.components)
+    assert template.screen is not None
+    screen = replace(part.screen or rbd.Screen(), components=template.screen.components)
     known = {event.name for event in part.events}
-    events = tuple(event for event in wanted.events if event.name not in known)
+    events = tuple(event for event in template.events if event.name not in known)
     return places.change(application, place, screen=screen, events=(*part.events, *events))

@@ -27,8 +27,10 @@ from situ_studio import places
 from situ_studio.screens.designer import Designer
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.own_device import OwnDevice
+from situ_studio.screens.own_templates import OwnTemplates
 from situ_studio.screens.shown import content
 from situ_studio.screens.tag_chips import dragged
+from situ_studio.screens.template_tiles import dragged as dragged_template
 from situ_studio.theme import LIGHT
 
 LEFT = Qt.MouseButton.LeftButton
@@ -303,6 +305,39 @@ def test_a_template_gives_the_state_its_screen_and_events_in_one_step(desk: Desk
     assert [c.id for c in state.screen.components] == ["question", "hint", "yes", "no"]
     assert {"clickYes", "clickNo"} <= {event.name for event in state.events}
     assert desk.steps == ["Template Two answers for state 7"]
+
+
+def test_a_template_is_dropped_on_the_screen_or_on_a_state_of_the_strip(desk: Desk) -> None:
+    desk.go_to("2")
+    data = dragged_template(desk.designer.side.templates.tiles["list"].template)
+    assert desk.drop(data)
+    assert desk.steps == ["Template List for state 2"]
+    strip, copy = desk.designer.strip, Qt.DropAction.CopyAction
+    place = strip.visualRect(strip.currentIndex().siblingAtRow(strip.currentIndex().row() + 1))
+    enter = QDragEnterEvent(place.center(), copy, data, LEFT, NONE)
+    QCoreApplication.sendEvent(strip.viewport(), enter)
+    assert enter.isAccepted()
+    drop = QDropEvent(QPointF(place.center()), copy, data, LEFT, NONE)
+    QCoreApplication.sendEvent(strip.viewport(), drop)
+    desk.settle()
+    assert desk.steps[-1] == "Template List for state 3"
+    assert [c.element for c in desk.components("3")] == [c.element for c in desk.components("2")]
+
+
+def test_a_screen_is_kept_as_a_template_used_and_removed(desk: Desk) -> None:
+    designer, tiles = desk.designer, desk.designer.side.templates
+    designer.use_templates(OwnTemplates(desk.root.parent / "settings"))
+    designer.template_asked.connect(lambda usual: designer.keep_template(f"my {usual}"))
+    desk.go_to("10")
+    desk.click(designer.side.keep)
+    assert list(tiles.own) == ["my greeting"]
+    desk.go_to("2")
+    desk.click(tiles.own["my greeting"])
+    assert desk.components("2") == desk.components("10")
+    tiles.own["my greeting"].setFocus()
+    QTest.keyClick(tiles.own["my greeting"], Qt.Key.Key_Delete)
+    desk.settle()
+    assert not tiles.own
 
 
 def test_what_lies_on_the_screen_is_selected_and_dragged_into_another_order(desk: Desk) -> None:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from msgspec.structs import replace
 
 from situ.document import rbd
 from situ.document.check import check
 from situ.document.project import Project
-from situ_studio.screens.templates import applied, templates, title
+from situ_studio.screens.own_templates import FILE, OwnTemplates
+from situ_studio.screens.templates import applied, raised, read, templates, title, written
 
 # A template waits for its ways, its pictures and the values that it reads.
 WAITS = {"dead-end", "unreachable-state", "missing-media"}
@@ -30,7 +33,7 @@ def test_every_template_has_a_title_and_fills_the_screen_it_is_put_on() -> None:
     application = rbd.Application(name="a", states=(start,))
     for name, wanted in templates().items():
         assert title(name) != name
-        after = applied(application, ("state", "1"), name).states[0]
+        after = applied(application, ("state", "1"), wanted).states[0]
         assert after.screen is not None
         assert wanted.screen is not None
         assert after.screen.background == "lobby.png"
@@ -42,3 +45,36 @@ def test_every_template_has_a_title_and_fills_the_screen_it_is_put_on() -> None:
         # What was there leads where it led.
         assert after.events[0] == start.events[0]
         assert len({event.name for event in after.events}) == len(after.events)
+
+
+def test_one_s_own_are_kept_by_name_in_a_file_that_any_window_reads(tmp_path: Path) -> None:
+    own = OwnTemplates(tmp_path / "settings")
+    assert own.all() == ()
+    shown = templates()["two-answers"].screen
+    assert shown is not None
+    own.keep("welcome", replace(shown, background="lobby.png"))
+    own.keep("Ask", shown)
+    own.keep("welcome", replace(shown, components=shown.components[:1]))
+    kept = OwnTemplates(tmp_path / "settings").all()
+    assert [one.name for one in kept] == ["Ask", "welcome"]
+    assert [event.name for event in kept[0].events] == list(raised(shown))
+    assert kept[1].screen is not None
+    assert len(kept[1].screen.components) == 1
+    # Where it lies the background of its state stays.
+    assert kept[0].screen is not None
+    assert kept[0].screen.background is None
+    own.remove("Ask")
+    assert [one.name for one in own.all()] == ["welcome"]
+    (tmp_path / "settings" / FILE).write_bytes(b"<broken")
+    assert own.all() == ()
+
+
+def test_what_a_drag_carries_is_the_template_and_nothing_else_is_taken_for_one() -> None:
+    for wanted in templates().values():
+        found = read(written(wanted))
+        assert found is not None
+        assert found.screen is not None
+        assert wanted.screen is not None
+        assert [c.id for c in found.screen.components] == [c.id for c in wanted.screen.components]
+    for other in (b"", b"<a/>", written(rbd.State(no="1"))):
+        assert read(other) is None
