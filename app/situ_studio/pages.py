@@ -238,4 +238,3 @@ class PagesSide(QObject):
                 mine = catalogue.empty(project.name, language)
             files[file] = catalogue.with_readings(mine, words)
         self._on_texts(files, step)
-
