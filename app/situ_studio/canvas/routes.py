@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -43,6 +44,9 @@ class Route(Struct, frozen=True):
     folded: bool = False
 
 
+_Drawing = tuple[tuple[tuple[str, Box], ...], tuple[Pipe, ...], frozenset[PipeId]]
+
+
 class Router:
     """Routes of one drawing.
 
@@ -61,15 +65,28 @@ class Router:
         # Of these, those that no way led round the cards for: another place may have one.
         self._without: set[PipeId] = set()
         self._paths: dict[PipeId, tuple[Point, ...]] = {}
+        # What was asked for last, and whether only its routes are known: see ``_catch_up``.
+        self._asked: _Drawing = ((), (), frozenset())
+        self._is_behind = False
 
     def route(self, boxes: Mapping[str, Box], pipes: Iterable[Pipe]) -> dict[PipeId, Route]:
-        """The route of every pipe, by id."""
-        for _ in self.routing(boxes, pipes):
+        """The route of every pipe, by id; at once where this process has routed the same lately,
+        as for a second window or view, or before an undo.
+        """
+        self._asked = tuple(boxes.items()), tuple(pipes), frozenset(self.drawn)
+        known = _known(*self._asked)
+        self._is_behind = bool(known)
+        if known:
+            self.routes = dict(known)
+            return self.routes
+        for _ in self.routing(boxes, self._asked[1]):
             pass
+        known.update(self.routes)
         return self.routes
 
     def routing(self, boxes: Mapping[str, Box], pipes: Iterable[Pipe]) -> Iterator[None]:
         """Does what ``route`` does and yields now and then; ``routes`` holds when it has ended."""
+        self._is_behind = False
         self._pipes = {p.id: p for p in pipes}
         careful = len(self._pipes) <= MANY
         self._ways = Ways({}, careful)
@@ -133,6 +150,8 @@ class Router:
         self, boxes: Mapping[str, Box | None], pipes: Mapping[PipeId, Pipe | None]
     ) -> Generator[None, None, set[PipeId]]:
         """The same, a pipe at a time; to be ended before anything else is asked for."""
+        if self._is_behind:
+            self._catch_up()
         pipes = {
             id: pipe
             for id, pipe in pipes.items()
@@ -198,6 +217,14 @@ class Router:
             yield
         now = {p.id for key in keys for p in self._groups.get(key, ())} | covered
         return {id for id in now if before.get(id) != self.routes[id]}
+
+    def _catch_up(self) -> None:
+        """A change needs to know where the others run: what was known is routed after all."""
+        boxes, pipes, drawn = self._asked
+        self.drawn, now = set(drawn), self.drawn
+        for _ in self.routing(dict(boxes), pipes):
+            pass
+        self.drawn = now
 
     def _ends(self, id: PipeId) -> tuple[str, ...]:
         pipe = self._pipes.get(id)
@@ -378,6 +405,14 @@ class Router:
         found = self._labels.place(pipe, route.points)
         if found is not None:
             self.routes[pipe.id] = replace(route, label=found[0], room=found[1])
+
+
+@lru_cache(maxsize=64)
+def _known(
+    boxes: tuple[tuple[str, Box], ...], pipes: tuple[Pipe, ...], drawn: frozenset[PipeId]
+) -> dict[PipeId, Route]:
+    """The routes of that drawing: empty until they have been put in."""
+    return {}
 
 
 def _upwards(pipe: Pipe) -> float:

@@ -123,7 +123,10 @@ def test_no_route_crosses_a_card(drawing: tuple[dict[str, Box], list[Pipe]]) -> 
     boxes, pipes = drawing
     routes = Router().route(boxes, pipes)
     lawful(boxes, pipes, routes)
-    assert Router().route(boxes, pipes) == routes
+    # Once more, and not out of memory.
+    anew = Router()
+    assert all(step is None for step in anew.routing(boxes, pipes))
+    assert anew.routes == routes
 
 
 @settings(max_examples=60, deadline=None)
@@ -300,6 +303,33 @@ def test_what_is_shut_in_by_its_neighbours_is_folded() -> None:
     boxes = {str(i): card(220.0 * (i % 5), 122 * (i // 5)) for i in range(200)}
     over = pipe(boxes, "101", "103")
     assert Router().route(boxes, [over])[over.id].folded
+
+
+def test_what_was_routed_lately_is_known_and_changed_as_if_it_had_been_routed() -> None:
+    boxes = row(5)
+    pipes = [pipe(boxes, "0", "4"), pipe(boxes, "4", "1", 1), pipe(boxes, "2", "3")]
+    first, second, third = Router(), Router(), Router()
+    routes = dict(first.route(boxes, pipes))
+    known = second.route(boxes, pipes)
+    assert all(known[id] is route for id, route in routes.items())
+    moved = {**boxes, "4": card(3000, 200)}
+    new = [pipe(moved, p.source, p.target, int(p.id[1])) for p in pipes]
+    touched = {p.id: p for p in new if "4" in (p.source, p.target)}
+    for router in (first, second):
+        router.change({"4": moved["4"]}, touched)
+    assert second.routes == first.routes != routes
+    # What one of them changes is changed for it alone.
+    assert third.route(boxes, pipes) == routes
+
+
+def test_a_folded_pipe_of_a_known_drawing_can_be_asked_for() -> None:
+    boxes = row(3)
+    back = pipe(boxes, "2", "0", 1, timeout=True)
+    for router in (Router(), Router()):
+        assert router.route(boxes, [back])[back.id].folded
+        router.drawn.add(back.id)
+        assert router.change({}, {back.id: back}) == {back.id}
+        assert router.routes[back.id].points
 
 
 def test_very_many_pipes_are_routed_one_between_two_yields() -> None:
