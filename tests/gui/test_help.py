@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QApplication,
     QComboBox,
+    QHeaderView,
     QLabel,
     QLineEdit,
     QMenuBar,
@@ -190,7 +191,7 @@ def test_what_is_clicked_is_explained_on_canvas_toolbar_form_and_status(used: An
 
 
 def unexplained(window: QWidget) -> Iterator[str]:
-    """Buttons, fields and their labels that neither a tip nor a topic explains."""
+    """Buttons, fields, labels and heads of columns that neither a tip nor a topic explains."""
     fields = QAbstractButton | QComboBox | QLineEdit | QPlainTextEdit | QAbstractSpinBox
     for widget in window.findChildren(QWidget):
         parent = widget.parentWidget()
@@ -204,6 +205,12 @@ def unexplained(window: QWidget) -> Iterator[str]:
         ):
             said = widget.text() if hasattr(widget, "text") else widget.accessibleName()
             yield f"{type(widget).__name__} in {type(parent).__name__}: {said}"
+    for head in window.findChildren(QHeaderView):
+        if head.isVisibleTo(window):
+            heads = head.model(), head.orientation()
+            for section in range(head.count()):
+                if not heads[0].headerData(section, heads[1], Qt.ItemDataRole.ToolTipRole):
+                    yield f"{type(head.parent()).__name__}, column {section}"
 
 
 PLACES: dict[str, list[tuple[str, ...]]] = {
@@ -216,9 +223,27 @@ PLACES: dict[str, list[tuple[str, ...]]] = {
 }  # fmt: skip
 
 
+A_ROW_OF_EACH = """
+[places]
+desk = [1.0, 2.0, 90.0]
+[mqtt]
+url = "mqtt://127.0.0.1:1883"
+[mqtt.in]
+"ward/button" = "event:called"
+[[setting]]
+tag = "user.name"
+label = "Name"
+type = "text"
+"""
+"""What stands in no example, for the project form."""
+
+
 @pytest.mark.parametrize("name", PLACES)
 def test_nothing_is_without_an_explanation(studio: Start, project: Copy, name: str) -> None:
-    used = studio(project(name))
+    folder = project(name)
+    with (folder / "situ.toml").open("a") as toml:
+        toml.write(A_ROW_OF_EACH)
+    used = studio(folder)
     window = used.window
     found: set[str] = set()
     window.open_file("conversation.spds.xml" if name == "conversation" else "reception.rbd.xml")
@@ -227,6 +252,16 @@ def test_nothing_is_without_an_explanation(studio: Start, project: Copy, name: s
         found.update(unexplained(window))
     for mode in window.current_view.ways_to_show:
         window.show_mode(mode)
+        used.settle()
+        found.update(unexplained(window))
+    for page in ("texts", "situ.toml"):
+        window.open_file(page)
+        used.settle()
+        assert window.pages.page(page).isVisible()
+        found.update(unexplained(window))
+    for panel in window.bottom.names:
+        window.bottom.set_shown(panel, True)
+        window.bottom.choose(panel)
         used.settle()
         found.update(unexplained(window))
     window.show_welcome()

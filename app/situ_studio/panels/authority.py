@@ -19,6 +19,13 @@ class Authority(RowsTable):
         titles = (tr("Resource"), tr("Held by"), tr("Since"), tr("Also asked for by"), tr("Does"))
         widths = (120, 140, 80, 220)
         super().__init__(tr("Authority"), titles, widths, theme, parent)
+        self.rows.tips = (
+            tr("A part of the robot that one module at a time moves."),
+            tr("The module that moves it now."),
+            tr("How long it has held it."),
+            tr("Modules that want it too, and do not get it."),
+            tr("What it was told to do last."),
+        )
 
     def show_moment(self, moment: Moment, t: float) -> None:
         """Every resource that is held, asked for or mapped, by name, at ``t`` seconds."""

@@ -22,6 +22,12 @@ class Blackboard(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         titles = (tr("Tag"), tr("Value"), tr("Set by"), tr("Ago"))
         super().__init__(tr("Blackboard"), titles, (200, 320, 140), theme, parent)
+        self.rows.tips = (
+            tr("What the value is about, such as user.name."),
+            tr("The value as the robot knows it now; private ones are hidden."),
+            tr("Which program or application set it last."),
+            tr("How long ago it was set."),
+        )
 
     def show_moment(self, moment: Moment, t: float, private: Sequence[str] = ()) -> None:
         """The board at ``t`` seconds. private: patterns of tags whose values are not shown."""

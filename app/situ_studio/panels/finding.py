@@ -79,6 +79,7 @@ class Finding(QWidget):
         self.field.setClearButtonEnabled(True)
         self.field.setPlaceholderText(self.tr("States, texts, events, tags"))
         self.field.setAccessibleName(self.tr("Find in the project"))
+        self.field.setToolTip(self.tr("Finds every place in which a text or a name stands."))
         self.field.textChanged.connect(self.asked)
         self.field.installEventFilter(self)
         line.addWidget(self.field)

@@ -24,7 +24,12 @@ class Row(Struct, frozen=True):
 
 
 class RowsModel(QAbstractTableModel):
-    """Rows in the order given; only what differs is told to the view."""
+    """Rows in the order given; only what differs is told to the view.
+
+    tips: what each column says, for its head.
+    """
+
+    tips: Sequence[str] = ()
 
     def __init__(self, titles: Sequence[str], theme: Theme, parent: QWidget) -> None:
         super().__init__(parent)
@@ -79,6 +84,8 @@ class RowsModel(QAbstractTableModel):
     ) -> Any:
         if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
             return self._titles[section]
+        if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.ToolTipRole:
+            return self.tips[section] if self.tips else None
         return None
 
     def data(

@@ -22,6 +22,12 @@ class Trace(RowsTable):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         titles = (tr("Time"), tr("What"), tr("Because of"), tr("Details"))
         super().__init__(tr("Trace"), titles, (90, 120, 90), theme, parent)
+        self.rows.tips = (
+            tr("When it happened, since the robot started."),
+            tr("What happened, with its number."),
+            tr("The number of what it came from."),
+            tr("What is known about it."),
+        )
         self._follows = True
         bar = self.verticalScrollBar()
         bar.rangeChanged.connect(self._on_range)

@@ -100,6 +100,8 @@ class TwinModel(QAbstractItemModel):
         return 4
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+        if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.ToolTipRole:
+            return self._tips()[section]
         if orientation != Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
             return None
         if isinstance(self.document, rbd.Application):
@@ -109,6 +111,19 @@ class TwinModel(QAbstractItemModel):
         else:
             names = (self.tr("What"), self.tr("Name"), self.tr("Resources"), self.tr("Details"))
         return names[section]
+
+    def _tips(self) -> tuple[str, str, str, str]:
+        """What each column says, for its head."""
+        details = self.tr("What else it says, in short.")
+        name = self.tr("What it is called.")
+        if isinstance(self.document, rbd.Application):
+            leads = self.tr("The state to which it leads.")
+            return self.tr("The state's number, or what stands in it."), name, leads, details
+        what = self.tr("What of the script it is.")
+        if isinstance(self.document, spds.Spds):
+            taken = self.tr("The situation whose priorities it takes over.")
+            return what, name, taken, details
+        return what, name, self.tr("The parts of the robot that it moves."), details
 
     def data(self, index: AnyIndex, role: int = 0) -> Any:
         node = self.node(index)

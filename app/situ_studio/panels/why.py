@@ -1,4 +1,4 @@
-"""Why?: what led to something the robot did, one event a row, the input that began it first."""
+"""Why?: what led to something the robot did, or what kept it from it, a row for each link."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from situ_studio.theme import Theme
 
 
 class Link(Struct, frozen=True):
-    """An event of the chain. t: seconds of the trace. values: what it hung on, then.
+    """An event of a chain of causes, or a reason. t: seconds of the trace. values: what it hung on,
+    then.
 
     where: the file and place that it is about; None where it is about none.
     """
@@ -51,6 +52,11 @@ class Why(QWidget):
         column.addLayout(line)
         titles = (tr("Time"), tr("What happened"), tr("Values then"))
         self.table = RowsTable(tr("Why?"), titles, (90, 400), theme)
+        self.table.rows.tips = (
+            tr("When it happened, since the robot started."),
+            tr("What it was, the input that began it first."),
+            tr("The values that decided it, as they were then."),
+        )
         self.table.when_chosen(self._on_chosen)
         column.addWidget(self.table, 1)
         self.links: tuple[Link, ...] = ()
@@ -62,27 +68,27 @@ class Why(QWidget):
     def reset(self) -> None:
         """Nothing was asked."""
         title = tr("Ask Why? of a card, an arrow or a row.")
-        self.tell(title, tr("It is in their menus; F7 asks for what is selected."))
+        self.tell(title, tr("It is in their menus; F7 and Shift+F7 ask for what is selected."))
 
     def tell(self, title: str, more: str = "") -> None:
         """Words, and no chain."""
         self._show(title, more, ())
 
-    def answer(self, title: str, more: str, links: Sequence[Link]) -> None:
-        """A chain; its last link is what was asked for, and is current."""
-        self._show(title, more, tuple(links))
-        last = self.table.rows.index(len(links) - 1, 0)
-        self.table.setCurrentIndex(last)
-        self.table.scrollTo(last)
+    def answer(self, title: str, more: str, links: Sequence[Link], asked: int) -> None:
+        """A chain. asked: its link that answers first of all; it is current."""
+        self._show(title, more, tuple(links), asked)
+        index = self.table.rows.index(asked, 0)
+        self.table.setCurrentIndex(index)
+        self.table.scrollTo(index)
 
-    def _show(self, title: str, more: str, links: tuple[Link, ...]) -> None:
+    def _show(self, title: str, more: str, links: tuple[Link, ...], asked: int = 0) -> None:
         self.title.setText(title)
         self.title.setToolTip(title)
         self.more.setText(more)
         self.links = links
         self.table.rows.show(
             [
-                Row(str(n), (f"{link.t:.3f} s", link.words, link.values), n == len(links) - 1)
+                Row(str(n), (f"{link.t:.3f} s", link.words, link.values), n == asked)
                 for n, link in enumerate(links)
             ]
         )

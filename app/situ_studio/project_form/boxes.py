@@ -84,6 +84,7 @@ class FieldsSection(Section):
             words.setProperty("role", "label")
             words.setFixedWidth(112)
             words.setBuddy(field)
+            words.setToolTip(help)
             form.addRow(words, field)
             self.fields[table, key] = field
         self.body.addLayout(form)

@@ -111,7 +111,7 @@ class ProjectForm(QWidget):
                 self.tr("Project"),
                 "",
                 (
-                    ("project", "name", self.tr("Name"), "", named),
+                    ("project", "name", self.tr("Name"), self.tr("What it is called"), named),
                     (
                         "project",
                         "media",
@@ -135,7 +135,13 @@ class ProjectForm(QWidget):
                 self.tr("Robot"),
                 "",
                 (
-                    ("robot", "endpoint", self.tr("Address"), "tcp://127.0.0.1:5570", named),
+                    (
+                        "robot",
+                        "endpoint",
+                        self.tr("Address"),
+                        self.tr("Where it is reached, such as tcp://127.0.0.1:5570"),
+                        named,
+                    ),
                     (
                         "robot",
                         "adapter",

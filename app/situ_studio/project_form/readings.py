@@ -27,9 +27,24 @@ class ReadingsSection(RowsSection):
         self._languages: tuple[str, ...] = ()
         self._readings: dict[str, dict[str, str]] = {}
         columns = (
-            Column(title=tr("Language"), make=self._choice, share=2),
-            Column(title=tr("Written"), make=lambda _, p: Checked(named, p), share=3),
-            Column(title=tr("Said"), make=lambda _, p: Checked(named, p), share=3),
+            Column(
+                title=tr("Language"),
+                make=self._choice,
+                share=2,
+                help=tr("The language in which the word is said so."),
+            ),
+            Column(
+                title=tr("Written"),
+                make=lambda _, p: Checked(named, p),
+                share=3,
+                help=tr("The word as it stands in texts."),
+            ),
+            Column(
+                title=tr("Said"),
+                make=lambda _, p: Checked(named, p),
+                share=3,
+                help=tr("The word as it sounds, written as it is spoken."),
+            ),
         )
         super().__init__(
             theme,

@@ -124,7 +124,7 @@ class Rows(QWidget):
             else:
                 field = column.make(self._theme, self)
                 field.setAccessibleName(f"{column.title or self._noun} {at + 1}")
-                if isinstance(field, Line):
+                if isinstance(field, Line | ValueField):
                     field.set_help(column.help)
                 else:
                     field.setToolTip(column.help)

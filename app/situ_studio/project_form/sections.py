@@ -105,8 +105,12 @@ class PatternsSection(RowsSection):
         self._table, self._key = table, key
         self._patterns: list[str] = []
         check = once(pattern, lambda: self._patterns)
-        columns = (Column(title="", make=lambda _, parent: Checked(check, parent)),)
-        super().__init__(theme, title, hint, columns, tr("a tag or pattern"))
+        one = Column(
+            title="",
+            make=lambda _, parent: Checked(check, parent),
+            help=tr("A tag, or several by a pattern: user.* is all that begin with user."),
+        )
+        super().__init__(theme, title, hint, (one,), tr("a tag or pattern"))
 
     def show_tables(self, tables: Tables) -> None:
         self._patterns = texts_of(table_of(tables, self._table).get(self._key))
@@ -145,8 +149,17 @@ class TableSection(RowsSection):
         self._table = table
         self.values: dict[str, Any] = {}
         named = once(check, lambda: list(self.values))
-        name = Column(title=tr("Name"), make=lambda _, parent: Checked(named, parent), share=2)
+        name = Column(
+            title=tr("Name"),
+            make=lambda _, parent: Checked(named, parent),
+            share=2,
+            help=self.name_help(),
+        )
         super().__init__(theme, title, hint, (name, *columns), noun)
+
+    def name_help(self) -> str:
+        """What the tooltip of a row's name says."""
+        raise NotImplementedError
 
     def row(self, value: Any) -> Sequence[Any]:
         """What the columns behind the name show of a value."""
@@ -189,10 +202,18 @@ class TagsSection(TableSection):
     """Values on the blackboard before the start."""
 
     def __init__(self, theme: Theme, hint: str) -> None:
-        value = Column(title=tr("Value"), make=ValueField, share=4)
+        value = Column(
+            title=tr("Value"),
+            make=ValueField,
+            share=4,
+            help=tr("What stands there when the robot starts."),
+        )
         super().__init__(
             theme, "tags", tr("Values at the start"), hint, (value,), tr("a value"), tag
         )
+
+    def name_help(self) -> str:
+        return tr("Its tag: words with dots between, such as user.name.")
 
 
 class PlacesSection(TableSection):
@@ -200,9 +221,21 @@ class PlacesSection(TableSection):
 
     def __init__(self, theme: Theme) -> None:
         numbers = (
-            Column(title="x", make=lambda _, parent: Number(parent, "m")),
-            Column(title="y", make=lambda _, parent: Number(parent, "m")),
-            Column(title=tr("Heading"), make=lambda _, parent: Number(parent, "°")),
+            Column(
+                title="x",
+                make=lambda _, parent: Number(parent, "m"),
+                help=tr("Metres along the map's x axis."),
+            ),
+            Column(
+                title="y",
+                make=lambda _, parent: Number(parent, "m"),
+                help=tr("Metres along the map's y axis."),
+            ),
+            Column(
+                title=tr("Heading"),
+                make=lambda _, parent: Number(parent, "°"),
+                help=tr("Where it looks when it stands there: degrees, 0 is along the x axis."),
+            ),
         )
         super().__init__(
             theme,
@@ -213,6 +246,9 @@ class PlacesSection(TableSection):
             tr("a place"),
             named,
         )
+
+    def name_help(self) -> str:
+        return tr("What actions call the place.")
 
     def row(self, value: Any) -> Sequence[Any]:
         good = isinstance(value, list) and len(value) == 3
@@ -230,8 +266,18 @@ class MqttSection(TableSection):
 
     def __init__(self, theme: Theme) -> None:
         columns = (
-            Column(title=tr("Means"), make=_means, share=1),
-            Column(title=tr("Event or tag"), make=lambda _, p: Checked(named, p), share=2),
+            Column(
+                title=tr("Means"),
+                make=_means,
+                share=1,
+                help=tr("Whether a message is an event, or the new value of a tag."),
+            ),
+            Column(
+                title=tr("Event or tag"),
+                make=lambda _, p: Checked(named, p),
+                share=2,
+                help=tr("The event that happens, or the tag that gets the value."),
+            ),
         )
         super().__init__(
             theme,
@@ -245,6 +291,7 @@ class MqttSection(TableSection):
         self.broker = Checked(broker)
         self.broker.setPlaceholderText("mqtt://127.0.0.1:1883")
         self.broker.setAccessibleName(tr("Broker"))
+        self.broker.set_help(tr("Where the messages come from; nothing is heard without one."))
         self.broker.refused.connect(self.refused)
         self.broker.committed.connect(
             lambda value: self.tell(
@@ -256,9 +303,13 @@ class MqttSection(TableSection):
         label.setProperty("role", "label")
         label.setFixedWidth(112)
         label.setBuddy(self.broker)
+        label.setToolTip(self.broker.toolTip())
         line.addWidget(label)
         line.addWidget(self.broker, 1)
         self.body.insertLayout(2, line)
+
+    def name_help(self) -> str:
+        return tr("The topic whose messages count.")
 
     def show_tables(self, tables: Tables) -> None:
         found = table_of(tables, "mqtt")
@@ -316,7 +367,12 @@ class SettingsSection(RowsSection):
                 share=3,
                 help=tr("The tag that is changed; it outlives a restart of the robot."),
             ),
-            Column(title=tr("Kind"), make=_setting_kind, share=2),
+            Column(
+                title=tr("Kind"),
+                make=_setting_kind,
+                share=2,
+                help=tr("What can be put in there."),
+            ),
             Column(
                 title=tr("Choices"),
                 make=lambda _, parent: _Choices(parent),

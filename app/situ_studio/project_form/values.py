@@ -119,6 +119,16 @@ class ValueField(QWidget):
         self._stack.setFixedHeight(28)
         line.addWidget(self._stack, 1)
         self.setFixedHeight(28)
+        self.kind.setToolTip(self.tr("What sort of value it is."))
+
+    def set_help(self, words: str) -> None:
+        """What the tooltip of the value says."""
+        self.setToolTip(words)
+        for field in self._fields.values():
+            if isinstance(field, Line):
+                field.set_help(words)
+            else:
+                field.setToolTip(words)
 
     @property
     def value_field(self) -> Line | Choice:

@@ -194,7 +194,11 @@ class TextsModel(QAbstractTableModel):
             return self.tr("{0}, {1} of {2}").format(
                 language_name(language), counts.done, counts.every
             )
-        if role == Qt.ItemDataRole.ToolTipRole and section >= WRITTEN:
+        if role == Qt.ItemDataRole.ToolTipRole:
+            if section == STATE:
+                return self.tr("The state in which the text stands.")
+            if section < WRITTEN:
+                return self.tr("What says it or shows it there.")
             if language is None:
                 return self.tr("As it is written in the documents: what you type here goes there.")
             return self.counts_words(language)

@@ -76,6 +76,7 @@ class TextsPage(QWidget):
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Find a text"))
         self.search.setAccessibleName(self.tr("Find a text"))
+        self.search.setToolTip(self.tr("Only texts with these letters, in any language."))
         self.search.setClearButtonEnabled(True)
         self.search.setMinimumWidth(96)
         self.search.setMaximumWidth(240)
