@@ -509,6 +509,27 @@ class Commands(FileCommands):
     def differs_from_robot(self) -> bool:
         return self._window.deploying.differs
 
+    def can_operate(self) -> bool:
+        return self._window.operating.can_operate
+
+    def is_paused(self) -> bool:
+        return self._window.operating.is_paused
+
+    def can_pause(self) -> bool:
+        return self._window.operating.can_pause
+
+    def can_break(self) -> bool:
+        return self._window.operating.can_break
+
+    def can_go_to(self) -> bool:
+        return self._window.operating.can_go_to
+
+    def has_breakpoints(self) -> bool:
+        return self._window.operating.has_breakpoints
+
+    def operate(self, method: str) -> None:
+        getattr(self._window.operating, method)()
+
     def about(self) -> None:
         self._window.dialogs.tell(
             self.tr("Situ Studio {0}\nDraw what a robot says, shows and does.").format(

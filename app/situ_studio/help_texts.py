@@ -221,8 +221,17 @@ PAGES: tuple[Page, ...] = (
 
         Following changes nothing on the robot. Where its documents differ from yours, that
         is told, since the drawing may not be what the robot does.
+
+        Deploy has the robot run what is open here, from its next safe point on. What it will
+        do differently is told before in words. If it fails in its first minute the robot goes
+        back by itself; Roll back does so at any time.
+
+        An operator may do more: a breakpoint (F9) pauses an application at a state, before a
+        transition, or in a situation; Step does the next thing that waits; an event is raised,
+        a value set, the robot sent to a state. Who did it stands in the trace.
         """,
         (
+            "command/deploy", "command/versions", "command/operate.break", "panel/breakpoints",
             "command/connect", "panel/blackboard", "panel/authority", "panel/trace",
             "panel/why", "command/why", "status/link",
         ),
@@ -363,6 +372,9 @@ PANELS: dict[str, Panel] = {
     "panel/blackboard": Panel("Blackboard", "The values that the robot knows now, by their tags."),
     "panel/authority": Panel(
         "Authority", "Which module holds which part of the robot, who else asks, and why not they."
+    ),
+    "panel/breakpoints": Panel(
+        "Breakpoints", "Where the robot pauses. A click goes there, Delete takes one away."
     ),
     "panel/trace": Panel("Trace", "What the robot did, one line each, the latest at the end."),
     "panel/rehearsal": Panel(

@@ -29,6 +29,7 @@ from situ_studio.frame import Frame
 from situ_studio.helping import HelpSide
 from situ_studio.live.deploying_side import DeployingSide
 from situ_studio.live.link import RobotLink
+from situ_studio.live.operating import OperatingSide
 from situ_studio.live.why_side import WhySide
 from situ_studio.looking import FindingSide
 from situ_studio.mending import MendingSide
@@ -93,6 +94,7 @@ class MainWindow(Frame):
         self.robot = RobotSide(self, link)
         self.why = WhySide(self)
         self.deploying = DeployingSide(self)
+        self.operating = OperatingSide(self)
         self.rehearsing = RehearsingSide(self)
         self.disk = DiskSide(self)
         CheckWork(session.checker, self.status.work)
@@ -670,6 +672,7 @@ class MainWindow(Frame):
         """The documents and the robot's panels take the theme too."""
         super().set_theme(theme)
         self.robot.set_theme(theme)
+        self.operating.set_theme(theme)
         self.why.set_theme(theme)
         self.rehearsing.set_theme(theme)
         self.finding.set_theme(theme)

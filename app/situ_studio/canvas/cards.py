@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
 from situ.document import words
-from situ_studio.canvas import thumbnails
+from situ_studio.canvas import operated, thumbnails
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.projection import FIRST, HEADER, NEW, PITCH, TIMEOUT, WIDTH, Card, Exit
@@ -181,11 +181,15 @@ class CardItem(NodeFace):
             self._paint_half(painter, look)
         else:
             self._paint_full(painter, look)
+        if isinstance(look.live, LiveView):
+            operated.paint(painter, look, look.live, self.face.no)
 
     def _changes(self, look: Look) -> bool:
         """Whether the card shows what differs from moment to moment."""
         live, no = look.live, self.face.no
-        return isinstance(live, LiveView) and (no in live.active or no in live.counts)
+        return isinstance(live, LiveView) and (
+            no in live.active or no in live.counts or no in live.breakpoints
+        )
 
     def _live(self, look: Look) -> bool:
         return isinstance(look.live, LiveView) and self.face.no in look.live.active

@@ -22,7 +22,8 @@ class LiveView(Struct, frozen=True):
     active: where the application is. suspended: active ones without their resources.
     entered: seconds since each active state was entered. counts, times: how often
     each was entered, and seconds spent there. taken: the latest first.
-    transitions: (state, exit) to how often.
+    transitions: (state, exit) to how often. breakpoints: states that have some, on themselves or
+    on a transition. paused: active ones that an operator, or a breakpoint, has stopped.
     """
 
     active: frozenset[str] = frozenset()
@@ -33,13 +34,15 @@ class LiveView(Struct, frozen=True):
     taken: tuple[Taken, ...] = ()
     transitions: Mapping[tuple[str, str], int] = field(default_factory=dict)
     breakpoints: frozenset[str] = frozenset()
+    paused: frozenset[str] = frozenset()
 
 
 class LiveScript(Struct, frozen=True):
     """A script at one moment: the current situation, what holds, who asks and who holds what.
 
     holds: situations whose condition holds. authority: resource to module.
-    asking: module to the resources it asks for. values: tag to value.
+    asking: module to the resources it asks for. values: tag to value. breakpoints: situations that
+    have one.
     """
 
     situation: str | None = None
@@ -47,6 +50,7 @@ class LiveScript(Struct, frozen=True):
     authority: Mapping[str, str | None] = field(default_factory=dict)
     asking: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     values: Mapping[str, Any] = field(default_factory=dict)
+    breakpoints: frozenset[str] = frozenset()
 
 
 FADE = 12.0

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
+from situ_studio.canvas import operated
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.script_faces import INDENT, LINE, OUT, STRIP, ScriptNode
@@ -160,6 +161,10 @@ class ScriptItem(NodeFace):
         painter.drawRoundedRect(area, RADIUS, RADIUS)
         kind_color = look["live"] if lit else look[node.kind]
         self._paint_strip(painter, look, kind_color)
+        live = look.live
+        stops = live.breakpoints if isinstance(live, LiveScript) else ()
+        if node.kind == "situation" and node.name in stops:
+            operated.breakpoint_sign(painter, look, node.height / 2)
         if look.level == "half":
             label = self._texts["short"]
             label.draw(painter, 38, node.height / 2 + 0.36 * self._short_pixels, look["text"])

@@ -14,6 +14,8 @@ from msgspec.structs import replace
 TraceFields = dict[str, Any]
 """A trace event as it stands in a trace: ``kind``, ``seq``, ``t``, ``cause`` and its own fields."""
 
+BREAKPOINTS, PAUSED = "debugger.breakpoints", "debugger.paused"
+"""Tags at which the runtime tells of its debugger."""
 RECENT = 32
 """Transitions kept for the canvas to fade; older ones only count."""
 
@@ -32,7 +34,8 @@ class ApplicationMoment(Struct):
     """One application: where it is, since when, how often each state was entered.
 
     spent: seconds in each state that it has left. crossed: (from, to, event, timeout) to
-    how often.
+    how often. paused: by an operator or at a breakpoint, ``stopped`` is that one's number.
+    breakpoints: those that stand on it, as the tag ``debugger.breakpoints`` has them.
     """
 
     state: str | None = None
@@ -43,6 +46,9 @@ class ApplicationMoment(Struct):
     spent: dict[str, float] = field(default_factory=dict)
     taken: list[Taken] = field(default_factory=list)
     crossed: dict[tuple[str, str, str | None, bool], int] = field(default_factory=dict)
+    paused: bool = False
+    stopped: int | None = None
+    breakpoints: tuple[dict[str, Any], ...] = ()
 
 
 class Entry(Struct, frozen=True):
@@ -105,6 +111,12 @@ class Moment(Struct):
         known = self.board.get(tag)
         if value is not None and (known is None or known.t <= t):
             self.board[tag] = Entry(value, writer, t)
+            if tag == BREAKPOINTS:
+                self.put_breakpoints()
+        if tag == PAUSED and isinstance(value, dict):
+            for name, stopped in value.items():
+                one = self.application(name)
+                one.paused, one.stopped = True, stopped
         if tag.startswith("application/") and isinstance(value, dict):
             application = self.application(tag.removeprefix("application/"))
             if application.state is None:
@@ -112,6 +124,20 @@ class Moment(Struct):
                 application.suspended = value["suspended"]
         elif tag == "situation" and isinstance(value, dict) and self.situation is None:
             self.situation, self.situation_since = value["name"], t
+
+    @property
+    def breakpoints(self) -> tuple[dict[str, Any], ...]:
+        """All of them, those on situations too."""
+        entry = self.board.get(BREAKPOINTS)
+        return tuple(entry.value) if entry is not None else ()
+
+    def put_breakpoints(self) -> None:
+        """Each application has its own."""
+        for one in self.applications.values():
+            one.breakpoints = ()
+        for each in self.breakpoints:
+            if (name := each.get("application")) is not None:
+                self.application(name).breakpoints += (each,)
 
     def application(self, name: str) -> ApplicationMoment:
         return self.applications.setdefault(name, ApplicationMoment())
@@ -123,6 +149,8 @@ def _data(now: Moment, event: TraceFields) -> None:
         now.gone[event["tag"]] = event["t"]
     else:
         now.board[event["tag"]] = Entry(event["value"], event["writer"], event["t"])
+    if event["tag"] == BREAKPOINTS:
+        now.put_breakpoints()
 
 
 def _condition(now: Moment, event: TraceFields) -> None:
@@ -195,6 +223,16 @@ def _resume(now: Moment, event: TraceFields) -> None:
     application.suspended, application.missing = False, ()
 
 
+def _paused(now: Moment, event: TraceFields) -> None:
+    application = now.application(event["application"])
+    application.paused, application.stopped = True, event["breakpoint"]
+
+
+def _resumed(now: Moment, event: TraceFields) -> None:
+    application = now.application(event["application"])
+    application.paused, application.stopped = False, None
+
+
 ACCEPT: dict[str, Callable[[Moment, TraceFields], None]] = {
     "data": _data,
     "condition": _condition,
@@ -210,5 +248,7 @@ ACCEPT: dict[str, Callable[[Moment, TraceFields], None]] = {
     "transition": _transition,
     "suspend": _suspend,
     "resume": _resume,
+    "paused": _paused,
+    "resumed": _resumed,
 }
 """What an event of each kind changes; one of any other kind changes only the time."""

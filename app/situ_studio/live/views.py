@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from situ.document.rbd import AGAIN, BACK, Application
 from situ_studio.canvas.live import LiveScript, LiveView, Taken
 from situ_studio.live.moment import ApplicationMoment, Moment
@@ -41,7 +44,15 @@ def live_view(application: Application, moment: ApplicationMoment, t: float) -> 
         },
         taken=tuple(latest),
         transitions=counted,
+        breakpoints=frozenset(map(_broken_at, moment.breakpoints)),
+        paused=here if moment.paused else frozenset(),
     )
+
+
+def _broken_at(breakpoint: Mapping[str, Any]) -> str:
+    """The card that shows it: of a transition that which it leaves, or else comes to."""
+    path = breakpoint.get("state") or breakpoint.get("from") or breakpoint.get("to") or ""
+    return str(path).partition("/")[0]
 
 
 def exit_of(application: Application, crossed: Crossed) -> str | None:
@@ -65,4 +76,7 @@ def live_script(moment: Moment) -> LiveScript:
         authority={resource: holder for resource, (holder, _) in moment.holders.items()},
         asking=moment.asking,
         values={tag: entry.value for tag, entry in moment.board.items()},
+        breakpoints=frozenset(
+            one["situation"] for one in moment.breakpoints if one.get("situation") is not None
+        ),
     )

@@ -1,0 +1,156 @@
+"""An operator's hand in the editor, on a real robot: a process of its own, over real sockets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QToolButton
+
+from situ_studio.live.operating import read
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+def connect(it: Any, endpoint: str, until: Any) -> Any:
+    link = it.window.robot.link
+    it.answers.put("name", endpoint)
+    it.window.setFocus()
+    it.key(Qt.Key.Key_R, CONTROL)
+    until(link.moment_changed, lambda: link.connected and "converse" in link.log.now.applications)
+    return link
+
+
+def button(it: Any, command: str) -> Any:
+    found = it.window.toolbar.widgetForAction(it.window.actions_.actions[command])
+    assert isinstance(found, QToolButton)
+    return found
+
+
+def kinds(link: Any, kind: str) -> list[Any]:
+    return [event for event in link.log if event["kind"] == kind]
+
+
+def test_breakpoints_pause_the_robot_where_they_are_shown_and_hands_lead_it_on(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    window = it.window
+    assert not window.actions_.actions["operate.break"].isVisible()
+    link = connect(it, there.endpoint, until)
+
+    def now() -> Any:
+        return link.log.now.applications["converse"]
+
+    def live() -> Any:
+        window.robot.follower.refresh()
+        return window.views[window.current_file].canvas.look.live
+
+    # F9 on a state: it stands on the card, with who did it in the trace, and stops the robot there.
+    it.select("state", "3")
+    it.key(Qt.Key.Key_F9)
+    until(link.moment_changed, lambda: bool(link.log.now.breakpoints))
+    assert live().breakpoints == {"3"}
+    told = [e for e in kinds(link, "data") if e["tag"] == "debugger.breakpoints"]
+    assert told[-1]["writer"].startswith("operator:")
+    window.actions_.actions["operate.goto"].trigger()
+    until(link.moment_changed, lambda: now().paused)
+    assert now().state == "3"
+    assert live().paused == {"3"}
+    status = window.operating.waiting
+    assert status.isVisible()
+    assert status.text() == "converse is paused at 3 glad, at breakpoint 1"
+    # Sent elsewhere it stays paused there, goes on by a press, and is stopped by another.
+    it.select("state", "2")
+    window.actions_.actions["operate.goto"].trigger()
+    until(link.moment_changed, lambda: now().state == "2")
+    it.settle()
+    it.click(button(it, "operate.resume"))
+    until(link.moment_changed, lambda: not now().paused)
+    assert not status.isVisible()
+    it.settle()
+    it.click(button(it, "operate.pause"))
+    until(link.moment_changed, lambda: now().paused)
+    assert status.text() == "converse is paused at 2 sleep"
+    # A step with something that waits.
+    it.select("state", "2", "event", "0")
+    event = it.session.document(window.current_file).state("2").events[0]
+    it.answers.put("name", event.name)
+    window.actions_.actions["operate.raise"].trigger()
+    it.answers.put("name", "spo2 = 97")
+    window.actions_.actions["operate.set"].trigger()
+    until(link.moment_changed, lambda: "spo2" in link.log.now.board)
+    assert link.log.now.board["spo2"].value == 97
+    assert now().state == "2"
+    it.settle()
+    it.click(button(it, "operate.step"))
+    until(link.moment_changed, lambda: now().state == event.next)
+    assert now().paused
+    assert kinds(link, "event")[-1]["writer"].startswith("operator:")
+    # The same key takes the breakpoint away; one on a transition stands where it leaves.
+    it.select("state", "3")
+    it.key(Qt.Key.Key_F9)
+    until(link.moment_changed, lambda: not link.log.now.breakpoints)
+    it.select("state", "2", "event", "0")
+    it.key(Qt.Key.Key_F9)
+    until(link.moment_changed, lambda: bool(link.log.now.breakpoints))
+    assert link.log.now.breakpoints[0]["from"] == "2"
+    assert link.log.now.breakpoints[0]["to"] == event.next
+    assert live().breakpoints == {"2"}
+    # Each is listed in words; a click leads there, Delete takes it away.
+    panel = window.operating.panel
+    assert panel.rows.rows[0].cells[1] == "between state 2 sleep and state 3 glad"
+    window.bottom.choose("breakpoints")
+    it.settle()
+    it.select("state", "5")
+    it.click_row(panel, panel.model().index(0, 0))
+    assert window.current_view.selected == (("state", "2"),)
+    panel.setFocus()
+    it.key(Qt.Key.Key_Delete)
+    until(link.moment_changed, lambda: not link.log.now.breakpoints)
+    assert not it.session.dirty
+    # One on a situation stands on the script's graph.
+    window.go_to("conversation.spds.xml", ("situation", "sound"))
+    it.settle()
+    it.key(Qt.Key.Key_F9)
+    until(link.moment_changed, lambda: bool(link.log.now.breakpoints))
+    assert live().breakpoints == {"sound"}
+    window.actions_.actions["operate.clear"].trigger()
+    until(link.moment_changed, lambda: not link.log.now.breakpoints)
+    assert live().breakpoints == frozenset()
+    window.disconnect_robot()
+    assert not status.isVisible()
+
+
+def test_what_the_robot_refuses_is_said_in_words(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    connect(it, there.endpoint, until)
+    operating, said = it.window.operating, it.window.status.said
+    it.answers.put("name", "situation = 3")
+    operating.set_value()
+    until(operating.refused, lambda: "situation" in said.text())
+    # What is no tag and value is not even asked.
+    it.answers.put("name", "louder")
+    operating.set_value()
+    assert said.text() == "Write it as tag = value, like volume = 40."
+    # There is nothing to be judged next.
+    operating.pause()
+    until(it.window.robot.link.moment_changed, lambda: operating.is_paused)
+    it.window.actions_.actions["operate.step"].trigger()
+    until(operating.refused, lambda: "paused" not in said.text() and "converse" in said.text())
+    it.window.disconnect_robot()
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("", None), (" 40", 40), ("true", True), ("hello you", "hello you"), ('["a"]', ["a"])],
+)
+def test_a_typed_value_is_what_it_looks_like(text: str, value: object) -> None:
+    assert read(text) == value
