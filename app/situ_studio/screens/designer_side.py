@@ -37,7 +37,9 @@ class DesignerSide(OverScroll):
         self._section(self.tr("Components"), self.tr("drag or press"), self.components)
         self.templates = TemplateTiles(theme)
         head = self._section(self.tr("Templates"), "", self.templates)
-        self.keep = IconButton(theme, "add", self.tr("Save this screen as a template"), "text3", 14)
+        self.keep = IconButton(
+            theme, "plus", self.tr("Save this screen as a template"), "text3", 14
+        )
         head.add(self.keep)
         self._more = IconButton(theme, "down", self.tr("Show all templates"), "text3", 14)
         self._more.clicked.connect(lambda: self._show_all(not self.templates.shows_all))

@@ -23,9 +23,10 @@ from situ_studio.icon_widgets import Elided
 from situ_studio.layouts import clear
 from situ_studio.panels.fields import Flag
 from situ_studio.screens import samples
+from situ_studio.screens.sample_table import SampleTable
 from situ_studio.theme import Theme
 
-WIDE = 340
+WIDE = 400
 MOST = 14
 """Tags that are shown."""
 
@@ -60,6 +61,7 @@ class SamplePopup(QFrame):
         hint.setWordWrap(True)
         column.addWidget(hint)
         self.fields: dict[str, QComboBox] = {}
+        self.tables: dict[str, SampleTable] = {}
 
     def show_values(
         self,
@@ -67,14 +69,20 @@ class SamplePopup(QFrame):
         names: tuple[str, ...],
         known: Mapping[str, tuple[Any, ...]],
         values: Mapping[str, Any],
+        columns: Mapping[str, tuple[str, ...]] | None = None,
     ) -> None:
-        """names: of the rows. known: what is offered; values: what they are now."""
+        """names: of the rows. known: what is offered; values: what they are now. columns: of the
+        names that are lists, the fields of their entries.
+        """
         self.use.blockSignals(True)
         self.use.setChecked(used)
         self.use.blockSignals(False)
         clear(self._grid)
-        self.fields = {}
+        self.fields, self.tables = {}, {}
         for row, name in enumerate(names[:MOST]):
+            if columns is not None and name in columns:
+                self._add_table(row, name, columns[name], samples.value_of(values, name))
+                continue
             label = Elided(name, "label")
             label.setFixedWidth(112)
             field = QComboBox()
@@ -101,8 +109,17 @@ class SamplePopup(QFrame):
 
     def enable(self, used: bool) -> None:
         """Values can be picked while texts are filled in."""
-        for field in self.fields.values():
+        for field in (*self.fields.values(), *self.tables.values()):
             field.setEnabled(used)
+
+    def _add_table(self, row: int, name: str, fields: tuple[str, ...], value: Any) -> None:
+        label = Elided(name, "label")
+        label.setFixedWidth(112)
+        table = SampleTable(name, fields, value if isinstance(value, list) else [])
+        table.edited.connect(lambda entries: self.picked.emit(name, entries))
+        self._grid.addWidget(label, row, 0, Qt.AlignmentFlag.AlignTop)
+        self._grid.addWidget(table, row, 1)
+        self.tables[name] = table
 
     def open_below(self, widget: QWidget) -> None:
         self.adjustSize()

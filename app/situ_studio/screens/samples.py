@@ -93,10 +93,22 @@ def filled(
     return made | dict(values)
 
 
+def columns(
+    screen: rbd.Screen | None, above: Iterable[rbd.Component] = ()
+) -> dict[str, tuple[str, ...]]:
+    """The names of lists, each with the fields of its entries that are shown."""
+    every = (*(screen.components if screen is not None else ()), *above)
+    return {one.items: _fields(one.label) for one in every if isinstance(one, rbd.List)}
+
+
+def _fields(label: str) -> tuple[str, ...]:
+    fields = [name.partition(".")[2] for name in references(label) if name.startswith("item")]
+    return tuple(dict.fromkeys(field for field in fields if field and "." not in field))
+
+
 def _entries(label: str) -> list[Any]:
     """Entries for a list whose label is written so."""
-    fields = [name.partition(".")[2] for name in references(label) if name.startswith("item")]
-    named = [field for field in fields if field and "." not in field]
+    named = _fields(label)
     if not named:
         return [f"{{item}} {number}" for number in range(1, 4)]
     return [{field: f"{{{field}}} {number}" for field in named} for number in range(1, 4)]

@@ -41,6 +41,7 @@ class Sampling(QObject):
         self._used = True
         self._picked: dict[str, Any] = {}
         self._names: tuple[str, ...] = ()
+        self._columns: dict[str, tuple[str, ...]] = {}
         self._known: dict[str, tuple[Any, ...]] = {}
         self._of: tuple[Any, ...] | None = None
         self._tags: tuple[Project | None, tuple[str, ...]] = (None, ())
@@ -55,6 +56,7 @@ class Sampling(QObject):
     def values(self, screen: rbd.Screen | None, above: tuple[rbd.Component, ...]) -> Values | None:
         """What this screen is shown with; None where texts stay as they are written."""
         self._names = samples.wanted(screen, above)
+        self._columns = samples.columns(screen, above)
         self._tell()
         if not self._used:
             return None
@@ -95,7 +97,7 @@ class Sampling(QObject):
         known = self._all()
         languages = (LANGUAGE,) if LANGUAGE in known else ()
         names = tuple(dict.fromkeys((*self._names, *languages)))
-        popup.show_values(self._used, names, known, self._values())
+        popup.show_values(self._used, names, known, self._values(), self._columns)
         self.popup = popup
         popup.open_below(self._bar.samples)
 

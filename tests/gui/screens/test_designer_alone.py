@@ -20,7 +20,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QLineEdit, QWidget
 
 from situ.document import folder
 from situ_studio import places
@@ -182,6 +182,30 @@ def test_a_screen_is_looked_at_in_the_language_that_is_picked(desk: Desk) -> Non
     assert preview.walk.shown["language"] == "ja"
     QTest.keyClick(preview, Qt.Key.Key_Escape)
     desk.settle()
+
+
+def test_the_entries_of_a_list_are_typed_into_a_table(desk: Desk) -> None:
+    desk.go_to("8")
+    before = desk.sheet.grab().toImage()
+    desk.click(desk.bar.samples)
+    popup: Any = desk.designer.sampling.popup
+    table = popup.tables["patients"]
+    heads = [table.horizontalHeaderItem(at).text() for at in range(table.columnCount())]
+    assert "name" in heads
+    last = table.rowCount() - 1
+    at = table.visualItemRect(table.item(0, 0)).center()
+    QTest.mouseClick(table.viewport(), LEFT, pos=at)
+    editor = QApplication.focusWidget()
+    assert isinstance(editor, QLineEdit)
+    editor.selectAll()
+    QTest.keyClicks(editor, "Mere")
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    desk.settle()
+    shown: Any = desk.designer.shown.values
+    assert "Mere" in shown["patients"][0].values()
+    assert len(shown["patients"]) == last
+    assert desk.sheet.grab().toImage() != before
+    popup.close()
 
 
 def test_a_scenario_that_is_saved_meanwhile_gives_its_values(desk: Desk) -> None:
