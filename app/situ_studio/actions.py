@@ -1219,6 +1219,17 @@ COMMANDS: tuple[Command, ...] = (
         tip="What led to it, from the input that began it, with the values then.",
         contexts="ground state always exit thing component",
     ),
+    _c(
+        "why_not",
+        "Why not?",
+        "ask_why_not",
+        icon="why",
+        shortcut="Shift+F7",
+        menu="Robot",
+        when="can_ask_why",
+        tip="What kept it from happening at this moment: a guard, a priority, a suspension.",
+        contexts="state exit thing",
+    ),
     _c("help", "Help", "show_help", icon="help", shortcut="F1", menu="Help"),
     _c(
         "whats_this",

@@ -479,6 +479,9 @@ class Commands(FileCommands):
     def ask_why(self) -> None:
         self._window.why.ask()
 
+    def ask_why_not(self) -> None:
+        self._window.why.ask_not()
+
     def can_ask_why(self) -> bool:
         return self._window.why.can_ask()
 

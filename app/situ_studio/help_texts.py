@@ -219,6 +219,9 @@ PAGES: tuple[Page, ...] = (
         row, from the input that began it, with the values then. A click on a row goes to that
         moment and to the card.
 
+        Why not? (Shift+F7) shows what kept it from happening at the moment that is seen: an
+        input that did not come, a condition or a guard, a priority, a suspension.
+
         Following changes nothing on the robot. Where its documents differ from yours, that
         is told, since the drawing may not be what the robot does.
 
@@ -233,7 +236,8 @@ PAGES: tuple[Page, ...] = (
         (
             "command/deploy", "command/versions", "command/operate.break", "panel/breakpoints",
             "command/connect", "panel/blackboard", "panel/authority", "panel/trace",
-            "panel/why", "command/why", "status/link",
+            "panel/why", "command/why", "command/why_not",
+            "status/link",
         ),
     ),
     Page(

@@ -642,18 +642,24 @@ def test_a_trace_cut_off_before_authority_was_given(lab: Project, record: Record
 
 
 def test_giving_back_some_keeps_the_rest(lab: Project, record: Record) -> None:
-    recording = record(
-        lab,
+    given: list[dict[str, Any]] = [
         {"at": 1, "acquire": {"module": "arm", "resources": ["base", "hand"]}},
         {"at": 2, "abandon": {"module": "arm", "resources": ["base"]}},
         {"at": 3, "abandon": {"module": "arm", "resources": ["hand"]}},
-    )
+    ]
+    recording = record(lab, *given)
     told = _ask(lab, recording, 2, "authority", resource="base", to="arm")
-    assert told == "- arm did not ask for base, only for hand"
+    assert told == "- arm gave base back at 2 s and has not asked for it again"
     told = _ask(lab, recording, 3, "authority", resource="hand", to="arm")
-    assert told == "- arm did not ask for hand"
+    assert told == "- arm gave hand back at 3 s and has not asked for it again"
     alone = Recording.of([e for e in recording.events if e["kind"] == "abandon"])
     assert _ask(lab, alone, 4, "authority", resource="hand", to="arm") == told
+    again = [
+        {"at": 5, "acquire": {"module": "arm", "resources": ["hand"]}},
+        {"at": 6, "acquire": {"module": "arm", "resources": ["base"]}},
+    ]
+    told = _ask(lab, record(lab, *given, *again), 6, "authority", resource="hand", to="arm")
+    assert told == "- arm did not ask for hand, only for base"
 
 
 def test_a_group_of_all_and_a_tag_that_was_deleted(make: Make, record: Record) -> None:

@@ -73,6 +73,8 @@ class Past:
         self.holders: dict[str, Fields] = {}
         self.robot: dict[str, Fields] = {}
         self.lost: dict[str, Fields] = {}
+        self.given_back: dict[tuple[str, str], Fields] = {}
+        """(module, resource) to when it gave that back and has not asked for it since."""
         self.board = Board()
         self._clock = Step()
         self._conditions = Conditions(self.board, self._clock)
@@ -265,11 +267,16 @@ class Past:
         self._count += old is None
         order = self._count if old is None else old.order
         self.lost.pop(event["module"], None)
+        for resource in (*event["resources"], *event.get("optional", ())):
+            self.given_back.pop((event["module"], resource), None)
         self.requests[event["module"]] = Asking(
             tuple(event["resources"]), tuple(event.get("optional", ())), order, event
         )
 
     def _abandon(self, event: Fields) -> None:
+        # The trace may begin after the request.
+        for resource in event["resources"]:
+            self.given_back[event["module"], resource] = event
         old = self.requests.pop(event["module"], None)
         if old is None:
             return

@@ -58,6 +58,11 @@ def _not_asked(past: Past, module: str, resource: str) -> Reason:
     if lost is not None:
         said = f"{module} was lost at {moment(lost['t'])} and has not asked again"
         return Reason(code="request", text=said, seq=lost["seq"])
+    gave = past.given_back.get((module, resource))
+    if gave is not None:
+        at = moment(gave["t"])
+        said = f"{module} gave {resource} back at {at} and has not asked for it again"
+        return Reason(code="request", text=said, seq=gave["seq"])
     asking = past.requests.get(module)
     if asking is None:
         return Reason(code="request", text=f"{module} did not ask for {resource}")
