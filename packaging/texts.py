@@ -21,7 +21,7 @@ import runtime_texts
 from situ_studio import actions, help_texts, kinds, shortcuts
 from situ_studio.kinds import said
 from situ_studio.language import LANGUAGES
-from situ_studio.panels import conditions
+from situ_studio.panels import test_box
 from situ_studio.panels.pairs import PAIRS
 from situ_studio.runtime_words import GLUE
 from situ_studio.screens import keyboard
@@ -42,7 +42,7 @@ def gathered() -> Iterator[tuple[str, str]]:
     for kind in kinds.KINDS:
         for text in _shown(kind):
             yield "kinds", text
-    for table in (said.TESTS, said.GROUPS, said.TYPES, conditions.CHOICES):
+    for table in (said.TESTS, said.GROUPS, said.TYPES, test_box.CHOICES):
         for _, text in table:
             yield "kinds", text
     for pairs in PAIRS.values():

@@ -15,7 +15,7 @@ from situ.document.condition import Condition, Group, Test
 from situ.document.names import references
 from situ.document.project import Project
 from situ.document.rbd import Application
-from situ.document.spds import Spds
+from situ.document.spds import DataType, Observed, Spds
 from situ_studio.edit import Document
 
 
@@ -29,6 +29,13 @@ class Vocabulary(Struct, frozen=True):
     situations: tuple[str, ...] = ()
     modules: tuple[str, ...] = ()
     media: tuple[str, ...] = ()
+    data: tuple[tuple[str, DataType | None, str], ...] = ()
+    """Tags of which type or unit are known."""
+
+    def type_of(self, tag: str) -> tuple[DataType | None, str]:
+        """Type and unit of a datum, None and "" where nobody said them."""
+        known = ((kind, unit) for name, kind, unit in self.data if name == tag)
+        return next(known, (None, ""))
 
 
 def _tests(condition: Condition | Group | None) -> Iterator[Test]:
@@ -196,12 +203,25 @@ class Lexicon:
             situations=tuple(s.name for s in script.situations) if script is not None else (),
             modules=tuple(sorted({*project.declared(), *_names(project)})),
             media=_media(project),
+            data=known_data(project, script.observe if script is not None else ()),
         )
 
     def _states_of(self, application: Application) -> tuple[tuple[str, str], ...]:
         """The very same value while no number and no name changes."""
         known = (one.states for one in self._read if one.application is application)
         return next(known, None) or tuple((s.no, s.name) for s in application.states)
+
+
+def known_data(
+    project: Project | None, observe: Iterable[Observed]
+) -> tuple[tuple[str, DataType | None, str], ...]:
+    """Type and unit of tags, as a script observes them or else modules provide them."""
+    found: dict[str, tuple[DataType | None, str]] = {}
+    if project is not None and project.modules is not None:
+        for module in project.modules.modules:
+            found |= {p.data: (p.type, p.unit or "") for p in module.provides}
+    found |= {o.tag: (o.type, o.unit or "") for o in observe if o.type or o.unit}
+    return tuple((tag, kind, unit) for tag, (kind, unit) in found.items() if kind or unit)
 
 
 def _names(project: Project) -> set[str]:

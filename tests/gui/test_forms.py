@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QScrollBar
+from PySide6.QtWidgets import QApplication, QFrame, QScrollBar
 
 from situ_studio import places
 
@@ -328,3 +328,35 @@ def test_a_drop_from_the_palette_makes_a_state_on_the_canvas(studio: Start, proj
     document = used.session.document(FILE)
     assert len(document.states) == count + 1
     assert used.window.current_view.selected == (("state", document.states[-1].no),)
+
+
+def test_a_test_is_edited_in_the_words_of_its_data(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file(SCRIPT)
+    # Of a list, what stands in it; as on the canvas.
+    place: tuple[str, ...] = ("situation", "invited", "until", "0", "0")
+    used.select(*place)
+    field = form(used).field("value")
+    assert field.text() == "arrived, failed"
+    used.fill(field, "arrived, failed, lost")
+    assert value(used, *place, file=SCRIPT).value == '["arrived", "failed", "lost"]'
+    # Of yes or no, which.
+    place = ("situation", "stopped", "condition", "0")
+    used.select(*place)
+    field = form(used).field("value")
+    assert field.currentText() == "yes"
+    used.choose(field, "no")
+    assert value(used, *place, file=SCRIPT).value == "false"
+    assert used.session.undo_text == "Change condition of situation stopped"
+    # Of a number, a number with its unit.
+    place = ("situation", "sound", "condition", "0")
+    used.select(*place)
+    used.choose(form(used).field("test"), "above")
+    box = form(used).findChild(QFrame, "testBox")
+    assert box.unit.text() == "deg"
+    used.fill(form(used).field("value"), "loud")
+    assert used.window.status.said.text() == "Write a number."
+    assert value(used, *place, file=SCRIPT).value == "0"
+    used.fill(form(used).field("value"), "2,50")
+    assert value(used, *place, file=SCRIPT).value == "2.5"
+    assert used.session.problems == []

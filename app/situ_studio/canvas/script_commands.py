@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QKeyEvent, Qt
 
 from situ.document.condition import Group, GroupName, Test
+from situ.document.project import Project
 from situ_studio import places
 from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas import script_gestures as gestures
@@ -16,6 +19,7 @@ from situ_studio.canvas.test_editor import TestEditor
 from situ_studio.edit import Place
 from situ_studio.kinds import GROUPS
 from situ_studio.language import translated
+from situ_studio.vocabulary import Vocabulary, known_data
 
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2)
 
@@ -24,6 +28,8 @@ class ScriptCommands(ScriptAsking):
     """Changes what is selected."""
 
     test_editor: TestEditor | None
+    project: Callable[[], Project | None]
+    """The project as it is at the time of the call."""
 
     # -- conditions -------------------------------------------------------------------------
 
@@ -37,21 +43,28 @@ class ScriptCommands(ScriptAsking):
             self.test_editor.close_editor()
         self.viewer.reveal(row)
         editor = TestEditor(self.look.theme, place, self.viewer.viewport())
+        editor.box.refused.connect(self._on_refused_value)
         editor.changed.connect(self._on_test)
         editor.removed.connect(lambda gone: self._edit(*gestures.delete(self.document, [gone])))
         editor.closed.connect(self._on_test_closed)
         self.test_editor = editor
-        editor.show_test(test, self._tags())
+        editor.show_test(test, self._words())
         editor.open_at(self.viewer.mapFromScene(row).boundingRect())
 
-    def _tags(self) -> tuple[str, ...]:
-        return tuple(c.name for c in self._picture.cards.values() if c.kind == "data")
+    def _words(self) -> Vocabulary:
+        tags = tuple(c.name for c in self._picture.cards.values() if c.kind == "data")
+        return Vocabulary(tags=tags, data=known_data(self.project(), self.document.observe))
 
     def _on_test(self, place: Place, test: Test) -> None:
         done = self._edit(*conditions.change_test(self.document, place, test))
         now = places.get(self.document, place)
         if not done and self.test_editor is not None and isinstance(now, Test):
-            self.test_editor.show_test(now, self._tags())
+            self.test_editor.show_test(now, self._words())
+            self.test_editor.refuse()
+
+    def _on_refused_value(self, why: str) -> None:
+        self.status.emit(why)
+        if self.test_editor is not None:
             self.test_editor.refuse()
 
     def _on_test_closed(self) -> None:
@@ -65,7 +78,7 @@ class ScriptCommands(ScriptAsking):
             return
         test, row = places.get(self.document, editor.place), self.row_area(editor.place)
         if isinstance(test, Test) and row is not None:
-            editor.show_test(test, self._tags())
+            editor.show_test(test, self._words())
             editor.settle_at(self.viewer.mapFromScene(row).boundingRect())
         else:
             editor.close_editor()

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
 from situ.document import codec
-from situ.document.project import Project
 from situ.document.spds import Spds
 from situ_studio import script_copies as copies
 from situ_studio.canvas import script_gestures as gestures
@@ -22,11 +19,10 @@ MIME = "application/x-situ-situations+xml"
 class ScriptCopying(ScriptCommands):
     """Situations, data and modules, and what they refer to.
 
-    origin: the path of the script. project: the project as it is at the time of the call.
+    origin: the path of the script.
     """
 
     origin: str = ""
-    project: Callable[[], Project | None]
 
     def _elsewhere(self) -> dict[str, tuple[str, ...]]:
         """Modules that the project declares outside of the script, with their resources."""

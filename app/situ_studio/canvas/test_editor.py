@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QVBoxLayout, QWidget
 
 from situ.document.condition import Test
 from situ_studio.edit import Place
-from situ_studio.panels.conditions import TestBox
+from situ_studio.panels.test_box import TestBox
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -48,8 +48,8 @@ class TestEditor(QFrame):
         self.box.setFixedWidth(WIDE)
         layout.addWidget(self.box)
 
-    def show_test(self, test: Test, tags: tuple[str, ...]) -> None:
-        self.box.show_test(test, Vocabulary(tags=tags))
+    def show_test(self, test: Test, vocabulary: Vocabulary) -> None:
+        self.box.show_test(test, vocabulary)
         self.adjustSize()
 
     def open_at(self, row: QRect) -> None:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document import rbd
+from situ.document.condition import Test
 from situ_studio import changes, places, words
 from situ_studio.help_topics import HELP, field_topic
 from situ_studio.icon_widgets import IconButton
@@ -35,6 +36,7 @@ from situ_studio.panels.fields import (
 )
 from situ_studio.panels.section import SectionEditor
 from situ_studio.panels.subject import LABEL, MARGIN, Subject
+from situ_studio.panels.test_box import TestBox
 from situ_studio.panels.timeout_rows import TimeoutRows
 from situ_studio.theme import Theme
 
@@ -64,7 +66,17 @@ class Form(QWidget):
         column.setContentsMargins(0, 8, 0, 12)
         column.setSpacing(0)
         self._timeout: TimeoutRows | None = None
-        for field in kind.fields:
+        self._test: TestBox | None = None
+        if kind.value is Test:
+            self._test = TestBox(theme, self)
+            self._test.remove.hide()
+            self._test.changed.connect(self._on_test)
+            self._test.refused.connect(self.refused)
+            around = QHBoxLayout()
+            around.setContentsMargins(MARGIN, 0, MARGIN, 4)
+            around.addWidget(self._test)
+            column.addLayout(around)
+        for field in kind.fields if self._test is None else ():
             if field.editor == "timeout":
                 self._timeout = TimeoutRows(theme, self)
                 self._timeout.changed.connect(self._on_timeout)
@@ -101,6 +113,8 @@ class Form(QWidget):
         for field, widget, _ in self._fields:
             offer(widget, field.editor, subject.vocabulary, field.choices, self._empty(field))
             widget.show_value(getattr(subject.value, field.attribute))
+        if self._test is not None:
+            self._test.show_test(subject.value, subject.vocabulary)
         if self._timeout is not None:
             self._timeout.show_value(subject.value.timeout, subject.vocabulary)
         for section in self._sections:
@@ -126,6 +140,8 @@ class Form(QWidget):
         """The field of an attribute; LookupError where the form has none."""
         if attribute == "timeout" and self._timeout is not None:
             return self._timeout.seconds
+        if self._test is not None:
+            return self._test.field(attribute)
         for field, widget, _ in self._fields:
             if field.attribute == attribute:
                 return widget
@@ -274,6 +290,14 @@ class Form(QWidget):
         document = places.change(subject.document, subject.place, timeout=timeout)
         where = words.place_words(subject.document, subject.place)
         self.edited.emit(document, self.tr("Change timeout of {0}").format(where), subject.place)
+
+    def _on_test(self, test: Test) -> None:
+        subject = self._subject
+        if subject is None or test == subject.value:
+            return
+        document = places.put(subject.document, subject.place, test)
+        where = words.place_words(subject.document, subject.place)
+        self.edited.emit(document, self.tr("Change {0}").format(where), subject.place)
 
     def _on_section(self, attribute: str, value: Any, text: str) -> None:
         subject = self._subject

@@ -26,7 +26,7 @@ from situ_studio.canvas.script_gestures import annotate, note_of
 from situ_studio.canvas.script_layout import Pills, spread
 from situ_studio.canvas.script_projection import picture
 from situ_studio.canvas.script_rows import tests as every_test
-from situ_studio.panels.conditions import listed, several
+from situ_studio.panels.test_box import listed, several
 
 TAGS = ("a", "b.c", "d")
 TESTS = st.builds(Question, st.sampled_from(TAGS), st.just("is"), st.just("true"))
