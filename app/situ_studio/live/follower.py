@@ -24,7 +24,7 @@ from situ_studio.live.viewing import Viewing
 from situ_studio.live.views import live_script, live_view
 from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
-from situ_studio.panels.trace import LIMIT, Trace
+from situ_studio.panels.trace import Trace
 
 FRAME = 16
 """Milliseconds in which events are gathered before they are drawn."""
@@ -67,9 +67,9 @@ class Follower(QObject):
         self.viewing = Viewing(link.log, self)
         self.viewing.show(link.log, self._end)
         self.viewing.moved.connect(self.refresh)
+        trace.watch(self.viewing)
         self._recording: Recording | None = None
         self._rehearses = False
-        self._traced: list[TraceFields] = []
         self.same: bool | None = None
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
@@ -80,7 +80,6 @@ class Follower(QObject):
         self._tick.timeout.connect(self.refresh)
         link.state_changed.connect(self._on_state)
         link.moment_changed.connect(self._on_moment)
-        link.came.connect(self._traced.extend)
         link.documents_came.connect(lambda _: self.compare())
 
     def show_recording(self, recording: Recording) -> None:
@@ -88,19 +87,17 @@ class Follower(QObject):
         self._recording, self._rehearses = recording, False
         self.viewing.show(recording.log)
         self.viewing.seek(recording.log.lanes.start)
-        self._trace.show_all(recording.log[-LIMIT:])
         self.compare()
 
     def show_rehearsal(self, log: TraceLog, end: Callable[[], float]) -> None:
         """All views show that run, as it goes on. end: its time now."""
         self._recording, self._rehearses = None, True
         self.viewing.show(log, end)
-        self._trace.show_all(log[-LIMIT:])
         self.compare()
 
-    def take_rehearsed(self, events: list[TraceFields]) -> None:
-        """The rehearsal that is shown has gone on, through these."""
-        self._trace.add(events)
+    def take_rehearsed(self, _: list[TraceFields]) -> None:
+        """The rehearsal that is shown has gone on."""
+        self._trace.go_on()
         if not self._soon.isActive():
             self._soon.start()
 
@@ -108,7 +105,6 @@ class Follower(QObject):
         """All views show the link's robot again; as drawn where there is none."""
         self._recording, self._rehearses = None, False
         self.viewing.show(self._link.log, self._end)
-        self._trace.show_all(self._link.log[-LIMIT:])
         self.compare()
         self._on_state()
 
@@ -135,7 +131,6 @@ class Follower(QObject):
     def refresh(self) -> None:
         """Draws the moment as it is now."""
         self._tell()
-        traced, self._traced[:] = list(self._traced), []
         if not self.shows:
             return
         moment, t = self.viewing.moment(), self.viewing.t
@@ -147,12 +142,7 @@ class Follower(QObject):
                 self._window.show_live(file, live_script(moment))
         self._blackboard.show_moment(moment, t)
         self._authority.show_moment(moment, t)
-        if self._recording is not None or self._rehearses:
-            return
-        if traced and traced[0]["seq"] == 1:
-            self._trace.show_all(traced)
-        else:
-            self._trace.add(traced)
+        self._trace.go_on()
 
     @property
     def shows(self) -> bool:

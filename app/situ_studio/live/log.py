@@ -63,6 +63,8 @@ class TraceLog:
         self._times: array[float] = array("d")
         self._standing: list[tuple[float, str, Any, str | None]] = []
         self._seq = 0
+        self.gone = 0
+        """How many of the first are not kept any more."""
         self._unpacked: tuple[int, list[TraceFields]] = (-1, [])
         self._shown: tuple[int, Moment] = (-1, self.now)
 
@@ -123,6 +125,7 @@ class TraceLog:
         """The oldest block goes, and the cursor's places go down by as many."""
         del self._blocks[0]
         del self._times[: self._size]
+        self.gone += self._size
         self.lanes.forget(self._times[0])
         self._unpacked, self._shown = (-1, []), (-1, self.now)
 

@@ -35,7 +35,7 @@ class RowsModel(QAbstractTableModel):
         super().__init__(parent)
         self._titles = list(titles)
         self._theme = theme
-        self.rows: list[Row] = []
+        self.rows: Sequence[Row] = []
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
@@ -44,29 +44,33 @@ class RowsModel(QAbstractTableModel):
     def show(self, rows: list[Row]) -> None:
         """Takes these rows; the same keys in the same order keep their places."""
         if [row.key for row in rows] != [row.key for row in self.rows]:
-            self.beginResetModel()
-            self.rows = rows
-            self.endResetModel()
+            self.exchange(rows)
             return
         before, self.rows = self.rows, rows
         changed = [n for n, (a, b) in enumerate(zip(before, rows, strict=True)) if a != b]
         if changed:
             self._told(changed[0], changed[-1])
 
-    def append(self, rows: list[Row], limit: int) -> None:
-        """Adds rows at the end; only the last ``limit`` are kept."""
-        if not rows:
-            return
-        rows = rows[-limit:]
-        over = len(self.rows) + len(rows) - limit
-        if over > 0:
-            self.beginRemoveRows(QModelIndex(), 0, over - 1)
-            del self.rows[:over]
+    def exchange(self, rows: Sequence[Row]) -> None:
+        """Takes other rows, which may be read where they are looked at only."""
+        self.beginResetModel()
+        self.rows = rows
+        self.endResetModel()
+
+    def drop(self, gone: int, drop: Callable[[int], None]) -> None:
+        """``drop`` takes so many of the first rows away."""
+        if gone:
+            self.beginRemoveRows(QModelIndex(), 0, gone - 1)
+            drop(gone)
             self.endRemoveRows()
-        first = len(self.rows)
-        self.beginInsertRows(QModelIndex(), first, first + len(rows) - 1)
-        self.rows += rows
-        self.endInsertRows()
+
+    def add(self, came: int, add: Callable[[int], None]) -> None:
+        """``add`` puts so many rows at the end."""
+        if came:
+            first = len(self.rows)
+            self.beginInsertRows(QModelIndex(), first, first + came - 1)
+            add(came)
+            self.endInsertRows()
 
     def _told(self, first: int, last: int) -> None:
         if last >= first:

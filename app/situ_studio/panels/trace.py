@@ -1,24 +1,29 @@
-"""Trace: what the connected robot did, one event a row, the last at the bottom."""
+"""Trace: what the robot did that is looked at, one event a row, the last at the bottom."""
 
 from __future__ import annotations
 
+from PySide6.QtCore import QModelIndex
 from PySide6.QtGui import QKeyEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from situ.decide.values import in_text
 from situ_studio.language import tr
+from situ_studio.live.log import TraceLog
+from situ_studio.live.log_rows import LogRows
 from situ_studio.live.moment import TraceFields
+from situ_studio.live.viewing import Viewing
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.theme import Theme
-
-LIMIT = 2_000
-"""Rows shown; the log keeps more."""
 
 _ALWAYS = ("kind", "seq", "t", "cause", "time")
 _LOUD = ("transition", "situation", "authority", "error", "warning")
 
 
 class Trace(RowsTable):
+    """Every event of the log that ``viewing`` has. The row that is chosen is where its cursor is,
+    either way; while it follows, the end is seen, unless somebody has scrolled elsewhere.
+    """
+
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         titles = (tr("Time"), tr("What"), tr("Because of"), tr("Details"))
         super().__init__(tr("Trace"), titles, (90, 120, 90), theme, parent)
@@ -28,23 +33,61 @@ class Trace(RowsTable):
             tr("The number of what it came from."),
             tr("What is known about it."),
         )
+        self._viewing: Viewing | None = None
+        self._shown = LogRows(TraceLog(), _row)
         self._follows = True
+        self.clicked.connect(self._seek)
+        self.activated.connect(self._seek)
         bar = self.verticalScrollBar()
         bar.rangeChanged.connect(self._on_range)
         bar.sliderMoved.connect(self._on_scrolled)
         bar.actionTriggered.connect(lambda _: self._on_scrolled(bar.sliderPosition()))
 
-    def show_all(self, events: list[TraceFields]) -> None:
-        """Begins anew with these events."""
+    def watch(self, viewing: Viewing) -> None:
+        """Shows what that looks at, from now on."""
+        self._viewing = viewing
+        viewing.exchanged.connect(self._read)
+        viewing.moved.connect(self._show_cursor)
+        self._read()
+
+    def go_on(self) -> None:
+        """The log may have more by now; stays at the end where it was at the end."""
+        news = self._shown.news()
+        if news is None:
+            self._read()
+            return
+        gone, came = news
+        self.rows.drop(gone, self._shown.drop)
+        self.rows.add(came, self._shown.take)
+        if came and self._follows:
+            self.scrollToBottom()
+
+    def _read(self) -> None:
+        assert self._viewing is not None
         self._follows = True
-        self.rows.show([_row(event) for event in events[-LIMIT:]])
+        self._shown = LogRows(self._viewing.log, _row)
+        self.rows.exchange(self._shown)
         self.scrollToBottom()
 
-    def add(self, events: list[TraceFields]) -> None:
-        """Adds events; stays at the end where it was at the end."""
-        self.rows.append([_row(event) for event in events], LIMIT)
-        if self._follows:
+    def _show_cursor(self) -> None:
+        viewing = self._viewing
+        assert viewing is not None
+        self.go_on()
+        if viewing.follows:
+            self.clearSelection()
+            self.setCurrentIndex(QModelIndex())
+            self._follows = True
             self.scrollToBottom()
+            return
+        self._follows = False
+        chosen = self.currentIndex().row()
+        if chosen < 0 or viewing.log.time(chosen) != viewing.t:
+            # The last that has happened by then.
+            self.setCurrentIndex(self.rows.index(viewing.log.count(viewing.t) - 1, 0))
+
+    def _seek(self, index: QModelIndex) -> None:
+        if self._viewing is not None:
+            self._viewing.seek(self._viewing.log.time(index.row()))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         super().wheelEvent(event)
