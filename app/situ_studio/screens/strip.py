@@ -195,6 +195,9 @@ class StateStrip(QListView):
         every = self._states.places
         row = every.index(place) if place in every else -1
         index = self._states.index(row) if row >= 0 else QModelIndex()
+        if row >= 0 and index == self.currentIndex():
+            # An edit of it: a person may have scrolled on meanwhile.
+            return
         self.setCurrentIndex(index)
         # Its neighbours are seen too: there it goes on.
         for near in (row + 1, row - 1, row):
