@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QFrame,
@@ -37,6 +37,9 @@ class DeployDialog(QDialog):
     """planned: gives what would be sent as things are now; None while the robot has not told what
     it runs. ``settle`` shows everything as it is.
     """
+
+    theirs_asked = Signal()
+    """A person wants to look at what the robot runs."""
 
     def __init__(
         self,
@@ -130,11 +133,15 @@ class DeployDialog(QDialog):
         self.deploy = QPushButton(self.tr("Deploy"))
         self.deploy.setProperty("role", "filled")
         self.deploy.clicked.connect(self._on_deploy)
+        self.theirs = QPushButton(self.tr("Open the robot's version…"))
+        self.theirs.setToolTip(self.tr("As a project of its own, in a window of its own."))
+        self.theirs.clicked.connect(self.theirs_asked)
         line.addWidget(self.back)
+        line.addWidget(self.theirs)
         line.addStretch(1)
         for button in (self.stop, self.close_button, self.deploy):
             line.addWidget(button)
-        for button in (self.back, self.stop, self.close_button):
+        for button in (self.back, self.theirs, self.stop, self.close_button):
             button.setAutoDefault(False)
         self.deploy.setDefault(True)
         return line
@@ -216,6 +223,7 @@ class DeployDialog(QDialog):
         busy = deploying.is_on_its_way
         self.deploy.setEnabled(bool(plan and plan.files and not plan.hindrances) and not busy)
         self.stop.setVisible(busy)
+        self.theirs.setEnabled(plan is not None)
         to = self._back_to
         words = self.tr("Roll back to version {0}").format(to) if to is not None else ""
         self.back.setText(words or self.tr("Roll back"))

@@ -30,6 +30,11 @@ class Plan(Struct, frozen=True):
     changes: tuple[Change, ...] = ()
     hindrances: tuple[str, ...] = ()
 
+    @property
+    def media(self) -> dict[str, bytes]:
+        """Those of ``files`` that are no texts."""
+        return {file: data for file, data in self.files.items() if not file.endswith(_TEXTS)}
+
 
 def plan(
     project: Project,

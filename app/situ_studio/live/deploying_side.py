@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from situ.document import beside
+from situ.errors import UsageError
 from situ_studio.edit import write
-from situ_studio.live import deploying_words
+from situ_studio.live import deploying_theirs, deploying_words
 from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_dialog import DeployDialog
 from situ_studio.live.deploying_plan import Plan, plan
@@ -49,11 +51,28 @@ class DeployingSide(QObject):
         if self.dialog is None:
             window = self._window
             self.dialog = DeployDialog(self.deploying, self._plan, window.theme, window)
+            self.dialog.theirs_asked.connect(self.open_theirs)
         self.deploying.ask_history()
         self.dialog.settle()
         self.dialog.show()
         self.dialog.activateWindow()
         self.dialog.deploy.setFocus()
+
+    def open_theirs(self) -> None:
+        """What the robot runs, in a new folder and a window of its own."""
+        window, files, sent = self._window, self._link.files, self._plan()
+        if files is None or sent is None or window.windows is None:
+            return
+        name = f"{self._link.state.project}-robot"
+        title = self.tr("Where the folder {0} shall be made").format(name)
+        parent = window.dialogs.new_folder(str(window.session.root.parent), title)
+        if parent is None:
+            return
+        try:
+            deploying_theirs.keep(files, sent.media, Path(parent) / name)
+            window.windows.show_project(Path(parent) / name)
+        except UsageError as error:
+            window.dialogs.tell(str(error))
 
     def _plan(self) -> Plan | None:
         session, files = self._window.session, self._link.files

@@ -46,7 +46,11 @@ def press(it: Any, button: Any) -> None:
 
 
 def test_what_differs_is_told_deployed_and_taken_back(
-    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+    studio: Callable[..., Any],
+    project: Callable[[str], Path],
+    robot: Any,
+    until: Any,
+    tmp_path: Path,
 ) -> None:
     there = robot(project("conversation"))
     it = studio(there.project)
@@ -98,6 +102,18 @@ def test_what_differs_is_told_deployed_and_taken_back(
     assert dialog.back.text() == "Roll back to version 2"
     press(it, dialog.back)
     until(link.documents_came, lambda: "welcome" in link.files[file])
+    # What the robot runs opens beside mine, which stays as it is.
+    rename(it, "again")
+    it.answers.put("new_folder", str(tmp_path / "theirs"))
+    press(it, dialog.theirs)
+    other = it.window.windows.windows[-1]
+    assert other is not it.window
+    assert other.session.document(file).states[0].name == "welcome"
+    assert it.session.document(file).states[0].name == "again"
+    # A second time there is something in its way.
+    it.answers.put("new_folder", str(tmp_path / "theirs"))
+    press(it, dialog.theirs)
+    assert "is there already" in it.answers.told[-1]
     dialog.close()
     it.window.disconnect_robot()
     assert deploying.stands == "idle"
