@@ -1056,6 +1056,15 @@ COMMANDS: tuple[Command, ...] = (
         tip="The drawing is shown as it is drawn again.",
     ),
     _c(
+        "scenarios.run",
+        "Run all scenarios",
+        "run_scenarios",
+        icon="check",
+        menu="Robot",
+        when="has_project",
+        tip="Each is done from the start, and what shall happen is looked for.",
+    ),
+    _c(
         "connect",
         "Connect",
         "connect_robot",

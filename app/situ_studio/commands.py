@@ -500,6 +500,9 @@ class Commands(FileCommands):
     def save_rehearsal(self) -> None:
         self._window.rehearsing.save()
 
+    def run_scenarios(self) -> None:
+        self._window.scenarios.run()
+
     def is_rehearsing(self) -> bool:
         return self._window.rehearsing.running is not None
 

@@ -254,10 +254,12 @@ PAGES: tuple[Page, ...] = (
 
         An edit does not change what runs: Start again runs it as it is then.
 
-        What was done can be saved as a scenario, with what shall happen again. It is a test.
+        What was done can be saved as a scenario, with what shall happen again. All of them are run
+        from the panel Scenarios; what they came through can be painted on the drawings.
         """,
         ("command/rehearse", "command/rehearse.pause", "command/rehearse.step",
-         "command/rehearse.save", "command/rehearse.end", "panel/rehearsal"),
+         "command/rehearse.save", "command/rehearse.end", "command/scenarios.run", "panel/rehearsal",
+         "panel/scenarios"),
     ),
     Page(
         "window",
@@ -381,13 +383,18 @@ PANELS: dict[str, Panel] = {
         "Breakpoints", "Where the robot pauses. A click goes there, Delete takes one away."
     ),
     "panel/trace": Panel("Trace", "What the robot did, one line each, the latest at the end."),
+    "panel/why": Panel(
+        "Why?", "What led to it, the input that began it first. A click on a row goes there."
+    ),
+    "panel/scenarios": Panel(
+        "Scenarios",
+        "What was done before is done again, and what shall happen is looked for. A click on what "
+        "failed shows that moment in all views.",
+    ),
     "panel/rehearsal": Panel(
         "Rehearsal",
         "The robot's screen, to be touched; what people say, data and modules. Nothing of it is "
         "in the documents.",
-    ),
-    "panel/why": Panel(
-        "Why?", "What led to it, the input that began it first. A click on a row goes there."
     ),
     "panel/tabs": Panel(
         "Tabs", "One for each open document; at the right, the ways in which it can be shown."

@@ -60,7 +60,7 @@ class RobotSide(QObject):
         self.recording: Recording | None = None
         """The one that is looked at, instead of the robot."""
         self._reading = ReadingRecording(self)
-        self._reading.read.connect(self._show_recording)
+        self._reading.read.connect(self.show_recording)
         self._reading.refused.connect(self._on_refused)
         self._reading.went_on.connect(self._on_went_on)
         self._work: Work | None = None
@@ -120,7 +120,8 @@ class RobotSide(QObject):
             self.follower.show_link()
             self.settle()
 
-    def _show_recording(self, recording: Recording) -> None:
+    def show_recording(self, recording: Recording) -> None:
+        """All views show that run, instead of the robot."""
         self._end_work()
         self.disconnect_robot()
         self.recording = recording

@@ -41,6 +41,7 @@ from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.parts import PartsSide
 from situ_studio.recovery import Recovery
+from situ_studio.rehearsing.scenarios_side import ScenariosSide
 from situ_studio.rehearsing.side import RehearsingSide
 from situ_studio.robot import RobotSide
 from situ_studio.script_modules import ScriptModules
@@ -96,6 +97,7 @@ class MainWindow(Frame):
         self.deploying = DeployingSide(self)
         self.operating = OperatingSide(self)
         self.rehearsing = RehearsingSide(self)
+        self.scenarios = ScenariosSide(self)
         self.disk = DiskSide(self)
         CheckWork(session.checker, self.status.work)
         self.modules = ScriptModules(self)
@@ -675,6 +677,7 @@ class MainWindow(Frame):
         self.operating.set_theme(theme)
         self.why.set_theme(theme)
         self.rehearsing.set_theme(theme)
+        self.scenarios.panel.set_theme(theme)
         self.finding.set_theme(theme)
         self.pages.set_theme(theme)
         for view in self.sides.views():
@@ -705,6 +708,7 @@ class MainWindow(Frame):
             return
         self.designing.leave()
         self.rehearsing.end()
+        self.scenarios.cancel()
         self.keep()
         keep_shown(self.settings, self)
         self.recovery.forget()

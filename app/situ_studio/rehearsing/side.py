@@ -55,7 +55,7 @@ class RehearsingSide(QObject):
         window = self._window
         window.finish_fields()
         project = window.session.project
-        if project is None or self._refused():
+        if project is None or not self.may_run():
             return
         if self.running is not None:
             self.start_again()
@@ -75,7 +75,7 @@ class RehearsingSide(QObject):
     def start_again(self) -> None:
         """From the start, with the project as it is now."""
         project = self._window.session.project
-        if self.running is not None and project is not None and not self._refused():
+        if self.running is not None and project is not None and self.may_run():
             self.running.begin(project)
 
     def end(self) -> None:
@@ -122,8 +122,8 @@ class RehearsingSide(QObject):
     def set_theme(self, theme: Theme) -> None:
         self.desk.set_theme(theme)
 
-    def _refused(self) -> bool:
-        """Whether the project can not run, which is told then."""
+    def may_run(self) -> bool:
+        """Whether the project can run; that it can not is told."""
         window, session = self._window, self._window.session
         project = session.project
         wrong = project is None or any(session.is_incomplete(file) for file in session.files)
@@ -131,8 +131,8 @@ class RehearsingSide(QObject):
             wrong = any(p.severity == "error" for p in structure(project))
         if wrong:
             window.bottom.choose("problems")
-            window.say(self.tr("Mend the errors first, then the project can be rehearsed."))
-        return wrong
+            window.say(self.tr("Mend the errors first, then the project can run."))
+        return not wrong
 
     def _show_course(self) -> None:
         running = self.running

@@ -106,15 +106,26 @@ def run_suite(
     names = [application.name for application in project.applications.values()]
     played = []
     for path in files:
-        try:
-            written = scenario.load(path, names)
-        except UsageError as error:
-            played.append(Played(_called(project, path), unreadable=str(error)))
-            continue
-        recording, one = play(project, _called(project, path), written, seed, auto_finish)
-        coverage.add(recording)
+        recording, one = play_file(project, path, names, seed, auto_finish)
+        if recording is not None:
+            coverage.add(recording)
         played.append(one)
     return Suite(project.name, played, coverage)
+
+
+def play_file(
+    project: Project,
+    path: Path,
+    names: list[str],
+    seed: int = 0,
+    auto_finish: float | None = None,
+) -> tuple[Recording | None, Played]:
+    """Plays the scenario of a file; None where it cannot be read. names: of the applications."""
+    try:
+        written = scenario.load(path, names)
+    except UsageError as error:
+        return None, Played(_called(project, path), unreadable=str(error))
+    return play(project, _called(project, path), written, seed, auto_finish)
 
 
 def play(
