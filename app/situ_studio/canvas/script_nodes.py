@@ -17,6 +17,7 @@ from situ_studio.canvas.style import Label, Look
 from situ_studio.language import tr
 
 RADIUS = 8.0
+EAR = 13.0
 SMALLEST = 11.0
 """Px on the screen of a name in a small drawing (tokens.md, *Level of detail*)."""
 
@@ -180,6 +181,8 @@ class ScriptItem(NodeFace):
             painter.drawRoundedRect(box, 4, 4)
             ink = look["card"] if lit else look["situation"]
             self._texts["number"].draw_middle(painter, box.center().x(), box.center().y() + 4, ink)
+        if node.note and look.level == "full":
+            painter.fillPath(_ear(node.width), look["text3"])
         if node.mark:
             x = node.width - (46 if node.number else 22)
             look.icon(painter, node.mark, x, 6, 16, look[node.mark])
@@ -265,5 +268,15 @@ def _strip(height: float) -> QPainterPath:
     path.lineTo(0, height - RADIUS)
     path.arcTo(QRectF(0, height - 2 * RADIUS, 2 * RADIUS, 2 * RADIUS), 180, 90)
     path.lineTo(STRIP, height)
+    path.closeSubpath()
+    return path
+
+
+def _ear(width: float) -> QPainterPath:
+    """The marked corner at the top right of a node with a note, as in a spreadsheet's cell."""
+    path = QPainterPath(QPointF(width - EAR, 0))
+    path.lineTo(width - RADIUS, 0)
+    path.arcTo(QRectF(width - 2 * RADIUS, 0, 2 * RADIUS, 2 * RADIUS), 90, -90)
+    path.lineTo(width, EAR)
     path.closeSubpath()
     return path

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from situ.document import words
 from situ.document.condition import Condition
 from situ.document.problem import Problem
-from situ.document.spds import Observed, Situation, Spds
-from situ_studio import kinds
+from situ.document.spds import Entry, Observed, Situation, Spds
+from situ_studio import kinds, places
 from situ_studio.canvas.script_faces import (
     IN,
     LEFT,
@@ -47,7 +47,7 @@ def picture(
     """
     shapes = shapes if shapes is not None else Shapes()
     shapes.begin()
-    return _Drawing(script, _marks(problems), shapes).picture()
+    return _Drawing(script, _marks(problems, script), shapes).picture()
 
 
 def named(values: Iterable[str]) -> Iterator[tuple[str, str]]:
@@ -306,8 +306,8 @@ def _mean(values: Sequence[float], otherwise: float) -> float:
     return sum(values) / len(values) if values else otherwise
 
 
-def _marks(problems: Iterable[Problem]) -> dict[Place, Mark]:
-    """Marks by place: of nodes, and of entries for their pills."""
+def _marks(problems: Iterable[Problem], script: Spds) -> dict[Place, Mark]:
+    """Marks by place: of nodes, and of entries for their pills, of a tie both."""
     marks: dict[Place, Mark] = {}
     for problem in problems:
         place = problem.place
@@ -319,4 +319,29 @@ def _marks(problems: Iterable[Problem]) -> dict[Place, Mark]:
             root = place[:2]
         if root and (problem.severity == "error" or root not in marks):
             marks[root] = problem.severity
+        if problem.code == "tie":
+            for other in _tied_with(script, place):
+                marks.setdefault(other, problem.severity)
     return marks
+
+
+def _tied_with(script: Spds, place: Place) -> list[Place]:
+    """The other entries of a tie: those of the same priority in the situation, which can use
+    something that the first can use."""
+    situation = script.situation(place[1])
+    mine = places.get(script, place[:4]) if len(place) > 3 else None
+    if situation is None or not isinstance(mine, Entry):
+        return []
+    uses = {m.name: set(m.resources) for m in script.modules}
+    nothing: set[str] = set()
+    return [
+        ("situation", place[1], "entry", str(number))
+        for number, entry in enumerate(situation.entries)
+        if entry.module != mine.module
+        and entry.priority == mine.priority
+        # What a module declares elsewhere is not known here.
+        and (
+            not {mine.module, entry.module} <= uses.keys()
+            or uses.get(mine.module, nothing) & uses.get(entry.module, nothing)
+        )
+    ]

@@ -7,8 +7,9 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QAccessible
+from PySide6.QtGui import QAccessible, QImage
 from PySide6.QtTest import QTest
 from tests.gui.canvas.test_accessible import DESCRIPTION, NAME, tree
 from tests.gui.canvas.test_application_canvas import drop
@@ -392,12 +393,48 @@ def test_a_press_by_a_screen_reader_selects_the_pipe(made: Any) -> None:
 # -- seen ---------------------------------------------------------------------------------------
 
 
-def test_a_note_is_told_where_the_mouse_rests_and_to_those_who_hear(made: Any) -> None:
+def test_of_a_tie_both_priorities_are_marked(made: Any) -> None:
+    script = made.document
+    nod, talk = script.situations[2].entries
+    for resources, marks in (((("head",), ("head",)), "both"), ((("head",), ("speech",)), "one")):
+        after = replace(
+            script,
+            modules=tuple(
+                replace(m, resources=r) for m, r in zip(script.modules, resources, strict=True)
+            ),
+            situations=(
+                *script.situations[:2],
+                replace(script.situations[2], entries=(nod, replace(talk, priority=20))),
+            ),
+        )
+        place = ("situation", "rest", "entry", "0")
+        told = Problem(file="x", severity="warning", code="tie", message="t", place=place)
+        made.canvas.show_document(after, [told])
+        other = pipe(made, "situation rest", "module talk").link
+        assert pipe(made, "situation rest", "module nod").link.mark == "warning"
+        assert other.mark == ("warning" if marks == "both" else "")
+        assert other.priority == 20
+
+
+def corner(made: Any) -> QImage:
+    """What the upper right corner of the situation rest looks like, selected as it is."""
+    card = made.hand.card("situation rest")
+    spot = made.hand.pixel(card.scenePos() + QPointF(card.face.width - 9, 2))
+    image: QImage = made.hand.port.grab().toImage()
+    return image.copy(spot.x(), spot.y(), 7, 7)
+
+
+def test_a_note_is_seen_told_where_the_mouse_rests_and_to_those_who_hear(
+    made: Any, farthest: Callable[..., int]
+) -> None:
     made.canvas.select([("situation", "rest")])
+    made.hand.settle()
+    before = corner(made)
     made.canvas.edit_note()
     made.hand.type(made.canvas.field_editor, "Nothing else is going on")
     QTest.keyClick(made.canvas.field_editor, Qt.Key.Key_Return)
     assert made.edits == ["Change a note"]
+    assert farthest(corner(made), before) > 60
     assert made.hand.card("situation rest").toolTip().endswith("Note: Nothing else is going on")
     (told,) = [told for name, told in heard(tree(made.canvas)) if name == "rest"]
     assert told == "situation; number 3; always; Note: Nothing else is going on"
