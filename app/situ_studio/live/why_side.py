@@ -20,7 +20,8 @@ from situ.rehearse.telling import Teller
 from situ_studio import icons
 from situ_studio.edit import Place
 from situ_studio.language import said
-from situ_studio.live.why import Thing, latest, place_of, trail
+from situ_studio.live.timeline.rows import RowKind
+from situ_studio.live.why import Thing, ThingKind, latest, place_of, trail
 from situ_studio.live.why_not import Question, events_until, wanted_at
 from situ_studio.live.why_not_asking import AskingWhyNot
 from situ_studio.live.why_places import priorities, tags_of, thing_at, where
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
 
 PANEL = "why"
 INDENT = "    "
+_OF_ROW: dict[RowKind, ThingKind] = {
+    "state": "application", "situation": "situation", "resource": "held", "data": "tag",
+}  # fmt: skip
 SLICE = 0.012
 """Seconds of looking at a time."""
 
@@ -61,6 +65,9 @@ class WhySide(QObject):
         for table in (robot.blackboard, robot.authority, robot.trace):
             table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
             table.customContextMenuRequested.connect(partial(self._on_menu, table))
+        chart = robot.timeline.chart
+        chart.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        chart.customContextMenuRequested.connect(self._on_timeline)
         robot.link.state_changed.connect(self.settle)
         self._viewing.exchanged.connect(self._on_exchanged)
         self.settle()
@@ -152,16 +159,39 @@ class WhySide(QObject):
         things = self._of_row(table)
         if not things or not self.can_ask():
             return
+        menu = self._menu(things)
+        if table is self._robot.authority:
+            self._add_others(menu, things[0][1].name)
+        menu.popup(table.viewport().mapToGlobal(at))
+
+    def _on_timeline(self, at: QPoint) -> None:
+        """Of what was there at the moment under the hand."""
+        chart = self._robot.timeline.chart
+        row, t = chart.row_at(at), chart.moment_at(at)
+        if row is None or not self.can_ask():
+            return
+        then = self._viewing.t if t is None else t
+        name, kind = row.name, _OF_ROW[row.kind]
+        if row.kind == "situation":
+            name = self._viewing.log.lanes.situation.at(then) or ""
+        menu = self._menu([(self.tr("Why?"), Thing(kind, name))], then)
+        menu.popup(chart.viewport().mapToGlobal(at))
+
+    def _menu(self, things: list[tuple[str, Thing]], t: float | None = None) -> QMenu:
+        """t: where the cursor goes before; None: it stays."""
         menu = QMenu(self._window)
         sign = icons.icon("why", self._window.theme.color("text2"), 18)
         for words, thing in things:
             action = menu.addAction(sign, words)
-            action.triggered.connect(lambda _=False, thing=thing: self.ask_about(thing))
-        if table is self._robot.authority:
-            self._add_others(menu, things[0][1].name)
+            action.triggered.connect(partial(self._ask_at, t, thing))
         menu.aboutToHide.connect(menu.deleteLater)
         self.shown = menu
-        menu.popup(table.viewport().mapToGlobal(at))
+        return menu
+
+    def _ask_at(self, t: float | None, thing: Thing, *_: bool) -> None:
+        if t is not None:
+            self._viewing.seek(t)
+        self.ask_about(thing)
 
     def _add_others(self, menu: QMenu, resource: str) -> None:
         """Why not any of the modules that could hold it?"""

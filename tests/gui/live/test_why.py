@@ -238,6 +238,38 @@ def test_the_panels_rows_answer_in_two_clicks_and_a_third_goes_there(replayed: A
     assert seen(it)[-1].startswith("transfer gets base")
 
 
+def test_the_timeline_answers_of_the_moment_under_the_hand(replayed: Any) -> None:
+    it, events = replayed()
+    window = it.window
+    viewing = window.robot.follower.viewing
+    window.bottom.choose("timeline")
+    it.settle()
+    chart = window.robot.timeline.chart
+    chart.show_all()
+    it.settle()
+    called = next(e for e in events if e["kind"] == "situation" and e["to"] == "called")
+    spots = {(row.kind, row.name): int(top) + row.height // 2 for row, top in chart._tops()}
+    x = int(chart.axis.x(called["t"] + 1)) + chart.viewport().width() - int(chart.axis.width)
+    for row, words in (
+        (("situation", ""), "situation called"),
+        (("state", "converse"), "converse enters 5"),
+        (("resource", "head"), "face-caller gets head"),
+    ):
+        window.bottom.choose("timeline")
+        it.settle()
+        hand = Clicks(it)
+        hand.menu(chart.viewport(), QPoint(x, spots[row]))
+        hand.choose(window.why.shown, "Why?")
+        assert hand.count == 2
+        assert seen(it)[-1].startswith(words)
+        assert called["t"] < viewing.t < called["t"] + 2
+    window.bottom.choose("timeline")
+    it.settle()
+    before = window.why.shown
+    Clicks(it).menu(chart.viewport(), QPoint(x, 2))
+    assert window.why.shown is before
+
+
 def test_cards_and_arrows_answer_by_menu_and_by_keys(replayed: Any) -> None:
     it, events = replayed()
     window = it.window

@@ -344,12 +344,20 @@ class TimelineDrawing(QAbstractScrollArea):
 
     # -- words --------------------------------------------------------------------------
 
+    def row_at(self, at: QPoint) -> TimelineRow | None:
+        """The row of a place on the drawing; None where there is none."""
+        found = [row for row, top in self._tops() if top <= at.y() < top + row.height]
+        return found[0] if found and at.y() >= EDGE else None
+
+    def moment_at(self, at: QPoint) -> float | None:
+        """The time of a place on the drawing; None beside it, where the names are."""
+        return self.axis.t(at.x() - GUTTER) if at.x() >= GUTTER else None
+
     def told_at(self, at: QPoint) -> str:
         """What a place on the drawing says: what, from when, how long; "" where nothing is."""
-        found = [row for row, top in self._tops() if top <= at.y() < top + row.height]
-        if not found or at.y() < EDGE:
+        row = self.row_at(at)
+        if row is None:
             return ""
-        row = found[0]
         if at.x() < GUTTER:
             return row.name
         t = self.axis.t(at.x() - GUTTER)
