@@ -12,12 +12,12 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFormLayout,
     QLabel,
-    QSpinBox,
     QVBoxLayout,
 )
 
 from situ_studio import picture
 from situ_studio.panels.fields import Choice
+from situ_studio.panels.stepped import Stepped
 
 if TYPE_CHECKING:
     from situ_studio.frame import Frame
@@ -55,7 +55,7 @@ class ExportDialog(QDialog):
         for what in areas:
             self.what.addItem(words[what], what)
         form.addRow(self.tr("Of the drawing"), self.what)
-        self.scale = QSpinBox()
+        self.scale = Stepped()
         self.scale.setRange(25, 800)
         self.scale.setSingleStep(25)
         self.scale.setSuffix(" %")

@@ -116,16 +116,21 @@ QLabel[role="pill"] {{ font-size: 11px; font-weight: 500; border-radius: 4px; pa
 QLabel[role="count"] {{ font-size: 11px; font-weight: 500; border-radius: 8px; padding: 0 5px;
   background: {hover}; color: {text2}; }}
 
-QLineEdit, QPlainTextEdit, QComboBox {{ border: 1px solid {line}; border-radius: 6px;
-  background: {field}; color: {text}; selection-background-color: {accent};
+QLineEdit, QPlainTextEdit, QComboBox, QAbstractSpinBox {{ border: 1px solid {line};
+  border-radius: 6px; background: {field}; color: {text}; selection-background-color: {accent};
   selection-color: {on_accent}; placeholder-text-color: {text3}; }}
-QLineEdit, QComboBox {{ padding: 0 7px; min-height: 26px; max-height: 26px; }}
+QLineEdit, QComboBox, QAbstractSpinBox {{ padding: 0 7px; min-height: 26px; max-height: 26px; }}
 QComboBox {{ padding-left: 9px; padding-right: 22px; }}
 QPlainTextEdit {{ padding: 2px 4px; }}
-QLineEdit:hover, QComboBox:hover, QPlainTextEdit:hover {{ border-color: {line_strong}; }}
-QLineEdit:focus, QComboBox:focus, QPlainTextEdit:focus {{ border: 2px solid {accent};
-  background: {panel}; }}
-QLineEdit:focus, QComboBox:focus {{ padding-left: 6px; min-height: 24px; max-height: 24px; }}
+QLineEdit:hover, QComboBox:hover, QPlainTextEdit:hover,
+QAbstractSpinBox:hover {{ border-color: {line_strong}; }}
+QLineEdit:focus, QComboBox:focus, QPlainTextEdit:focus,
+QAbstractSpinBox:focus {{ border: 2px solid {accent}; background: {panel}; }}
+QLineEdit:focus, QComboBox:focus,
+QAbstractSpinBox:focus {{ padding-left: 6px; min-height: 24px; max-height: 24px; }}
+QAbstractSpinBox QLineEdit, QAbstractSpinBox QLineEdit:focus {{ border: 0;
+  background: transparent; padding: 0; margin: 0; min-height: 24px; max-height: 24px; }}
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button {{ width: 0; border: 0; }}
 QComboBox:focus {{ padding-left: 8px; padding-right: 21px; }}
 QPlainTextEdit:focus {{ padding: 1px 3px; }}
 QLineEdit[role="refused"] {{ border-color: {error}; }}

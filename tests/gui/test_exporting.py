@@ -127,6 +127,7 @@ def test_the_question_says_how_large_a_png_becomes_and_refuses_too_large_ones(
     dialog.activateWindow()
     QApplication.processEvents()
     assert dialog.size_.text() == "800 × 600 px"
+    assert dialog.scale.height() == dialog.what.height()
     QTest.keyClick(dialog.what, Qt.Key.Key_Down)
     for _ in range(4):
         QTest.keyClick(dialog.scale, Qt.Key.Key_Up)

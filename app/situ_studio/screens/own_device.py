@@ -5,12 +5,11 @@ from __future__ import annotations
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFormLayout,
-    QSpinBox,
     QWidget,
 )
 
+from situ_studio.panels.stepped import Stepped, SteppedDecimal
 from situ_studio.screens.devices import LARGEST, SMALLEST, Device, own
 
 
@@ -23,12 +22,12 @@ class OwnDevice(QDialog):
         form = QFormLayout(self)
         form.setContentsMargins(24, 20, 24, 20)
         form.setSpacing(12)
-        self.wide, self.high = QSpinBox(), QSpinBox()
+        self.wide, self.high = Stepped(), Stepped()
         for side, value in ((self.wide, device.wide), (self.high, device.high)):
             side.setRange(SMALLEST, LARGEST)
             side.setSuffix(self.tr(" px"))
             side.setValue(value)
-        self.inches = QDoubleSpinBox()
+        self.inches = SteppedDecimal()
         self.inches.setRange(2.0, 120.0)
         self.inches.setDecimals(1)
         self.inches.setSuffix(self.tr(" inches"))
