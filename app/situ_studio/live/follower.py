@@ -6,7 +6,7 @@ changes a document.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from PySide6.QtCore import QObject, QTimer
@@ -70,6 +70,7 @@ class Follower(QObject):
         trace.watch(self.viewing)
         self._recording: Recording | None = None
         self._rehearses = False
+        self._painted: Mapping[str, LiveView | LiveScript] | None = None
         self.same: bool | None = None
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
@@ -85,6 +86,7 @@ class Follower(QObject):
     def show_recording(self, recording: Recording) -> None:
         """All views show that run, from its beginning."""
         self._recording, self._rehearses = recording, False
+        self._painted = None
         self.viewing.show(recording.log)
         self.viewing.seek(recording.log.lanes.start)
         self.compare()
@@ -92,6 +94,7 @@ class Follower(QObject):
     def show_rehearsal(self, log: TraceLog, end: Callable[[], float]) -> None:
         """All views show that run, as it goes on. end: its time now."""
         self._recording, self._rehearses = None, True
+        self._painted = None
         self.viewing.show(log, end)
         self.compare()
 
@@ -104,6 +107,7 @@ class Follower(QObject):
     def show_link(self) -> None:
         """All views show the link's robot again; as drawn where there is none."""
         self._recording, self._rehearses = None, False
+        self._painted = None
         self.viewing.show(self._link.log, self._end)
         self.compare()
         self._on_state()
@@ -114,6 +118,13 @@ class Follower(QObject):
         if self._rehearses:
             return None
         return self._recording.files if self._recording is not None else self._link.files
+
+    def paint(self, painted: Mapping[str, LiveView | LiveScript] | None) -> None:
+        """The drawings show that, by file, instead of a moment; None: the moment again."""
+        self._painted = painted
+        if painted is None and not self.shows:
+            self._on_state()
+        self.refresh()
 
     def compare(self) -> None:
         """Whether the open documents are the robot's own; it has none of what only an editor needs,
@@ -131,10 +142,13 @@ class Follower(QObject):
     def refresh(self) -> None:
         """Draws the moment as it is now."""
         self._tell()
+        for file, live in (self._painted or {}).items():
+            self._window.show_live(file, live)
         if not self.shows:
             return
         moment, t = self.viewing.moment(), self.viewing.t
-        for file, document in self._window.live_documents().items():
+        documents = self._window.live_documents() if self._painted is None else {}
+        for file, document in documents.items():
             if isinstance(document, Application):
                 mine = moment.applications.get(document.name, ApplicationMoment())
                 self._window.show_live(file, live_view(document, mine, t))
