@@ -137,6 +137,13 @@ def test_what_is_wrong_is_not_sent(
     it.session.undo()
     assert dialog.deploy.isEnabled()
     assert not dialog.hindered.isVisible()
+    # What the robot itself refuses is told in its words.
+    deploying = it.window.deploying.deploying
+    deploying.rollback(99)
+    until(deploying.changed, lambda: deploying.stands == "failed")
+    assert dialog.stands.text().startswith("The robot did not take it: ")
+    assert "99" in dialog.stands.text()
+    assert dialog.deploy.isEnabled()
     # Without a robot there is nothing to send it to.
     it.window.disconnect_robot()
     assert not dialog.deploy.isEnabled()

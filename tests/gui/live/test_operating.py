@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QToolButton
 
 from situ_studio.live.operating import read
@@ -50,17 +52,27 @@ def test_breakpoints_pause_the_robot_where_they_are_shown_and_hands_lead_it_on(
         window.robot.follower.refresh()
         return window.views[window.current_file].canvas.look.live
 
+    def painted(token: str) -> int:
+        """Pixels of a colour that the graph shows now."""
+        it.settle()
+        image = window.current_view.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+        pixel = window.theme.color(token).rgb().to_bytes(4, sys.byteorder)
+        return bytes(image.constBits()).count(pixel)
+
+    bare, calm = painted("error"), painted("warning")
     # F9 on a state: it stands on the card, with who did it in the trace, and stops the robot there.
     it.select("state", "3")
     it.key(Qt.Key.Key_F9)
     until(link.moment_changed, lambda: bool(link.log.now.breakpoints))
     assert live().breakpoints == {"3"}
+    assert painted("error") > bare
     told = [e for e in kinds(link, "data") if e["tag"] == "debugger.breakpoints"]
     assert told[-1]["writer"].startswith("operator:")
     window.actions_.actions["operate.goto"].trigger()
     until(link.moment_changed, lambda: now().paused)
     assert now().state == "3"
     assert live().paused == {"3"}
+    assert painted("warning") > calm
     status = window.operating.waiting
     assert status.isVisible()
     assert status.text() == "converse is paused at 3 glad, at breakpoint 1"
