@@ -42,7 +42,8 @@ def test_what_can_not_be_shown_is_left_out_and_the_rest_is_shown() -> None:
     page = made.page()
     assert page is not None
     assert [one["id"] for one in page["components"]] == ["a", "e"]
-    assert page["components"][1] == {"id": "e", "type": "text", **PLACE, "text": "3"}
+    said = {"text": "3", "parts": (("3",),)}
+    assert page["components"][1] == {"id": "e", "type": "text", **PLACE, **said}
 
 
 def test_sources_become_addresses_of_the_media() -> None:
