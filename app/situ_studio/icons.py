@@ -60,14 +60,20 @@ def pixmap(name: str, color: QColor | str, size: int = 16, scale: float | None =
 
 
 def icon(name: str, color: QColor | str, size: int = 16, on: QColor | str | None = None) -> QIcon:
-    """The icon in ``color``; sharp on HiDPI; paler where its widget is disabled.
+    """The icon in ``color``, not to be changed; sharp on HiDPI; paler where its widget is disabled.
 
     on: the colour where its widget is checked, if it differs.
     """
+    plain = QColor(color).name()
+    checked = QColor(on).name() if on is not None else plain
+    return _icon(name, plain, checked, size, tuple(scales()))
+
+
+@lru_cache(maxsize=1024)
+def _icon(name: str, plain: str, checked: str, size: int, scales: tuple[float, ...]) -> QIcon:
+    """Every command, button and row has one: they share it, and whoever takes one copies it."""
     made = QIcon()
-    for scale in scales():
-        plain = QColor(color).name()
-        checked = QColor(on).name() if on is not None else plain
+    for scale in scales:
         for state, shade in ((QIcon.State.Off, plain), (QIcon.State.On, checked)):
             made.addPixmap(_picture(name, shade, size, scale, 1.0), QIcon.Mode.Normal, state)
             made.addPixmap(_picture(name, shade, size, scale, 0.45), QIcon.Mode.Disabled, state)
