@@ -5,6 +5,8 @@ No Qt, no clock: whoever holds it says how far it shall go.
 
 from __future__ import annotations
 
+from typing import Any
+
 from msgspec import Struct
 
 from situ.decide import inputs
@@ -48,10 +50,10 @@ class Pending(Struct, frozen=True):
     def by_itself(self) -> bool:
         return self.until is not None
 
-    def finish(self, ok: bool = True) -> inputs.Finish:
-        """The input that ends it, well or badly."""
+    def finish(self, ok: bool = True, result: Any = None) -> inputs.Finish:
+        """The input that ends it, well or badly. result: what a service answers."""
         if ok:
-            return inputs.Finish(self.action, self.name, self.application)
+            return inputs.Finish(self.action, self.name, self.application, result=result)
         error = "it failed in the rehearsal"
         return inputs.Finish(self.action, self.name, self.application, ok=False, error=error)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -248,15 +249,29 @@ class Desk(QScrollArea):
             called = one.name or (f"“{one.text}”" if one.text else "")
             what = f"{translated(kinds.kind(one.action).title)} {called}".strip()
             line.addWidget(Elided(what, "label"), 1)
+            answer = self._answer(what) if one.action == "service" else None
             for words, ok in ((self.tr("Ends well"), True), (self.tr("Fails"), False)):
                 button = QPushButton(words)
                 button.setProperty("role", "mend")
                 button.setAccessibleName(f"{words}: {what}")
-                given = one.finish(ok)
-                button.clicked.connect(lambda _=False, one=given: self._give(one))
+                button.clicked.connect(partial(self._end, one, ok, answer))
                 line.addWidget(button)
             self._actions.addWidget(row)
+            if answer is not None:
+                self._actions.addWidget(answer)
         _show(self._actions, bool(self._pending))
+
+    def _answer(self, what: str) -> QLineEdit:
+        """What a service answers where it ends well: a value as it is written in a scenario."""
+        line = QLineEdit()
+        line.setPlaceholderText(self.tr('its answer, such as {"names": []}'))
+        line.setAccessibleName(self.tr("What {0} answers").format(what))
+        return line
+
+    def _end(self, pending: Pending, ok: bool, answer: QLineEdit | None, _: bool = False) -> None:
+        """Somebody says how it went."""
+        text = answer.text() if answer is not None else ""
+        self._give(pending.finish(ok, read(text) if text else None))
 
 
 def media_of(project: Project) -> Path | None:

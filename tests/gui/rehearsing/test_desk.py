@@ -9,8 +9,9 @@ from typing import Any
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QLineEdit, QPushButton
 
+from situ.decide import inputs
 from situ.decide.step import SECOND
 from situ.rehearse.scenario import load
 from situ.rehearse.suite import play
@@ -159,6 +160,28 @@ def test_it_is_typed_into_the_robots_screen(desk: Any) -> None:
     used.studio.key(Qt.Key.Key_Return)
     course = used.side.running.course
     assert course.look("user.initial.x") == "J"
+
+
+def test_what_a_service_answers_is_given(desk: Any) -> None:
+    used = desk("reception")
+    running, shown = used.side.running, used.desk
+    running.give(inputs.Touch())
+    for event in ("Continue", "Confirm", "Confirm", "Confirm", "Yes"):
+        running.give(inputs.Raise(f"click{event}"))
+    used.studio.settle()
+    (answer,) = (
+        line for line in shown.findChildren(QLineEdit) if "answers" in line.accessibleName()
+    )
+    shown.ensureWidgetVisible(answer)
+    used.studio.fill(answer, '{"names": []}', Qt.Key.Key_Tab)
+    well = [
+        button
+        for button in shown.findChildren(QPushButton)
+        if button.text() == "Ends well" and "findPatients" in button.accessibleName()
+    ]
+    shown.ensureWidgetVisible(well[0])
+    used.studio.click(well[0])
+    assert used.state == "14"  # nobody has these initials
 
 
 def test_after_an_edit_it_is_offered_to_start_again(desk: Any) -> None:
