@@ -1,7 +1,7 @@
 """The trace log: every event, and the robot as it was at any moment of it.
 
 Fed by the live link, by recordings and rehearsals: all speak the same trace. No Qt, no clock: time
-is the trace's own ``t``. Events are kept packed, some thousand in a block, each block with the
+is the trace's own ``t``. Events are kept packed, some hundred in a block, each block with the
 moment before its first event; so a moment costs the events of one block at most.
 """
 
@@ -20,8 +20,8 @@ from situ_studio.live import lanes, moment
 from situ_studio.live.lanes import Lanes
 from situ_studio.live.moment import Moment, TraceFields
 
-BLOCK = 2_000
-"""Events in a block: what one moment of the past costs at most, about 4 ms."""
+BLOCK = 500
+"""Events in a block: what one moment of the past costs at most, about 1 ms."""
 LIMIT = 2_000_000
 """Events that are kept, about 40 MB."""
 
