@@ -1071,6 +1071,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="unlink",
         shortcut="Ctrl+R",
         menu="Robot",
+        rule=True,
         toolbar="right",
         outlined=True,
         shown="can_connect",

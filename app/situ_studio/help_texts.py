@@ -258,8 +258,8 @@ PAGES: tuple[Page, ...] = (
         from the panel Scenarios; what they came through can be painted on the drawings.
         """,
         ("command/rehearse", "command/rehearse.pause", "command/rehearse.step",
-         "command/rehearse.save", "command/rehearse.end", "command/scenarios.run", "panel/rehearsal",
-         "panel/scenarios"),
+         "command/rehearse.save", "command/rehearse.end", "command/scenarios.run",
+         "panel/rehearsal", "panel/scenarios"),
     ),
     Page(
         "window",

@@ -630,7 +630,7 @@ def test_what_killed_writers_left_is_cleared_and_nothing_else(
         if process == other:
             raise PermissionError
 
-    monkeypatch.setattr(folder.os, "kill", kill)
+    monkeypatch.setattr(os, "kill", kill)
     (tmp_path / "texts").mkdir()
     (tmp_path / "a" / "b").mkdir(parents=True)
     left = [tmp_path / f".a.xml.{gone}.unfinished-x", tmp_path / f"texts/.ja.po.{gone}.unfinished-"]

@@ -56,7 +56,7 @@ def test_every_place_that_can_be_asked_of_gets_an_answer() -> None:
     kinds = set()
     for file, document in project.flows.items():
         for state in document.states:
-            inner = [("event", str(n)) for n, _ in enumerate(state.events)]
+            inner: list[tuple[str, ...]] = [("event", str(n)) for n, _ in enumerate(state.events)]
             inner += [("action", str(n)) for n, _ in enumerate(state.actions)]
             inner += [("timeout",)] if state.timeout is not None else []
             for place in ((), *inner):
