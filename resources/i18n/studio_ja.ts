@@ -56,8 +56,12 @@
         <translation>常に</translation>
     </message>
     <message>
-        <source>until {0}</source>
-        <translation>終了：{0}</translation>
+        <source>stays {0} at least</source>
+        <translation>少なくとも {0} 続く</translation>
+    </message>
+    <message>
+        <source>ends after {0}</source>
+        <translation>{0} 後に終わる</translation>
     </message>
     <message>
         <source>not observed</source>
@@ -96,6 +100,26 @@
         <translation>実行権</translation>
     </message>
     <message>
+        <source>A part of the robot that one module at a time moves.</source>
+        <translation>一度に一つのモジュールが動かす、ロボットの部分。</translation>
+    </message>
+    <message>
+        <source>The module that moves it now.</source>
+        <translation>今動かしているモジュール。</translation>
+    </message>
+    <message>
+        <source>How long it has held it.</source>
+        <translation>使っている時間。</translation>
+    </message>
+    <message>
+        <source>Modules that want it too, and do not get it.</source>
+        <translation>ほかに要求しているが使えないモジュール。</translation>
+    </message>
+    <message>
+        <source>What it was told to do last.</source>
+        <translation>最後に受けた指令。</translation>
+    </message>
+    <message>
         <source>Tag</source>
         <translation>タグ</translation>
     </message>
@@ -104,8 +128,80 @@
         <translation>値</translation>
     </message>
     <message>
+        <source>What the value is about, such as user.name.</source>
+        <translation>値の名前。user.name など。</translation>
+    </message>
+    <message>
+        <source>The value as the robot knows it now; private ones are hidden.</source>
+        <translation>ロボットが今知っている値。個人情報は隠します。</translation>
+    </message>
+    <message>
+        <source>Which program or application set it last.</source>
+        <translation>最後に書き込んだプログラムかアプリケーション。</translation>
+    </message>
+    <message>
+        <source>How long ago it was set.</source>
+        <translation>書き込まれてからの時間。</translation>
+    </message>
+    <message>
         <source>Set by</source>
         <translation>書き込み元</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>The robot pauses</source>
+        <translation>ロボットが止まるところ</translation>
+    </message>
+    <message>
+        <source>Application</source>
+        <translation>アプリケーション</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>ブレークポイント</translation>
+    </message>
+    <message>
+        <source>The breakpoint&apos;s number; green where something waits at it</source>
+        <translation>ブレークポイントの番号。そこで待っているものがあれば緑</translation>
+    </message>
+    <message>
+        <source>A click goes there, Delete takes the breakpoint away</source>
+        <translation>クリックでその場所へ、Delete で取り除きます</translation>
+    </message>
+    <message>
+        <source>Which application pauses</source>
+        <translation>止まるアプリケーション</translation>
+    </message>
+    <message>
+        <source>The operator who set it</source>
+        <translation>設定した操作者</translation>
+    </message>
+    <message>
+        <source>in situation {0}</source>
+        <translation>状況 {0} のとき</translation>
+    </message>
+    <message>
+        <source>in state {0}</source>
+        <translation>状態 {0} で</translation>
+    </message>
+    <message>
+        <source>before it leaves state {0}</source>
+        <translation>状態 {0} を出る前</translation>
+    </message>
+    <message>
+        <source>before it comes to state {0}</source>
+        <translation>状態 {0} に入る前</translation>
+    </message>
+    <message>
+        <source>between state {0} and state {1}</source>
+        <translation>状態 {0} と状態 {1} の間</translation>
+    </message>
+    <message>
+        <source>(with a condition)</source>
+        <translation>（条件付き）</translation>
     </message>
     <message>
         <source>Ago</source>
@@ -120,8 +216,60 @@
         <translation>{0} 秒</translation>
     </message>
     <message>
+        <source>To the event before (Left)</source>
+        <translation>前のできごとへ（左矢印）</translation>
+    </message>
+    <message>
+        <source>To the next event (Right)</source>
+        <translation>次のできごとへ（右矢印）</translation>
+    </message>
+    <message>
+        <source>See more time (−)</source>
+        <translation>長い時間を見る（−）</translation>
+    </message>
+    <message>
+        <source>See less time, more closely (+)</source>
+        <translation>短い時間を細かく見る（+）</translation>
+    </message>
+    <message>
+        <source>Everything, from the beginning to the end</source>
+        <translation>最初から最後まで</translation>
+    </message>
+    <message>
+        <source>Which data are drawn as curves</source>
+        <translation>線で描くデータ</translation>
+    </message>
+    <message>
+        <source>Moments with a name; Page Up and Page Down go from one to another</source>
+        <translation>名前を付けた時点。Page Up と Page Down で移ります</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>しおり</translation>
+    </message>
+    <message>
+        <source>Stay here while the robot goes on (Space)</source>
+        <translation>ロボットが動いてもここにとどまる（Space）</translation>
+    </message>
+    <message>
+        <source>To the end, and with it (Space)</source>
+        <translation>最新へ移り、そのまま追う（Space）</translation>
+    </message>
+    <message>
+        <source>The robot has told no numbers yet</source>
+        <translation>ロボットはまだ数値を伝えていません</translation>
+    </message>
+    <message>
+        <source>{0} ms</source>
+        <translation>{0} ミリ秒</translation>
+    </message>
+    <message>
         <source>{0} min</source>
         <translation>{0} 分</translation>
+    </message>
+    <message>
+        <source>{0} h</source>
+        <translation>{0} 時間</translation>
     </message>
     <message>
         <source>result</source>
@@ -150,6 +298,22 @@
     <message>
         <source>Trace</source>
         <translation>トレース</translation>
+    </message>
+    <message>
+        <source>When it happened, since the robot started.</source>
+        <translation>起きた時刻。ロボットの起動から。</translation>
+    </message>
+    <message>
+        <source>What happened, with its number.</source>
+        <translation>起きたことと、その番号。</translation>
+    </message>
+    <message>
+        <source>The number of what it came from.</source>
+        <translation>もとになったできごとの番号。</translation>
+    </message>
+    <message>
+        <source>What is known about it.</source>
+        <translation>詳しい内容。</translation>
     </message>
     <message>
         <source>stays</source>
@@ -248,8 +412,52 @@
         <translation>必要なもの</translation>
     </message>
     <message>
+        <source>What ends {0}</source>
+        <translation>{0} を終わらせるもの</translation>
+    </message>
+    <message>
+        <source>Condition of {0}</source>
+        <translation>{0} の条件</translation>
+    </message>
+    <message>
+        <source>Drag to where it leads</source>
+        <translation>行き先までドラッグ</translation>
+    </message>
+    <message>
+        <source>Note: {0}</source>
+        <translation>メモ：{0}</translation>
+    </message>
+    <message>
+        <source>number {0}</source>
+        <translation>{0} 番</translation>
+    </message>
+    <message>
+        <source>with a warning</source>
+        <translation>警告あり</translation>
+    </message>
+    <message>
+        <source>with an error</source>
+        <translation>エラーあり</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>データ</translation>
+    </message>
+    <message>
+        <source>condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>situation</source>
+        <translation>状況</translation>
+    </message>
+    <message>
         <source>module</source>
         <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>resource</source>
+        <translation>リソース</translation>
     </message>
     <message>
         <source>Provides</source>
@@ -276,8 +484,116 @@
         <translation>{1} の {0}</translation>
     </message>
     <message>
+        <source>Move {0} to place {1}</source>
+        <translation>{0} を {1} 番目に移動</translation>
+    </message>
+    <message>
+        <source>Give {0} no priority in {1}</source>
+        <translation>{1} で {0} の優先度をなくす</translation>
+    </message>
+    <message>
+        <source>Give {0} priority {1} in {2}</source>
+        <translation>{2} で {0} の優先度を {1} にする</translation>
+    </message>
+    <message>
+        <source>Let {0} use {1}</source>
+        <translation>{0} が {1} を使えるようにする</translation>
+    </message>
+    <message>
+        <source>Let {0} not use {1}</source>
+        <translation>{0} が {1} を使わないようにする</translation>
+    </message>
+    <message>
+        <source>Let {0} stay as long as it holds</source>
+        <translation>{0} を成り立つ間だけ続ける</translation>
+    </message>
+    <message>
+        <source>Let {0} stay {1} s at least</source>
+        <translation>{0} を少なくとも {1} 秒続ける</translation>
+    </message>
+    <message>
+        <source>Let {0} end after {1} s</source>
+        <translation>{0} を {1} 秒後に終わらせる</translation>
+    </message>
+    <message>
+        <source>Let {0} take over nothing</source>
+        <translation>{0} が何も引き継がないようにする</translation>
+    </message>
+    <message>
+        <source>Let {0} take over from {1}</source>
+        <translation>{0} が {1} から引き継ぐようにする</translation>
+    </message>
+    <message>
+        <source>Change a note</source>
+        <translation>メモを変更</translation>
+    </message>
+    <message>
+        <source>Change data {0}</source>
+        <translation>データ {0} を変更</translation>
+    </message>
+    <message>
+        <source>Add situation {0}</source>
+        <translation>状況 {0} を追加</translation>
+    </message>
+    <message>
+        <source>Add module {0}</source>
+        <translation>モジュール {0} を追加</translation>
+    </message>
+    <message>
+        <source>Add data {0}</source>
+        <translation>データ {0} を追加</translation>
+    </message>
+    <message>
+        <source>Rename data {0} to {1}</source>
+        <translation>データ {0} の名前を {1} に変更</translation>
+    </message>
+    <message>
+        <source>Rename situation {0} to {1}</source>
+        <translation>状況 {0} の名前を {1} に変更</translation>
+    </message>
+    <message>
+        <source>Rename module {0} to {1}</source>
+        <translation>モジュール {0} の名前を {1} に変更</translation>
+    </message>
+    <message>
+        <source>Rename resource {0} to {1}</source>
+        <translation>リソース {0} の名前を {1} に変更</translation>
+    </message>
+    <message>
+        <source>a priority of {0}</source>
+        <translation>{0} の優先度</translation>
+    </message>
+    <message>
+        <source>a test of {0}</source>
+        <translation>{0} の判定</translation>
+    </message>
+    <message>
+        <source>situation {0}</source>
+        <translation>状況 {0}</translation>
+    </message>
+    <message>
         <source>{0} of {1}</source>
         <translation>{1} の{0}</translation>
+    </message>
+    <message>
+        <source>module {0}</source>
+        <translation>モジュール {0}</translation>
+    </message>
+    <message>
+        <source>data {0}</source>
+        <translation>データ {0}</translation>
+    </message>
+    <message>
+        <source>resource {0}</source>
+        <translation>リソース {0}</translation>
+    </message>
+    <message>
+        <source>Delete {0} things</source>
+        <translation>{0} 個を削除</translation>
+    </message>
+    <message>
+        <source>Delete {0}</source>
+        <translation>{0} を削除</translation>
     </message>
     <message>
         <source>Rename {0}</source>
@@ -344,16 +660,28 @@
         <translation>{0} と {1}</translation>
     </message>
     <message>
+        <source>not set</source>
+        <translation>未設定</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> または </translation>
+    </message>
+    <message>
+        <source>a tie, {0}</source>
+        <translation>同順位、{0}</translation>
+    </message>
+    <message>
+        <source>nobody asks</source>
+        <translation>要求なし</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
+    </message>
+    <message>
         <source>, </source>
         <translation>、</translation>
-    </message>
-    <message>
-        <source>The layout is being made</source>
-        <translation>配置を計算しています</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
     </message>
     <message>
         <source>the state&apos;s speech</source>
@@ -362,6 +690,18 @@
     <message>
         <source>none</source>
         <translation>なし</translation>
+    </message>
+    <message>
+        <source>{0} takes away what it took over for {1}</source>
+        <translation>{0} は引き継いだ {1} の優先度を取り去る</translation>
+    </message>
+    <message>
+        <source>{0} has priority {1} in {2}</source>
+        <translation>{2} で {0} の優先度は {1}</translation>
+    </message>
+    <message>
+        <source>{0} uses {1}</source>
+        <translation>{0} は {1} を使う</translation>
     </message>
     <message>
         <source>leads to {0}</source>
@@ -416,6 +756,10 @@
         <translation>先に状態を選んでください</translation>
     </message>
     <message>
+        <source>select a state, or something of a script, first</source>
+        <translation>先に状態かスクリプトの何かを選んでください</translation>
+    </message>
+    <message>
         <source>select two states first</source>
         <translation>先に状態を二つ選んでください</translation>
     </message>
@@ -436,6 +780,22 @@
         <translation>先に部品を動かす状態を選んでください</translation>
     </message>
     <message>
+        <source>the project has a script already</source>
+        <translation>プロジェクトにはもうスクリプトがあります</translation>
+    </message>
+    <message>
+        <source>follow a robot or open a recording first</source>
+        <translation>先にロボットに接続するか記録を開いてください</translation>
+    </message>
+    <message>
+        <source>select a state, transition or situation first</source>
+        <translation>先に状態、遷移、状況のどれかを選んでください</translation>
+    </message>
+    <message>
+        <source>connect to a robot first</source>
+        <translation>先にロボットに接続してください</translation>
+    </message>
+    <message>
         <source>only in the list of modules</source>
         <translation>モジュールの一覧でだけ使えます</translation>
     </message>
@@ -444,8 +804,20 @@
         <translation>スクリプトでだけ使えます</translation>
     </message>
     <message>
+        <source>select what it shall lead from first</source>
+        <translation>先に出発点を選んでください</translation>
+    </message>
+    <message>
         <source>you are in no part</source>
         <translation>部品の中にいません</translation>
+    </message>
+    <message>
+        <source>select a component first</source>
+        <translation>先に画面の部品を選んでください</translation>
+    </message>
+    <message>
+        <source>only where states or situations are drawn</source>
+        <translation>状態や状況を描いた図でだけ使えます</translation>
     </message>
     <message>
         <source>nothing was undone</source>
@@ -468,8 +840,24 @@
         <translation>変更がありません</translation>
     </message>
     <message>
+        <source>there is no breakpoint</source>
+        <translation>ブレークポイントがありません</translation>
+    </message>
+    <message>
+        <source>only in the matrix of a script</source>
+        <translation>スクリプトの表でだけ使えます</translation>
+    </message>
+    <message>
+        <source>select data in the graph first</source>
+        <translation>先にグラフでデータを選んでください</translation>
+    </message>
+    <message>
         <source>open a document first</source>
         <translation>先に文書を開いてください</translation>
+    </message>
+    <message>
+        <source>select a group of tests first</source>
+        <translation>先に判定のまとまりを選んでください</translation>
     </message>
     <message>
         <source>find something first</source>
@@ -480,6 +868,14 @@
         <translation>これにはグラフがありません</translation>
     </message>
     <message>
+        <source>select a priority first</source>
+        <translation>先に優先度を選んでください</translation>
+    </message>
+    <message>
+        <source>no recording is open</source>
+        <translation>記録が開いていません</translation>
+    </message>
+    <message>
         <source>there is no problem</source>
         <translation>問題がありません</translation>
     </message>
@@ -488,8 +884,972 @@
         <translation>先にプロジェクトを開いてください</translation>
     </message>
     <message>
+        <source>open a project first, no document alone</source>
+        <translation>文書だけでなく、先にプロジェクトを開いてください</translation>
+    </message>
+    <message>
+        <source>no document is open</source>
+        <translation>文書が開いていません</translation>
+    </message>
+    <message>
+        <source>select a situation in the graph first</source>
+        <translation>先にグラフで状況を選んでください</translation>
+    </message>
+    <message>
+        <source>select tests of a condition first</source>
+        <translation>先に条件の判定を選んでください</translation>
+    </message>
+    <message>
+        <source>only while you rehearse</source>
+        <translation>リハーサル中だけ使えます</translation>
+    </message>
+    <message>
         <source>only in the graph of an application</source>
         <translation>アプリケーションのグラフでだけ使えます</translation>
+    </message>
+    <message>
+        <source>only in the graph of a script</source>
+        <translation>スクリプトのグラフでだけ使えます</translation>
+    </message>
+    <message>
+        <source>Arranging {0} cards</source>
+        <translation>カード {0} 枚を整列中</translation>
+    </message>
+    <message>
+        <source>There are other cards now than those arranged: arrange them again</source>
+        <translation>整列している間にカードが変わりました。もう一度整列してください</translation>
+    </message>
+    <message>
+        <source>The layout took longer than {0} s and was given up: all cards stay where they are</source>
+        <translation>整列に {0} 秒以上かかったのでやめました。カードはすべて元の場所のままです</translation>
+    </message>
+    <message>
+        <source>it could not be started</source>
+        <translation>開始できませんでした</translation>
+    </message>
+    <message>
+        <source>its process ended early</source>
+        <translation>処理が途中で終わりました</translation>
+    </message>
+    <message>
+        <source>The layout failed ({0}): all cards stay where they are</source>
+        <translation>整列に失敗しました（{0}）。カードはすべて元の場所のままです</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>停止中</translation>
+    </message>
+    <message>
+        <source>Let {0} look at {1}</source>
+        <translation>{0} が {1} を見るようにする</translation>
+    </message>
+    <message>
+        <source>Change a test of {0}</source>
+        <translation>{0} の判定を変更</translation>
+    </message>
+    <message>
+        <source>Let {0} ask for {1}</source>
+        <translation>{0} が {1} を要求できるようにする</translation>
+    </message>
+    <message>
+        <source>Group tests of {0}: {1}</source>
+        <translation>{0} の判定をまとめる：{1}</translation>
+    </message>
+    <message>
+        <source>Take a group of {0} away</source>
+        <translation>{0} のまとまりを解く</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>いずれか</translation>
+    </message>
+    <message>
+        <source>{0} would be the last, and the last must always hold: first add one below</source>
+        <translation>{0} が最後になりますが、最後の状況は常に成り立たなければなりません。先に下に一つ追加してください</translation>
+    </message>
+    <message>
+        <source>The situations would take over from each other in a circle</source>
+        <translation>状況どうしが輪になって引き継ぐことになります</translation>
+    </message>
+    <message>
+        <source>{0} can either stay so long at least, or have an until or an end: not both</source>
+        <translation>{0} には、最低継続時間か、終了条件・期限の、どちらか一方しか付けられません</translation>
+    </message>
+    <message>
+        <source>until</source>
+        <translation>終了条件</translation>
+    </message>
+    <message>
+        <source>{0} tests</source>
+        <translation>判定 {0} 件</translation>
+    </message>
+    <message>
+        <source>nobody</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>asks for {0}</source>
+        <translation>{0} を要求</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>{0} in a list</source>
+        <translation>一覧の {0}</translation>
+    </message>
+    <message>
+        <source>A pipe leads to another card</source>
+        <translation>線は別のカードにつなぎます</translation>
+    </message>
+    <message>
+        <source>Data leads to a condition or a situation, and {0} is neither</source>
+        <translation>データの行き先は条件か状況です。{0} はどちらでもありません</translation>
+    </message>
+    <message>
+        <source>A situation leads to a module, or to a situation that it takes over from</source>
+        <translation>状況の行き先は、モジュールか、引き継ぎ元の状況です</translation>
+    </message>
+    <message>
+        <source>A module leads to the resources that it uses, and {0} is none</source>
+        <translation>モジュールの行き先は、使うリソースです。{0} はリソースではありません</translation>
+    </message>
+    <message>
+        <source>A condition belongs to its situation: drag from data to {0} instead</source>
+        <translation>条件はその状況のものです。代わりにデータから {0} へドラッグしてください</translation>
+    </message>
+    <message>
+        <source>New situation</source>
+        <translation>新しい状況</translation>
+    </message>
+    <message>
+        <source>{0} holds when</source>
+        <translation>{0} が成り立つ条件</translation>
+    </message>
+    <message>
+        <source>{0} holds until</source>
+        <translation>{0} の終了条件</translation>
+    </message>
+    <message>
+        <source>New module</source>
+        <translation>新しいモジュール</translation>
+    </message>
+    <message>
+        <source>priority</source>
+        <translation>優先度</translation>
+    </message>
+    <message>
+        <source>Take over from {0}</source>
+        <translation>{0} から引き継ぐ</translation>
+    </message>
+    <message>
+        <source>Take over nothing</source>
+        <translation>何も引き継がない</translation>
+    </message>
+    <message>
+        <source>New situation “{0}”</source>
+        <translation>新しい状況「{0}」</translation>
+    </message>
+    <message>
+        <source>New module “{0}”</source>
+        <translation>新しいモジュール「{0}」</translation>
+    </message>
+    <message>
+        <source>New resource “{0}”</source>
+        <translation>新しいリソース「{0}」</translation>
+    </message>
+    <message>
+        <source>group of tests</source>
+        <translation>判定のまとまり</translation>
+    </message>
+    <message>
+        <source>test</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>uses {0}</source>
+        <translation>{0} を使う</translation>
+    </message>
+    <message>
+        <source>resource of {0}</source>
+        <translation>{0} のリソース</translation>
+    </message>
+    <message>
+        <source>no priority for {0}</source>
+        <translation>{0} の優先度なし</translation>
+    </message>
+    <message>
+        <source>taken away in {0}</source>
+        <translation>{0} で取り去る</translation>
+    </message>
+    <message>
+        <source>priority {0} for {1}</source>
+        <translation>{1} の優先度 {0}</translation>
+    </message>
+    <message>
+        <source>priority in {0}</source>
+        <translation>{0} での優先度</translation>
+    </message>
+    <message>
+        <source>taken over from {0}</source>
+        <translation>{0} から引き継ぎ</translation>
+    </message>
+    <message>
+        <source>Add {0} to the script</source>
+        <translation>{0} をスクリプトに追加</translation>
+    </message>
+    <message>
+        <source>This is one document, and the robot runs a whole project.</source>
+        <translation>これは一つの文書ですが、ロボットはプロジェクト全体を動かしています。</translation>
+    </message>
+    <message>
+        <source>This is the project {0}, and the robot runs {1}: it is another robot&apos;s.</source>
+        <translation>これはプロジェクト {0} ですが、ロボットは {1} を動かしています。別のロボット用です。</translation>
+    </message>
+    <message>
+        <source>{0} leads out of the project: nothing is written.</source>
+        <translation>{0} はプロジェクトの外を指しています。何も書き込みません。</translation>
+    </message>
+    <message>
+        <source>{0} is there already: choose another folder.</source>
+        <translation>{0} はもうあります。別のフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>送信中…</translation>
+    </message>
+    <message>
+        <source>The robot did not take it: {0}</source>
+        <translation>ロボットは受け取りませんでした：{0}</translation>
+    </message>
+    <message>
+        <source>Version {0} runs, not version {1}.</source>
+        <translation>動いているのはバージョン {1} ではなく {0} です。</translation>
+    </message>
+    <message>
+        <source>The robot checks version {0}.</source>
+        <translation>ロボットがバージョン {0} を調べています。</translation>
+    </message>
+    <message>
+        <source>a moment</source>
+        <translation>少しの間</translation>
+    </message>
+    <message>
+        <source>Checked. The robot waits for a safe point: {0}.</source>
+        <translation>調べ終わりました。ロボットは安全な切り替え時を待っています：{0}。</translation>
+    </message>
+    <message>
+        <source>The robot refused version {0}; version {1} runs on.</source>
+        <translation>ロボットはバージョン {0} を断りました。バージョン {1} が動き続けます。</translation>
+    </message>
+    <message>
+        <source>The robot has gone back to version {0} by itself:</source>
+        <translation>ロボットは自分でバージョン {0} に戻りました：</translation>
+    </message>
+    <message>
+        <source>Version {0} runs.</source>
+        <translation>バージョン {0} が動いています。</translation>
+    </message>
+    <message>
+        <source>For {0} s more the robot goes back to version {1} by itself if it fails.</source>
+        <translation>あと {0} 秒の間は、失敗すればロボットが自分でバージョン {1} に戻ります。</translation>
+    </message>
+    <message>
+        <source>Some of it counts when the robot is started again: {0}.</source>
+        <translation>ロボットを起動し直すと有効になるもの：{0}。</translation>
+    </message>
+    <message>
+        <source>{0} in state {1} of {2}</source>
+        <translation>{2} の状態 {1} の {0}</translation>
+    </message>
+    <message>
+        <source>Version {0} deployed</source>
+        <translation>バージョン {0} を配備</translation>
+    </message>
+    <message>
+        <source>Rolled back to version {0}</source>
+        <translation>バージョン {0} に戻した</translation>
+    </message>
+    <message>
+        <source>Went back to version {0} by itself</source>
+        <translation>自分でバージョン {0} に戻った</translation>
+    </message>
+    <message>
+        <source>Version {0} refused</source>
+        <translation>バージョン {0} を断った</translation>
+    </message>
+    <message>
+        <source>Version {0}: what lies in the robot&apos;s own folder</source>
+        <translation>バージョン {0}：ロボット自身のフォルダーにあるもの</translation>
+    </message>
+    <message>
+        <source>{0}: no bookmarks can be read: {1}</source>
+        <translation>{0}：しおりを読めません：{1}</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
+    </message>
+    <message>
+        <source>Nothing has happened yet.</source>
+        <translation>まだ何も起きていません。</translation>
+    </message>
+    <message>
+        <source>{0}, from {1}, {2}</source>
+        <translation>{0}、{1} から、{2}</translation>
+    </message>
+    <message>
+        <source>Situation</source>
+        <translation>状況</translation>
+    </message>
+    <message>
+        <source>{0} to {1}</source>
+        <translation>{0} を {1} に</translation>
+    </message>
+    <message>
+        <source>{0} changes</source>
+        <translation>変化 {0} 回</translation>
+    </message>
+    <message>
+        <source>A priority is a whole number or none, not {0}.</source>
+        <translation>優先度は整数か none です。{0} は使えません。</translation>
+    </message>
+    <message>
+        <source>There is nothing to paste.</source>
+        <translation>貼り付けるものがありません。</translation>
+    </message>
+    <message>
+        <source>{0} rows and {1} columns do not fit here: begin further up or to the left.</source>
+        <translation>{0} 行 {1} 列はここに収まりません。もっと上か左から始めてください。</translation>
+    </message>
+    <message>
+        <source>{0} of {1}: {2}</source>
+        <translation>{1} の {0}：{2}</translation>
+    </message>
+    <message>
+        <source>Reading {0}</source>
+        <translation>{0} を読み込み中</translation>
+    </message>
+    <message>
+        <source>Connected to the robot now.</source>
+        <translation>今ロボットに接続しています。</translation>
+    </message>
+    <message>
+        <source>Moves or uses: {0}</source>
+        <translation>動かすもの・使うもの：{0}</translation>
+    </message>
+    <message>
+        <source>Needs: {0}</source>
+        <translation>必要なもの：{0}</translation>
+    </message>
+    <message>
+        <source>Provides: {0}</source>
+        <translation>提供するもの：{0}</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>起きたこと</translation>
+    </message>
+    <message>
+        <source>Values then</source>
+        <translation>そのときの値</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>なぜ？</translation>
+    </message>
+    <message>
+        <source>What it was, the input that began it first.</source>
+        <translation>何が起きたか。きっかけの入力が最初です。</translation>
+    </message>
+    <message>
+        <source>The values that decided it, as they were then.</source>
+        <translation>決め手になった、そのときの値。</translation>
+    </message>
+    <message>
+        <source>Ask Why? of a card, an arrow or a row.</source>
+        <translation>カード、矢印、行について「なぜ？」を尋ねてください。</translation>
+    </message>
+    <message>
+        <source>It is in their menus; F7 and Shift+F7 ask for what is selected.</source>
+        <translation>それぞれのメニューにあります。F7 と Shift+F7 は選んだものについて尋ねます。</translation>
+    </message>
+    <message>
+        <source>Change {0}</source>
+        <translation>{0} を変更</translation>
+    </message>
+    <message>
+        <source>Add {0}</source>
+        <translation>{0}を追加</translation>
+    </message>
+    <message>
+        <source>A tag is words of a to z, 0 to 9, _ and - with dots between.</source>
+        <translation>タグは a〜z、0〜9、_、- の語を点でつないだものです。</translation>
+    </message>
+    <message>
+        <source>{0} is written by the robot itself only.</source>
+        <translation>{0} はロボット自身だけが書き込みます。</translation>
+    </message>
+    <message>
+        <source>Write a tag, with * for one word and ** for any number of words.</source>
+        <translation>タグを書いてください。* は一語、** は何語でも表します。</translation>
+    </message>
+    <message>
+        <source>This can not be left empty.</source>
+        <translation>空欄にはできません。</translation>
+    </message>
+    <message>
+        <source>A folder inside the project&apos;s own: no .. and no / at its beginning.</source>
+        <translation>プロジェクトの中のフォルダーです。.. や先頭の / は使えません。</translation>
+    </message>
+    <message>
+        <source>Write mqtt://HOST or mqtts://HOST; a password stays on the robot.</source>
+        <translation>mqtt://ホスト か mqtts://ホスト と書いてください。パスワードはロボット側に置きます。</translation>
+    </message>
+    <message>
+        <source>A topic: + stands for one whole level, # for all that follow.</source>
+        <translation>トピックです。+ は一階層、# はそれより下のすべてを表します。</translation>
+    </message>
+    <message>
+        <source>{0} is there already.</source>
+        <translation>{0} はもうあります。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>The language in which the word is said so.</source>
+        <translation>そう読む言語。</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>表記</translation>
+    </message>
+    <message>
+        <source>The word as it stands in texts.</source>
+        <translation>文字に書かれている言葉。</translation>
+    </message>
+    <message>
+        <source>Said</source>
+        <translation>読み</translation>
+    </message>
+    <message>
+        <source>The word as it sounds, written as it is spoken.</source>
+        <translation>聞こえるとおりに書いた言葉。</translation>
+    </message>
+    <message>
+        <source>How words are said</source>
+        <translation>言葉の読み方</translation>
+    </message>
+    <message>
+        <source>Names and abbreviations that a voice would say wrongly: it says the second where the first is written. The screen and the trace keep what is written.</source>
+        <translation>声が読み間違える名前や略語です。一つ目が書かれているところを二つ目のように読みます。画面と記録は書かれたままです。</translation>
+    </message>
+    <message>
+        <source>a word</source>
+        <translation>言葉</translation>
+    </message>
+    <message>
+        <source>Change how {0} is said</source>
+        <translation>{0} の読み方を変更</translation>
+    </message>
+    <message>
+        <source>Remove how {0} is said</source>
+        <translation>{0} の読み方を取り除く</translation>
+    </message>
+    <message>
+        <source>word</source>
+        <translation>言葉</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>The documents are written in the first one; the others have translations.</source>
+        <translation>文書は最初の言語で書きます。ほかの言語には翻訳を付けます。</translation>
+    </message>
+    <message>
+        <source>a language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>written in</source>
+        <translation>文書の言語</translation>
+    </message>
+    <message>
+        <source>Remove {0}</source>
+        <translation>{0} を取り除く</translation>
+    </message>
+    <message>
+        <source>Move {0}</source>
+        <translation>{0}を移動</translation>
+    </message>
+    <message>
+        <source>Applications</source>
+        <translation>アプリケーション</translation>
+    </message>
+    <message>
+        <source>Where several have something to do at one moment, the upper one goes first.</source>
+        <translation>同時に複数に出番があるときは、上のものが先です。</translation>
+    </message>
+    <message>
+        <source>an application</source>
+        <translation>アプリケーション</translation>
+    </message>
+    <message>
+        <source>A tag, or several by a pattern: user.* is all that begin with user.</source>
+        <translation>タグ、またはまとめて表す書き方。user.* は user で始まるものすべてです。</translation>
+    </message>
+    <message>
+        <source>a tag or pattern</source>
+        <translation>タグかパターン</translation>
+    </message>
+    <message>
+        <source>Rename {0} to {1}</source>
+        <translation>{0} の名前を {1} に変更</translation>
+    </message>
+    <message>
+        <source>What stands there when the robot starts.</source>
+        <translation>ロボットの起動時の値。</translation>
+    </message>
+    <message>
+        <source>Values at the start</source>
+        <translation>最初の値</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Its tag: words with dots between, such as user.name.</source>
+        <translation>タグ。user.name のように語を点でつなぎます。</translation>
+    </message>
+    <message>
+        <source>Metres along the map&apos;s x axis.</source>
+        <translation>地図の x 方向のメートル。</translation>
+    </message>
+    <message>
+        <source>Metres along the map&apos;s y axis.</source>
+        <translation>地図の y 方向のメートル。</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Where it looks when it stands there: degrees, 0 is along the x axis.</source>
+        <translation>そこでの向き。角度で、0 は x 方向です。</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Where the robot can be sent: metres and degrees in its map.</source>
+        <translation>ロボットの行き先。地図上のメートルと角度です。</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>What actions call the place.</source>
+        <translation>動作で使う場所の名前。</translation>
+    </message>
+    <message>
+        <source>Means</source>
+        <translation>意味</translation>
+    </message>
+    <message>
+        <source>Whether a message is an event, or the new value of a tag.</source>
+        <translation>メッセージがイベントか、タグの新しい値か。</translation>
+    </message>
+    <message>
+        <source>Event or tag</source>
+        <translation>イベントかタグ</translation>
+    </message>
+    <message>
+        <source>The event that happens, or the tag that gets the value.</source>
+        <translation>起こるイベント、または値が入るタグ。</translation>
+    </message>
+    <message>
+        <source>Messages from outside</source>
+        <translation>外からのメッセージ</translation>
+    </message>
+    <message>
+        <source>Devices such as fall sensors and call buttons, by an MQTT broker.</source>
+        <translation>転倒センサーや呼び出しボタンなど、MQTT ブローカー経由の機器です。</translation>
+    </message>
+    <message>
+        <source>a topic</source>
+        <translation>トピック</translation>
+    </message>
+    <message>
+        <source>Broker</source>
+        <translation>ブローカー</translation>
+    </message>
+    <message>
+        <source>Where the messages come from; nothing is heard without one.</source>
+        <translation>メッセージの送り元。なければ何も届きません。</translation>
+    </message>
+    <message>
+        <source>Change broker</source>
+        <translation>ブローカーを変更</translation>
+    </message>
+    <message>
+        <source>The topic whose messages count.</source>
+        <translation>対象にするメッセージのトピック。</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>ラベル</translation>
+    </message>
+    <message>
+        <source>What stands beside the field.</source>
+        <translation>欄の横に出る言葉です。</translation>
+    </message>
+    <message>
+        <source>The tag that is changed; it outlives a restart of the robot.</source>
+        <translation>変更されるタグ。ロボットを再起動しても残ります。</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>What can be put in there.</source>
+        <translation>そこに入れられるもの。</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>選択肢</translation>
+    </message>
+    <message>
+        <source>For a choice: two or more, with commas between.</source>
+        <translation>選択用。二つ以上をコンマで区切ります。</translation>
+    </message>
+    <message>
+        <source>Settings for those who use the robot</source>
+        <translation>ロボットを使う人のための設定</translation>
+    </message>
+    <message>
+        <source>Each is a field on the robot&apos;s settings page and changes a value there.</source>
+        <translation>それぞれロボットの設定ページの欄になり、そこで値を変えられます。</translation>
+    </message>
+    <message>
+        <source>a setting</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Change the setting {0}</source>
+        <translation>設定 {0} を変更</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>先頭</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>2 番目</translation>
+    </message>
+    <message>
+        <source>Remove the setting {0}</source>
+        <translation>設定 {0} を取り除く</translation>
+    </message>
+    <message>
+        <source>New setting</source>
+        <translation>新しい設定</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>はい・いいえ</translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>an event</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation>たった今</translation>
+    </message>
+    <message>
+        <source>a minute ago</source>
+        <translation>1 分前</translation>
+    </message>
+    <message>
+        <source>{0} minutes ago</source>
+        <translation>{0} 分前</translation>
+    </message>
+    <message>
+        <source>an hour ago</source>
+        <translation>1 時間前</translation>
+    </message>
+    <message>
+        <source>{0} hours ago</source>
+        <translation>{0} 時間前</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>昨日</translation>
+    </message>
+    <message>
+        <source>{0} days ago</source>
+        <translation>{0} 日前</translation>
+    </message>
+    <message>
+        <source>{0} is in state {1}</source>
+        <translation>{0} は状態 {1}</translation>
+    </message>
+    <message>
+        <source>the situation is {0}</source>
+        <translation>状況は {0}</translation>
+    </message>
+    <message>
+        <source>{0} is held by {1}</source>
+        <translation>{0} を使うのは {1}</translation>
+    </message>
+    <message>
+        <source>{0} begins: {1} {2}</source>
+        <translation>{0} 始まり：{1} {2}</translation>
+    </message>
+    <message>
+        <source>{0} s: {1}</source>
+        <translation>{0} 秒：{1}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} well. {2}</source>
+        <translation>{1} 件中 {0} 件が成功。{2}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} states</source>
+        <translation>状態 {1} 個中 {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} of {1} transitions</source>
+        <translation>遷移 {1} 個中 {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} of {1} situations</source>
+        <translation>状況 {1} 個中 {0} 個</translation>
+    </message>
+    <message>
+        <source>Came through {0}.</source>
+        <translation>通ったもの：{0}。</translation>
+    </message>
+    <message>
+        <source>line {0}, {1} s: expected {2}</source>
+        <translation>{0} 行目、{1} 秒：期待は {2}</translation>
+    </message>
+    <message>
+        <source>✓ well</source>
+        <translation>✓ 成功</translation>
+    </message>
+    <message>
+        <source>✗ unreadable</source>
+        <translation>✗ 読めません</translation>
+    </message>
+    <message>
+        <source>✗ failed</source>
+        <translation>✗ 失敗</translation>
+    </message>
+    <message>
+        <source>never reached</source>
+        <translation>通らず</translation>
+    </message>
+    <message>
+        <source>{0} % from the left, {1} % from the top</source>
+        <translation>左から {0} %、上から {1} %</translation>
+    </message>
+    <message>
+        <source>Phone, {0}</source>
+        <translation>スマートフォン、{0}</translation>
+    </message>
+    <message>
+        <source>{0} inch, {1}</source>
+        <translation>{0} インチ、{1}</translation>
+    </message>
+    <message>
+        <source>{0} × {1} mm, at least {2} mm is needed</source>
+        <translation>{0} × {1} mm（{2} mm 以上必要）</translation>
+    </message>
+    <message>
+        <source>Text {0} mm high, read from {1}&#xa0;m</source>
+        <translation>文字の高さ {0} mm、{1} m から読める</translation>
+    </message>
+    <message>
+        <source>Contrast not known: something is behind it</source>
+        <translation>後ろに何かあるため、明暗の差は分かりません</translation>
+    </message>
+    <message>
+        <source>Contrast {0} to 1</source>
+        <translation>明暗の差 {0} 対 1</translation>
+    </message>
+    <message>
+        <source>Contrast {0} to 1, {1} is needed</source>
+        <translation>明暗の差 {0} 対 1（{1} 必要）</translation>
+    </message>
+    <message>
+        <source>No room to the next {0}</source>
+        <translation>隣の{0}との間がありません</translation>
+    </message>
+    <message>
+        <source>{0} mm to the next {1}</source>
+        <translation>隣の{1}まで {0} mm</translation>
+    </message>
+    <message>
+        <source>{0} × {1} mm</source>
+        <translation>{0} × {1} mm</translation>
+    </message>
+    <message>
+        <source>{0} inch</source>
+        <translation>{0} インチ</translation>
+    </message>
+    <message>
+        <source>{0}: has {1} MB, and {2} MB is the most: make it smaller first</source>
+        <translation>{0}：{1} MB あります。上限は {2} MB です。先に小さくしてください</translation>
+    </message>
+    <message>
+        <source>{0}: the robot takes {1} only</source>
+        <translation>{0}：ロボットで使えるのは {1} だけです</translation>
+    </message>
+    <message>
+        <source>{0}: is no file</source>
+        <translation>{0}：ファイルではありません</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Two answers</source>
+        <translation>二つの答え</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>一覧</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>入力</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>暗証番号</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>動画</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>お知らせ</translation>
+    </message>
+    <message>
+        <source>Four choices</source>
+        <translation>四つの選択</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>絵</translation>
+    </message>
+    <message>
+        <source>{0} takes a number</source>
+        <translation>{0} には数値を入れます</translation>
+    </message>
+    <message>
+        <source>{0} is written</source>
+        <translation>{0} に書き込みました</translation>
+    </message>
+    <message>
+        <source>The time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Nothing happens.</source>
+        <translation>何も起こりません。</translation>
+    </message>
+    <message>
+        <source>{0} is not expected here: nothing happens.</source>
+        <translation>{0} はここでは待たれていません。何も起こりません。</translation>
+    </message>
+    <message>
+        <source>{0} leads back, to where one came from</source>
+        <translation>{0} の行き先は、直前にいた状態です</translation>
+    </message>
+    <message>
+        <source>{0} leads to {1}</source>
+        <translation>{0} の行き先は {1}</translation>
+    </message>
+    <message>
+        <source>{0}: stays in {1}</source>
+        <translation>{0}：{1} にとどまります</translation>
+    </message>
+    <message>
+        <source>{0} leads to {1}, which is not there</source>
+        <translation>{0} の行き先 {1} がありません</translation>
+    </message>
+    <message>
+        <source>{0} leads to {1}: a part runs there, whose screens are in {2}</source>
+        <translation>{0} の行き先は {1} です。そこでは部品が動き、画面は {2} にあります</translation>
+    </message>
+    <message>
+        <source>{0} leads to {1}, if its condition holds</source>
+        <translation>条件が成り立てば、{0} の行き先は {1} です</translation>
+    </message>
+    <message>
+        <source>{0} situations</source>
+        <translation>状況 {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} modules</source>
+        <translation>モジュール {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} things</source>
+        <translation>{0} 個</translation>
+    </message>
+    <message>
+        <source>Paste {0}</source>
+        <translation>{0} を貼り付け</translation>
+    </message>
+    <message>
+        <source>Duplicate {0}</source>
+        <translation>{0} を複製</translation>
+    </message>
+    <message>
+        <source>This speech is always said in {0}: it is not translated.</source>
+        <translation>この発話はいつも {0} で話されます。翻訳しません。</translation>
+    </message>
+    <message>
+        <source>A text can not be left empty here: delete it where it stands.</source>
+        <translation>ここでは文字を空にできません。置いてある場所で削除してください。</translation>
     </message>
 </context>
 <context>
@@ -501,6 +1861,76 @@
     <message>
         <source>A test</source>
         <translation>条件</translation>
+    </message>
+</context>
+<context>
+    <name>AlignRow</name>
+    <message>
+        <source>To the left edge of the screen</source>
+        <translation>画面の左端へ</translation>
+    </message>
+    <message>
+        <source>To the middle, across</source>
+        <translation>左右の中央へ</translation>
+    </message>
+    <message>
+        <source>To the right edge of the screen</source>
+        <translation>画面の右端へ</translation>
+    </message>
+    <message>
+        <source>To the upper edge of the screen</source>
+        <translation>画面の上端へ</translation>
+    </message>
+    <message>
+        <source>To the middle, up and down</source>
+        <translation>上下の中央へ</translation>
+    </message>
+    <message>
+        <source>To the lower edge of the screen</source>
+        <translation>画面の下端へ</translation>
+    </message>
+    <message>
+        <source>Align {0}</source>
+        <translation>{0}を揃える</translation>
+    </message>
+</context>
+<context>
+    <name>AlignSeveral</name>
+    <message>
+        <source>Align</source>
+        <translation>揃える</translation>
+    </message>
+    <message>
+        <source>Left edges</source>
+        <translation>左端</translation>
+    </message>
+    <message>
+        <source>Middles, one above the other</source>
+        <translation>縦に並べて中央</translation>
+    </message>
+    <message>
+        <source>Right edges</source>
+        <translation>右端</translation>
+    </message>
+    <message>
+        <source>Upper edges</source>
+        <translation>上端</translation>
+    </message>
+    <message>
+        <source>Middles, side by side</source>
+        <translation>横に並べて中央</translation>
+    </message>
+    <message>
+        <source>Lower edges</source>
+        <translation>下端</translation>
+    </message>
+    <message>
+        <source>Evenly side by side</source>
+        <translation>横に等間隔</translation>
+    </message>
+    <message>
+        <source>Evenly one above the other</source>
+        <translation>縦に等間隔</translation>
     </message>
 </context>
 <context>
@@ -566,6 +1996,37 @@
     </message>
 </context>
 <context>
+    <name>ClockBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Go to what happens next</source>
+        <translation>次に起こることまで進む</translation>
+    </message>
+    <message>
+        <source>From the start</source>
+        <translation>最初から</translation>
+    </message>
+    <message>
+        <source>Save as a scenario</source>
+        <translation>シナリオとして保存</translation>
+    </message>
+    <message>
+        <source>Time of the rehearsal</source>
+        <translation>リハーサルの時間</translation>
+    </message>
+    <message>
+        <source>How fast</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>続ける</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Pasted. This project does not have {0}: copy the files too.</source>
@@ -580,6 +2041,57 @@
 Draw what a robot says, shows and does.</source>
         <translation>Situ Studio {0}
 ロボットが話し、見せ、行うことを描きます。</translation>
+    </message>
+</context>
+<context>
+    <name>ComponentCommands</name>
+    <message>
+        <source>{0} copied</source>
+        <translation>{0} をコピーしました</translation>
+    </message>
+    <message>
+        <source>Cut {0}</source>
+        <translation>{0} を切り取り</translation>
+    </message>
+    <message>
+        <source>Select a state first, then paste the components.</source>
+        <translation>先に状態を選んでから、画面の部品を貼り付けてください。</translation>
+    </message>
+    <message>
+        <source>{0} runs {1}: paste the components there.</source>
+        <translation>{0} は {1} を動かします。画面の部品はそちらに貼り付けてください。</translation>
+    </message>
+    <message>
+        <source>Paste {0}</source>
+        <translation>{0} を貼り付け</translation>
+    </message>
+    <message>
+        <source>Duplicate {0}</source>
+        <translation>{0} を複製</translation>
+    </message>
+    <message>
+        <source>Pasted. This project does not have {0}: copy the files too.</source>
+        <translation>貼り付けました。このプロジェクトには {0} がありません。ファイルもコピーしてください。</translation>
+    </message>
+    <message>
+        <source>{0} components</source>
+        <translation>画面の部品 {0} 個</translation>
+    </message>
+    <message>
+        <source>Bring {0} to the front</source>
+        <translation>{0} を最前面へ</translation>
+    </message>
+    <message>
+        <source>Bring {0} forward</source>
+        <translation>{0} を前面へ</translation>
+    </message>
+    <message>
+        <source>Send {0} backward</source>
+        <translation>{0} を背面へ</translation>
+    </message>
+    <message>
+        <source>Send {0} to the back</source>
+        <translation>{0} を最背面へ</translation>
     </message>
 </context>
 <context>
@@ -665,6 +2177,326 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>DeployDialog</name>
+    <message>
+        <source>Deploy</source>
+        <translation>配備</translation>
+    </message>
+    <message>
+        <source>What the robot will do differently</source>
+        <translation>ロボットの動きの違い</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>時</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>人</translation>
+    </message>
+    <message>
+        <source>Versions on the robot</source>
+        <translation>ロボットにあるバージョン</translation>
+    </message>
+    <message>
+        <source>How far it is</source>
+        <translation>進み具合</translation>
+    </message>
+    <message>
+        <source>Do not wait for a safe point longer than</source>
+        <translation>安全な切り替え時を待つ最長時間</translation>
+    </message>
+    <message>
+        <source>The robot waits until no action runs; what runs then is broken off.</source>
+        <translation>ロボットは動作が終わるまで待ちます。その時間を過ぎると、続いている動作を打ち切ります。</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Open the robot&apos;s version…</source>
+        <translation>ロボットのバージョンを開く…</translation>
+    </message>
+    <message>
+        <source>As a project of its own, in a window of its own.</source>
+        <translation>別のプロジェクトとして、別のウィンドウで開きます。</translation>
+    </message>
+    <message>
+        <source>The robot has not told yet what it runs.</source>
+        <translation>ロボットはまだ何を動かしているか伝えていません。</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>ほか {0} 件</translation>
+    </message>
+    <message>
+        <source>It will act the same; its media may differ.</source>
+        <translation>動きは同じです。メディアは違うかもしれません。</translation>
+    </message>
+    <message>
+        <source>Roll back to version {0}</source>
+        <translation>バージョン {0} に戻す</translation>
+    </message>
+    <message>
+        <source>Roll back</source>
+        <translation>前に戻す</translation>
+    </message>
+</context>
+<context>
+    <name>DeployingSide</name>
+    <message>
+        <source>Where the folder {0} shall be made</source>
+        <translation>フォルダー {0} を作る場所</translation>
+    </message>
+</context>
+<context>
+    <name>Designer</name>
+    <message>
+        <source>Screen designer</source>
+        <translation>画面デザイナー</translation>
+    </message>
+    <message>
+        <source>Where you are</source>
+        <translation>今いる場所</translation>
+    </message>
+    <message>
+        <source>In every state</source>
+        <translation>すべての状態</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Template {0} for {1}</source>
+        <translation>{1} にひな形「{0}」</translation>
+    </message>
+    <message>
+        <source>The screen is another one now: Undo brings it back.</source>
+        <translation>画面を入れ替えました。「元に戻す」で戻せます。</translation>
+    </message>
+    <message>
+        <source>There is nothing on this screen that could be kept.</source>
+        <translation>この画面には取っておけるものがありません。</translation>
+    </message>
+    <message>
+        <source>Template {0} is kept for all your projects.</source>
+        <translation>ひな形「{0}」を、すべてのプロジェクトで使えるように取っておきました。</translation>
+    </message>
+    <message>
+        <source>Template {0} is removed.</source>
+        <translation>ひな形「{0}」を取り除きました。</translation>
+    </message>
+    <message>
+        <source>Reorder {0}</source>
+        <translation>{0} の順序を変更</translation>
+    </message>
+    <message>
+        <source>Put {0} into {1}</source>
+        <translation>{0} を {1} に入れる</translation>
+    </message>
+</context>
+<context>
+    <name>DesignerBar</name>
+    <message>
+        <source>Screen</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>The screen on which you look at what you draw</source>
+        <translation>描いたものを見る画面の大きさ</translation>
+    </message>
+    <message>
+        <source>Lying</source>
+        <translation>横置き</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>縦置き</translation>
+    </message>
+    <message>
+        <source>How the screen stands</source>
+        <translation>画面の向き</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>見本</translation>
+    </message>
+    <message>
+        <source>The values that texts stand for while you draw</source>
+        <translation>描いている間、文字に入れて見る値</translation>
+    </message>
+    <message>
+        <source>Show what is in every state</source>
+        <translation>すべての状態にあるものを表示</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
+    </message>
+    <message>
+        <source>The screen as a person sees and uses it</source>
+        <translation>人が見て使うとおりの画面</translation>
+    </message>
+    <message>
+        <source>Own size…</source>
+        <translation>別の大きさ…</translation>
+    </message>
+    <message>
+        <source>Sample values: {0}</source>
+        <translation>見本の値：{0}</translation>
+    </message>
+    <message>
+        <source>Sample  {0}</source>
+        <translation>見本  {0}</translation>
+    </message>
+</context>
+<context>
+    <name>DesignerSheet</name>
+    <message>
+        <source>missing</source>
+        <translation>ありません</translation>
+    </message>
+</context>
+<context>
+    <name>DesignerSide</name>
+    <message>
+        <source>What is on the screen</source>
+        <translation>画面にあるもの</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>画面の部品</translation>
+    </message>
+    <message>
+        <source>drag or press</source>
+        <translation>ドラッグか押す</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>ひな形</translation>
+    </message>
+    <message>
+        <source>Save this screen as a template</source>
+        <translation>この画面をひな形として保存</translation>
+    </message>
+    <message>
+        <source>Show all templates</source>
+        <translation>ひな形をすべて表示</translation>
+    </message>
+    <message>
+        <source>On this screen</source>
+        <translation>この画面にあるもの</translation>
+    </message>
+    <message>
+        <source>front to back</source>
+        <translation>手前から奥へ</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>タグ</translation>
+    </message>
+    <message>
+        <source>drag into a text</source>
+        <translation>文字へドラッグ</translation>
+    </message>
+    <message>
+        <source>Show fewer templates</source>
+        <translation>ひな形を少なく表示</translation>
+    </message>
+</context>
+<context>
+    <name>DesigningSide</name>
+    <message>
+        <source>Save this screen as a template</source>
+        <translation>この画面をひな形として保存</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+</context>
+<context>
+    <name>Desk</name>
+    <message>
+        <source>What the robot says</source>
+        <translation>ロボットの発話</translation>
+    </message>
+    <message>
+        <source>People say</source>
+        <translation>人の言葉</translation>
+    </message>
+    <message>
+        <source>Goes on</source>
+        <translation>続いているもの</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>データ</translation>
+    </message>
+    <message>
+        <source>Modules</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>The project has changed since.</source>
+        <translation>その後プロジェクトが変わりました。</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>もう一度始める</translation>
+    </message>
+    <message>
+        <source>any tag = value</source>
+        <translation>タグ = 値</translation>
+    </message>
+    <message>
+        <source>Any tag and its value</source>
+        <translation>タグとその値</translation>
+    </message>
+    <message>
+        <source>says nothing</source>
+        <translation>何も話していません</translation>
+    </message>
+    <message>
+        <source>A person says that: {0}</source>
+        <translation>人がこう言う：{0}</translation>
+    </message>
+    <message>
+        <source>Ends well</source>
+        <translation>うまく終わる</translation>
+    </message>
+    <message>
+        <source>Fails</source>
+        <translation>失敗する</translation>
+    </message>
+    <message>
+        <source>its answer, such as {&quot;names&quot;: []}</source>
+        <translation>答え（{&quot;names&quot;: []} など）</translation>
+    </message>
+    <message>
+        <source>What {0} answers</source>
+        <translation>{0} の答え</translation>
+    </message>
+</context>
+<context>
     <name>Details</name>
     <message>
         <source>Details</source>
@@ -677,6 +2509,24 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Close</source>
         <translation>閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceGround</name>
+    <message>
+        <source>How large the screen is drawn here</source>
+        <translation>ここに描かれた画面の大きさ</translation>
+    </message>
+    <message>
+        <source>{0} %</source>
+        <translation>{0} %</translation>
+    </message>
+</context>
+<context>
+    <name>DialRow</name>
+    <message>
+        <source>not set</source>
+        <translation>未設定</translation>
     </message>
 </context>
 <context>
@@ -712,6 +2562,30 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Export picture</source>
         <translation>画像の書き出し</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>Recordings ({0})</source>
+        <translation>記録 ({0})</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>ファイルを選ぶ</translation>
+    </message>
+    <message>
+        <source>Files that the robot takes ({0})</source>
+        <translation>ロボットで使えるファイル ({0})</translation>
+    </message>
+    <message>
+        <source>Import translations</source>
+        <translation>翻訳の読み込み</translation>
+    </message>
+    <message>
+        <source>Export for a translator</source>
+        <translation>翻訳者用に書き出し</translation>
     </message>
     <message>
         <source>{0} is open in this window.</source>
@@ -800,18 +2674,6 @@ Draw what a robot says, shows and does.</source>
         <translation>開いているすべての文書</translation>
     </message>
     <message>
-        <source>Graph</source>
-        <translation>グラフ</translation>
-    </message>
-    <message>
-        <source>Split</source>
-        <translation>分割</translation>
-    </message>
-    <message>
-        <source>Outline</source>
-        <translation>アウトライン</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>表示</translation>
     </message>
@@ -826,6 +2688,101 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Close the others</source>
         <translation>ほかを閉じる</translation>
+    </message>
+    <message>
+        <source>Open beside</source>
+        <translation>横に開く</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>{0} texts in {1} are in {2}; {3} of them are to be translated.</source>
+        <translation>{1} の文字 {0} 件を {2} に書き出しました。うち {3} 件が未翻訳です。</translation>
+    </message>
+    <message>
+        <source>{0} can not be read: {1}</source>
+        <translation>{0} を読めません：{1}</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: {2}</source>
+        <translation>{0} の {1} 行目：{2}</translation>
+    </message>
+    <message>
+        <source>{0} does not say which of the project&apos;s languages it is: name the file as one, such as {1}.po, or choose a text in its column first.</source>
+        <translation>{0} がプロジェクトのどの言語か分かりません。{1}.po のように言語名をファイル名にするか、先にその言語の列の文字を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} has errors: mend it first, or they would be lost.</source>
+        <translation>{0} に誤りがあります。失われないように、先に直してください。</translation>
+    </message>
+    <message>
+        <source>Import {0} from {1}</source>
+        <translation>{1} から {0} を読み込み</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>読み込みました</translation>
+    </message>
+    <message>
+        <source>{0} new</source>
+        <translation>新しいもの {0} 件</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新しいもの</translation>
+    </message>
+    <message>
+        <source>{0} changed</source>
+        <translation>変わったもの {0} 件</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>変わったもの</translation>
+    </message>
+    <message>
+        <source>{0} the same as before</source>
+        <translation>前と同じもの {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} to be looked at, not used yet</source>
+        <translation>要確認（まだ使いません） {0} 件</translation>
+    </message>
+    <message>
+        <source>To be looked at (fuzzy)</source>
+        <translation>要確認（fuzzy）</translation>
+    </message>
+    <message>
+        <source>{0} unknown to this project, kept aside</source>
+        <translation>このプロジェクトにないもの {0} 件（別に取っておきます）</translation>
+    </message>
+    <message>
+        <source>Unknown to this project, kept in the file as obsolete</source>
+        <translation>このプロジェクトにないもの（ファイルに残します）</translation>
+    </message>
+    <message>
+        <source>{0} not translated</source>
+        <translation>未翻訳 {0} 件</translation>
+    </message>
+    <message>
+        <source>Not translated: what was here stays</source>
+        <translation>未翻訳：今あるものを残します</translation>
+    </message>
+    <message>
+        <source>{0} leave out a tag of the text</source>
+        <translation>タグが抜けているもの {0} 件</translation>
+    </message>
+    <message>
+        <source>Leave out a tag of the text</source>
+        <translation>タグが抜けているもの</translation>
+    </message>
+    <message>
+        <source>{0} from {1}: {2}.</source>
+        <translation>{1} から {0}：{2}。</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
     </message>
 </context>
 <context>
@@ -909,10 +2866,6 @@ Draw what a robot says, shows and does.</source>
         <translation>例のコピーを置く場所</translation>
     </message>
     <message>
-        <source>Reading {0}</source>
-        <translation>{0} を読み込み中</translation>
-    </message>
-    <message>
         <source>Where shall the copy of the project be?</source>
         <translation>プロジェクトのコピーを置く場所</translation>
     </message>
@@ -945,6 +2898,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Find in the project</source>
         <translation>プロジェクト内を検索</translation>
+    </message>
+    <message>
+        <source>Finds every place in which a text or a name stands.</source>
+        <translation>文字や名前が出てくるすべての場所を探します。</translation>
     </message>
     <message>
         <source>Found</source>
@@ -1019,7 +2976,34 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>FitList</name>
+    <message>
+        <source>On this screen: {0}</source>
+        <translation>この画面では：{0}</translation>
+    </message>
+    <message>
+        <source>All right</source>
+        <translation>問題なし</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+</context>
+<context>
     <name>Follower</name>
+    <message>
+        <source>{0}, {1}</source>
+        <translation>{0}、{1}</translation>
+    </message>
+    <message>
+        <source>rehearsing, {0:.1f} s</source>
+        <translation>リハーサル中、{0:.1f} 秒</translation>
+    </message>
+    <message>
+        <source>replaying {0}</source>
+        <translation>再生 {0}</translation>
+    </message>
     <message>
         <source>, same as the robot</source>
         <translation>（ロボットと同じ）</translation>
@@ -1036,12 +3020,20 @@ Draw what a robot says, shows and does.</source>
         <translation>なし（そのまま）</translation>
     </message>
     <message>
+        <source>Choose a file…</source>
+        <translation>ファイルを選ぶ…</translation>
+    </message>
+    <message>
         <source>This can not be left empty.</source>
         <translation>空にはできません。</translation>
     </message>
     <message>
         <source>Change timeout of {0}</source>
         <translation>{0} の時間切れを変更</translation>
+    </message>
+    <message>
+        <source>Change {0}</source>
+        <translation>{0} を変更</translation>
     </message>
     <message>
         <source>{0} of {1}</source>
@@ -1053,10 +3045,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Situ Studio</source>
         <translation>Situ Studio</translation>
-    </message>
-    <message>
-        <source>This project has no document that can be shown. The problems below say why.</source>
-        <translation>表示できる文書がありません。理由は下の問題をご覧ください。</translation>
     </message>
     <message>
         <source>Problems</source>
@@ -1083,6 +3071,10 @@ Draw what a robot says, shows and does.</source>
         <translation>アウトライン内を検索</translation>
     </message>
     <message>
+        <source>What is on the screen</source>
+        <translation>画面にあるもの</translation>
+    </message>
+    <message>
         <source>Inspector</source>
         <translation>インスペクター</translation>
     </message>
@@ -1104,14 +3096,83 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>Group</name>
+    <message>
+        <source>This project has no document that can be shown. The problems below say why.</source>
+        <translation>このプロジェクトには表示できる文書がありません。理由は下の「問題」にあります。</translation>
+    </message>
+</context>
+<context>
     <name>GroupBox</name>
     <message>
         <source>Group</source>
         <translation>グループ</translation>
     </message>
     <message>
+        <source>How many of the tests in it must hold</source>
+        <translation>中の判定がいくつ成り立てばよいか</translation>
+    </message>
+    <message>
         <source>Remove this group</source>
         <translation>このグループを削除</translation>
+    </message>
+</context>
+<context>
+    <name>HelpSide</name>
+    <message>
+        <source>Menu</source>
+        <translation>メニュー</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>今はできません</translation>
+    </message>
+</context>
+<context>
+    <name>HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
+    <message>
+        <source>Back to what was read before</source>
+        <translation>前に読んでいたところへ戻る</translation>
+    </message>
+    <message>
+        <source>What the help has</source>
+        <translation>ヘルプの内容</translation>
+    </message>
+    <message>
+        <source>Search the help</source>
+        <translation>ヘルプを検索</translation>
+    </message>
+    <message>
+        <source>A word of what you want to know</source>
+        <translation>知りたいことの言葉</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>見つかったもの</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>描くもの</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>パネル</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
     </message>
 </context>
 <context>
@@ -1161,6 +3222,28 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>Layers</name>
+    <message>
+        <source>On this screen</source>
+        <translation>この画面にあるもの</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+</context>
+<context>
+    <name>Listening</name>
+    <message>
+        <source>This text can not be heard here</source>
+        <translation>この文字はここでは聞けません</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>This project is open in another Situ Studio too. What is saved there is told here before anything is overwritten.</source>
@@ -1195,10 +3278,6 @@ Draw what a robot says, shows and does.</source>
         <translation>やり直す</translation>
     </message>
     <message>
-        <source>This has changed meanwhile: there is nothing to mend there now.</source>
-        <translation>その間に変わったので、もう直すところはありません。</translation>
-    </message>
-    <message>
         <source>Outline</source>
         <translation>アウトライン</translation>
     </message>
@@ -1216,6 +3295,240 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>Marking</name>
+    <message>
+        <source>Add a bookmark here… (B)</source>
+        <translation>ここにしおりを付ける…（B）</translation>
+    </message>
+    <message>
+        <source>Remove the bookmark here</source>
+        <translation>ここのしおりを取り除く</translation>
+    </message>
+    <message>
+        <source>There are no bookmarks yet</source>
+        <translation>まだしおりがありません</translation>
+    </message>
+</context>
+<context>
+    <name>MatrixModel</name>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>tie</source>
+        <translation>同順位</translation>
+    </message>
+    <message>
+        <source>nobody</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>taken over from {0}</source>
+        <translation>{0} から引き継ぎ</translation>
+    </message>
+    <message>
+        <source>with a problem</source>
+        <translation>問題あり</translation>
+    </message>
+    <message>
+        <source>priority of {0} in {1}: {2}</source>
+        <translation>{1} での {0} の優先度：{2}</translation>
+    </message>
+    <message>
+        <source>Taken away here: {0} can hold nothing.</source>
+        <translation>ここで取り去られています。{0} は何も使えません。</translation>
+    </message>
+    <message>
+        <source>Taken over from {0}.</source>
+        <translation>{0} から引き継いでいます。</translation>
+    </message>
+    <message>
+        <source>Without this it would be {0}, as in {1}.</source>
+        <translation>これがなければ {1} と同じ {0} です。</translation>
+    </message>
+    <message>
+        <source>The same priority as {0}: whoever asks first holds it.</source>
+        <translation>{0} と同じ優先度です。先に要求したほうが使います。</translation>
+    </message>
+    <message>
+        <source>{0} in {1}, when all ask: {2}</source>
+        <translation>全員が要求したときの {1} の {0}：{2}</translation>
+    </message>
+    <message>
+        <source>{0} in {1}: a tie; whoever asks first holds it, of {2}</source>
+        <translation>{1} の {0}：同順位。{2} のうち先に要求したほうが使います</translation>
+    </message>
+    <message>
+        <source>Who holds {0} when all modules ask for all they can use</source>
+        <translation>すべてのモジュールが使えるものをすべて要求したとき、{0} を使うもの</translation>
+    </message>
+    <message>
+        <source>{0}, with a problem</source>
+        <translation>{0}、問題あり</translation>
+    </message>
+    <message>
+        <source>{0} may ask for: {1}</source>
+        <translation>{0} が要求できるもの：{1}</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>現在</translation>
+    </message>
+    <message>
+        <source>its condition holds</source>
+        <translation>条件が成り立つ</translation>
+    </message>
+    <message>
+        <source>{0}, before all below it</source>
+        <translation>{0}、下のものより優先</translation>
+    </message>
+    <message>
+        <source>Takes over from {0}.</source>
+        <translation>{0} から引き継ぎます。</translation>
+    </message>
+</context>
+<context>
+    <name>MatrixView</name>
+    <message>
+        <source>Priorities</source>
+        <translation>優先度</translation>
+    </message>
+    <message>
+        <source>Situation</source>
+        <translation>状況</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>Add: {0}</source>
+        <translation>追加：{0}</translation>
+    </message>
+    <message>
+        <source>pale: taken over from another situation · right: who holds it when all ask</source>
+        <translation>淡色：ほかの状況から引き継ぎ · 右：全員が要求したときに使うもの</translation>
+    </message>
+    <message>
+        <source>{0} is taken already.</source>
+        <translation>{0} はもう使われています。</translation>
+    </message>
+</context>
+<context>
+    <name>MendingSide</name>
+    <message>
+        <source>What is selected has no problem.</source>
+        <translation>選んだものに問題はありません。</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>{0} more in the list of problems</source>
+        <translation>問題の一覧にあと {0} 件</translation>
+    </message>
+    <message>
+        <source>Mend all {0} of this kind</source>
+        <translation>同じ種類の {0} 件をすべて直す</translation>
+    </message>
+    <message>
+        <source>Show where it is</source>
+        <translation>場所を表示</translation>
+    </message>
+    <message>
+        <source>Accept this warning</source>
+        <translation>この警告を認める</translation>
+    </message>
+    <message>
+        <source>It is known and meant: it is told no more.</source>
+        <translation>承知のうえのものとして、もう知らせません。</translation>
+    </message>
+    <message>
+        <source>This has changed meanwhile: there is nothing to mend there now.</source>
+        <translation>その間に変わったので、もう直すところはありません。</translation>
+    </message>
+    <message>
+        <source>Mend {0} problems of one kind</source>
+        <translation>同じ種類の問題 {0} 件を直す</translation>
+    </message>
+    <message>
+        <source>These can not be mended together: mend them one by one.</source>
+        <translation>まとめて直せません。一つずつ直してください。</translation>
+    </message>
+    <message>
+        <source>{0} mended, {1} are left.</source>
+        <translation>{0} 件を直しました。{1} 件が残っています。</translation>
+    </message>
+    <message>
+        <source>{0} problems mended.</source>
+        <translation>問題を {0} 件直しました。</translation>
+    </message>
+</context>
+<context>
+    <name>ModuleRow</name>
+    <message>
+        <source>Asks for {0}; pressed again it gives that back</source>
+        <translation>{0} を要求します。もう一度押すと返します</translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation>要求</translation>
+    </message>
+    <message>
+        <source>{0} asks</source>
+        <translation>{0} が要求</translation>
+    </message>
+    <message>
+        <source>It died, or is out of reach: what it asked for and does ends</source>
+        <translation>停止したか、届かなくなったとします。要求も動きも終わります</translation>
+    </message>
+    <message>
+        <source>Lose</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>{0} is lost</source>
+        <translation>{0} が切れる</translation>
+    </message>
+    <message>
+        <source>What {0} lets the robot do</source>
+        <translation>{0} がロボットにさせること</translation>
+    </message>
+    <message>
+        <source>{0}: a value</source>
+        <translation>{0}：値</translation>
+    </message>
+    <message>
+        <source>What {0} shall do</source>
+        <translation>{0} にさせること</translation>
+    </message>
+</context>
+<context>
+    <name>MoreModules</name>
+    <message>
+        <source>Not in this script</source>
+        <translation>このスクリプトにないもの</translation>
+    </message>
+    <message>
+        <source>Drag a module onto a situation, or press Enter to add it.</source>
+        <translation>状況の上へドラッグするか、Enter で追加します。</translation>
+    </message>
+    <message>
+        <source>an application of this project</source>
+        <translation>このプロジェクトのアプリケーション</translation>
+    </message>
+    <message>
+        <source>tells nothing of itself</source>
+        <translation>説明なし</translation>
+    </message>
+</context>
+<context>
     <name>Number</name>
     <message>
         <source>Write a whole number.</source>
@@ -1228,6 +3541,45 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Write a number above 0.</source>
         <translation>0 より大きい数を入力してください。</translation>
+    </message>
+</context>
+<context>
+    <name>OperatingSide</name>
+    <message>
+        <source>Where the robot is paused</source>
+        <translation>ロボットが止まっているところ</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>ブレークポイント</translation>
+    </message>
+    <message>
+        <source>Raise an event</source>
+        <translation>イベントを起こす</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>Set a value</source>
+        <translation>値を設定</translation>
+    </message>
+    <message>
+        <source>Tag = value; nothing behind = removes it</source>
+        <translation>タグ = 値。= の後が空なら取り除きます</translation>
+    </message>
+    <message>
+        <source>Write it as tag = value, like volume = 40.</source>
+        <translation>volume = 40 のように、タグ = 値 と書いてください。</translation>
+    </message>
+    <message>
+        <source>{0} is paused at {1}</source>
+        <translation>{0} は {1} で止まっています</translation>
+    </message>
+    <message>
+        <source>{0} is paused at {1}, at breakpoint {2}</source>
+        <translation>{0} は {1} のブレークポイント {2} で止まっています</translation>
     </message>
 </context>
 <context>
@@ -1259,6 +3611,64 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>an application of this project</source>
         <translation>このプロジェクトのアプリケーション</translation>
+    </message>
+</context>
+<context>
+    <name>OwnDevice</name>
+    <message>
+        <source>Own size</source>
+        <translation>別の大きさ</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source> inches</source>
+        <translation> インチ</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Diagonal</source>
+        <translation>対角線</translation>
+    </message>
+</context>
+<context>
+    <name>PagesSide</name>
+    <message>
+        <source>Texts</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>{0} has errors: mend it first, or they would be lost.</source>
+        <translation>{0} に誤りがあります。失われないように、先に直してください。</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>言語を追加</translation>
+    </message>
+    <message>
+        <source>Its code, such as ja, de or pt-BR</source>
+        <translation>言語コード（ja、de、pt-BR など）</translation>
+    </message>
+    <message>
+        <source>{0} is no language: write a code such as ja or pt-BR.</source>
+        <translation>{0} は言語ではありません。ja や pt-BR のようなコードを書いてください。</translation>
+    </message>
+    <message>
+        <source>Add {0}</source>
+        <translation>{0}を追加</translation>
     </message>
 </context>
 <context>
@@ -1383,6 +3793,41 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>PreviewWindow</name>
+    <message>
+        <source>Preview, {0}</source>
+        <translation>プレビュー、{0}</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>一つ戻る</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>続ける</translation>
+    </message>
+    <message>
+        <source>What else leads on from here than a press</source>
+        <translation>押すこと以外で、ここから先へ進むもの</translation>
+    </message>
+    <message>
+        <source>Conditions and times are left out</source>
+        <translation>条件と時間は考えません</translation>
+    </message>
+    <message>
+        <source>Of several events of one name the first is taken, and nothing is spoken.</source>
+        <translation>同じ名前のイベントが複数あれば最初のものを選びます。何も話しません。</translation>
+    </message>
+    <message>
+        <source>Press what is on the screen; Esc closes</source>
+        <translation>画面にあるものを押してください。Esc で閉じます</translation>
+    </message>
+    <message>
+        <source>The time runs out</source>
+        <translation>時間切れになる</translation>
+    </message>
+</context>
+<context>
     <name>PrioritiesEditor</name>
     <message>
         <source>Add a priority for {0}</source>
@@ -1399,10 +3844,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Priority</source>
         <translation>優先度</translation>
-    </message>
-    <message>
-        <source>The higher wins; empty: taken away here.</source>
-        <translation>大きいほうが優先。空にすると、ここでは取り上げます。</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -1436,6 +3877,14 @@ Draw what a robot says, shows and does.</source>
         <translation>Ctrl+Enter：{0}</translation>
     </message>
     <message>
+        <source>Error</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
         <source>Show {0} more like these</source>
         <translation>同様のものをあと {0} 件表示</translation>
     </message>
@@ -1445,10 +3894,105 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>ProjectForm</name>
+    <message>
+        <source>Every robot</source>
+        <translation>すべてのロボット</translation>
+    </message>
+    <message>
+        <source>This robot</source>
+        <translation>このロボット</translation>
+    </message>
+    <message>
+        <source>Where it counts</source>
+        <translation>適用先</translation>
+    </message>
+    <message>
+        <source>What is other on this robot than in the project; it is not deployed.</source>
+        <translation>プロジェクトと違う、このロボットだけの値です。配備されません。</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>What it is called</source>
+        <translation>呼び名</translation>
+    </message>
+    <message>
+        <source>Media folder</source>
+        <translation>メディアのフォルダー</translation>
+    </message>
+    <message>
+        <source>Pictures, movies and sounds</source>
+        <translation>絵、動画、音</translation>
+    </message>
+    <message>
+        <source>Scenario folder</source>
+        <translation>シナリオのフォルダー</translation>
+    </message>
+    <message>
+        <source>What is played as a test</source>
+        <translation>テストとして再生するもの</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>Where it is reached, such as tcp://127.0.0.1:5570</source>
+        <translation>接続先。tcp://127.0.0.1:5570 など</translation>
+    </message>
+    <message>
+        <source>Adapter</source>
+        <translation>アダプター</translation>
+    </message>
+    <message>
+        <source>What drives it: sim is the simulated robot</source>
+        <translation>動かすもの。sim は模擬ロボットです</translation>
+    </message>
+    <message>
+        <source>What stands on the blackboard before anything happens, such as the language or the address of a service.</source>
+        <translation>何かが起こる前にブラックボードにある値。言語やサービスのアドレスなどです。</translation>
+    </message>
+    <message>
+        <source>Kept when the robot restarts</source>
+        <translation>再起動しても残すもの</translation>
+    </message>
+    <message>
+        <source>Values that outlive a restart: medication.* is all below medication.</source>
+        <translation>再起動しても残る値。medication.* は medication の下すべてです。</translation>
+    </message>
+    <message>
+        <source>Private</source>
+        <translation>個人情報</translation>
+    </message>
+    <message>
+        <source>Shown as ••• to all but operators in traces and recordings.</source>
+        <translation>記録では、操作者以外には ••• と表示されます。</translation>
+    </message>
+</context>
+<context>
     <name>ProjectTree</name>
     <message>
         <source>Project</source>
         <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>All texts, spoken, shown and heard, in every language</source>
+        <translation>話す・見せる・聞き取る文字のすべてを、すべての言語で</translation>
     </message>
     <message>
         <source>media</source>
@@ -1460,7 +4004,50 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>RangeEdits</name>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Give {0} the priority {1} in {2}</source>
+        <translation>{2} で {0} の優先度を {1} にする</translation>
+    </message>
+    <message>
+        <source>Clear {0}</source>
+        <translation>{0} を消去</translation>
+    </message>
+    <message>
+        <source>This is taken over from {0}: type none to take it away here.</source>
+        <translation>{0} から引き継いだものです。ここで取り去るには none と入力してください。</translation>
+    </message>
+    <message>
+        <source>{0} copied</source>
+        <translation>{0} をコピーしました</translation>
+    </message>
+    <message>
+        <source>Paste {0}</source>
+        <translation>{0} を貼り付け</translation>
+    </message>
+    <message>
+        <source>Fill {0}</source>
+        <translation>{0} を埋める</translation>
+    </message>
+    <message>
+        <source>{0} priorities</source>
+        <translation>優先度 {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} in {1}</source>
+        <translation>{1} の {0}</translation>
+    </message>
+</context>
+<context>
     <name>Recovery</name>
+    <message>
+        <source>Unsaved changes can not be kept for the next start ({0}): save soon</source>
+        <translation>保存していない変更を次回のために取っておけません（{0}）。早めに保存してください</translation>
+    </message>
     <message>
         <source>There are changes to {0} of {1} that were not saved.</source>
         <translation>{1} の {0} に、保存されなかった変更があります。</translation>
@@ -1479,10 +4066,51 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>RehearsingSide</name>
+    <message>
+        <source>Rehearsal</source>
+        <translation>リハーサル</translation>
+    </message>
+    <message>
+        <source>End the rehearsal</source>
+        <translation>リハーサルを終える</translation>
+    </message>
+    <message>
+        <source>Say in the project&apos;s form in which folder its scenarios lie.</source>
+        <translation>プロジェクトの入力欄で、シナリオのフォルダーを指定してください。</translation>
+    </message>
+    <message>
+        <source>Saved {0}</source>
+        <translation>{0} に保存</translation>
+    </message>
+    <message>
+        <source>Mend the errors first, then the project can run.</source>
+        <translation>先にエラーを直すと、プロジェクトを動かせます。</translation>
+    </message>
+</context>
+<context>
+    <name>RobotLink</name>
+    <message>
+        <source>No robot is connected.</source>
+        <translation>ロボットに接続していません。</translation>
+    </message>
+</context>
+<context>
+    <name>RobotScreen</name>
+    <message>
+        <source>The robot&apos;s screen</source>
+        <translation>ロボットの画面</translation>
+    </message>
+</context>
+<context>
     <name>RobotSide</name>
     <message>
         <source>Blackboard</source>
         <translation>ブラックボード</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
     </message>
     <message>
         <source>Authority</source>
@@ -1499,6 +4127,22 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Address</source>
         <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>Reading {0}</source>
+        <translation>{0} を読み込み中</translation>
+    </message>
+    <message>
+        <source>{0} ends without its end: the robot was still running, or was killed.</source>
+        <translation>{0} は途中で終わっています。ロボットがまだ動いていたか、強制終了されたためです。</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>しおり</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
     </message>
 </context>
 <context>
@@ -1518,6 +4162,167 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Move down</source>
         <translation>下へ</translation>
+    </message>
+</context>
+<context>
+    <name>Rows</name>
+    <message>
+        <source>Up</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下へ</translation>
+    </message>
+    <message>
+        <source>Remove {0}</source>
+        <translation>{0} を取り除く</translation>
+    </message>
+</context>
+<context>
+    <name>SamplePopup</name>
+    <message>
+        <source>Sample values</source>
+        <translation>見本の値</translation>
+    </message>
+    <message>
+        <source>Fill texts with sample values</source>
+        <translation>文字に見本の値を入れる</translation>
+    </message>
+    <message>
+        <source>Else texts are shown as they are written</source>
+        <translation>入れないときは、書いたとおりに表示されます</translation>
+    </message>
+    <message>
+        <source>From the tags at the start and the scenarios; type another one.</source>
+        <translation>最初のタグとシナリオの値です。別の値も入力できます。</translation>
+    </message>
+    <message>
+        <source>No text of this screen refers to a value.</source>
+        <translation>この画面の文字は値を使っていません。</translation>
+    </message>
+</context>
+<context>
+    <name>SampleTable</name>
+    <message>
+        <source>Entry</source>
+        <translation>入力</translation>
+    </message>
+</context>
+<context>
+    <name>Sampling</name>
+    <message>
+        <source>{0} entries</source>
+        <translation>{0} 件</translation>
+    </message>
+</context>
+<context>
+    <name>SavingScenario</name>
+    <message>
+        <source>Save as a scenario</source>
+        <translation>シナリオとして保存</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Name of the scenario</source>
+        <translation>シナリオの名前</translation>
+    </message>
+    <message>
+        <source>What shall happen again</source>
+        <translation>もう一度起こるはずのこと</translation>
+    </message>
+    <message>
+        <source>What is expected</source>
+        <translation>期待すること</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>A file can not be called that.</source>
+        <translation>ファイルにその名前は使えません。</translation>
+    </message>
+    <message>
+        <source>There is a scenario of that name.</source>
+        <translation>その名前のシナリオはもうあります。</translation>
+    </message>
+</context>
+<context>
+    <name>ScenariosPanel</name>
+    <message>
+        <source>Run all</source>
+        <translation>すべて実行</translation>
+    </message>
+    <message>
+        <source>Each is done from the start, with the project as it is now</source>
+        <translation>それぞれ最初から、今のプロジェクトで実行します</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>図に表示</translation>
+    </message>
+    <message>
+        <source>How often they came through each state and transition, on the drawings</source>
+        <translation>各状態と遷移を通った回数を図に表示します</translation>
+    </message>
+    <message>
+        <source>Not run yet</source>
+        <translation>未実行</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>期待</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>Its file; below them, what none of them came through.</source>
+        <translation>シナリオのファイル。その下に、どれも通らなかったもの。</translation>
+    </message>
+    <message>
+        <source>Whether all that was expected happened.</source>
+        <translation>期待したことがすべて起きたか。</translation>
+    </message>
+    <message>
+        <source>How much was expected.</source>
+        <translation>期待したことの数。</translation>
+    </message>
+    <message>
+        <source>Where it failed first. A click shows that moment in all views.</source>
+        <translation>最初に失敗したところ。クリックすると、どの表示もその時点になります。</translation>
+    </message>
+</context>
+<context>
+    <name>ScenariosSide</name>
+    <message>
+        <source>Scenarios</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>Running the scenarios</source>
+        <translation>シナリオを実行中</translation>
     </message>
 </context>
 <context>
@@ -1544,6 +4349,157 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>keeps what was shown before</source>
         <translation>前の表示のまま</translation>
+    </message>
+</context>
+<context>
+    <name>ScriptAsking</name>
+    <message>
+        <source>Select data, a situation or a module</source>
+        <translation>データ、状況、モジュールのどれかを選んでください</translation>
+    </message>
+    <message>
+        <source>What does it lead to?</source>
+        <translation>行き先は？</translation>
+    </message>
+    <message>
+        <source>There is no other situation to take over from</source>
+        <translation>引き継ぎ元になるほかの状況がありません</translation>
+    </message>
+    <message>
+        <source>Take over from which?</source>
+        <translation>どれから引き継ぎますか？</translation>
+    </message>
+    <message>
+        <source>Until what?</source>
+        <translation>何まで続きますか？</translation>
+    </message>
+    <message>
+        <source>When what?</source>
+        <translation>何のときですか？</translation>
+    </message>
+    <message>
+        <source>There is no data yet: add some first</source>
+        <translation>まだデータがありません。先に追加してください</translation>
+    </message>
+    <message>
+        <source>Stays at least, in seconds</source>
+        <translation>最低継続時間（秒）</translation>
+    </message>
+    <message>
+        <source>Ends after, in seconds</source>
+        <translation>終わるまでの時間（秒）</translation>
+    </message>
+    <message>
+        <source>Write seconds above 0, or nothing, not {0}</source>
+        <translation>0 より大きい秒数か、空欄にしてください。{0} は使えません</translation>
+    </message>
+    <message>
+        <source>{0}  {1}, taken over</source>
+        <translation>{0}  {1}、引き継ぎ</translation>
+    </message>
+    <message>
+        <source>Which module&apos;s priority?</source>
+        <translation>どのモジュールの優先度ですか？</translation>
+    </message>
+    <message>
+        <source>Select data</source>
+        <translation>データを選んでください</translation>
+    </message>
+    <message>
+        <source>any value</source>
+        <translation>どんな値でも</translation>
+    </message>
+    <message>
+        <source>What kind of value?</source>
+        <translation>どんな値ですか？</translation>
+    </message>
+    <message>
+        <source>Unit, such as deg or m</source>
+        <translation>単位（deg、m など）</translation>
+    </message>
+    <message>
+        <source>Select one thing, or nothing for a note on the script</source>
+        <translation>一つだけ選ぶか、スクリプト全体のメモなら何も選ばないでください</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+</context>
+<context>
+    <name>ScriptCanvas</name>
+    <message>
+        <source>No situation yet. Drag Situation, Data and Module from the palette to here, then from card to card, from left to right.</source>
+        <translation>まだ状況がありません。パレットから「状況」「データ」「モジュール」をここへドラッグし、次にカードからカードへ、左から右へつないでください。</translation>
+    </message>
+    <message>
+        <source>When what?</source>
+        <translation>何のときですか？</translation>
+    </message>
+    <message>
+        <source>Drop a condition on the situation that it is of</source>
+        <translation>条件は、その状況の上に置いてください</translation>
+    </message>
+</context>
+<context>
+    <name>ScriptChoosing</name>
+    <message>
+        <source>Select one situation</source>
+        <translation>状況を一つ選んでください</translation>
+    </message>
+    <message>
+        <source>Select something from which a pipe leads</source>
+        <translation>線の出発点になるものを選んでください</translation>
+    </message>
+</context>
+<context>
+    <name>ScriptCommands</name>
+    <message>
+        <source>Select a condition</source>
+        <translation>条件を選んでください</translation>
+    </message>
+    <message>
+        <source>What shall hold?</source>
+        <translation>どう成り立てばよいですか？</translation>
+    </message>
+    <message>
+        <source>Select tests that stand beside each other in one group</source>
+        <translation>同じまとまりで隣り合う判定を選んでください</translation>
+    </message>
+    <message>
+        <source>Select a group of tests</source>
+        <translation>判定のまとまりを選んでください</translation>
+    </message>
+    <message>
+        <source>Select a priority</source>
+        <translation>優先度を選んでください</translation>
+    </message>
+    <message>
+        <source>Connect {0} cards</source>
+        <translation>カード {0} 枚をつなぐ</translation>
+    </message>
+</context>
+<context>
+    <name>ScriptCopying</name>
+    <message>
+        <source>Situations, data and modules can be copied: select some</source>
+        <translation>状況、データ、モジュールをコピーできます。選んでください</translation>
+    </message>
+    <message>
+        <source>Copied: {0}</source>
+        <translation>コピーしました：{0}</translation>
+    </message>
+    <message>
+        <source>Cut {0}</source>
+        <translation>{0} を切り取り</translation>
+    </message>
+    <message>
+        <source>The text on the clipboard has errors. {0}</source>
+        <translation>クリップボードの文字に誤りがあります。{0}</translation>
+    </message>
+    <message>
+        <source>There are no situations, data or modules on the clipboard</source>
+        <translation>クリップボードに状況、データ、モジュールがありません</translation>
     </message>
 </context>
 <context>
@@ -1607,20 +4563,16 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>Sheet</name>
     <message>
+        <source>Screen</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Tab goes from component to component, arrows move one, F2 writes its text.</source>
+        <translation>Tab で次の部品へ、矢印で移動、F2 で文字を書きます。</translation>
+    </message>
+    <message>
         <source>Align {0}</source>
         <translation>{0} を揃える</translation>
-    </message>
-    <message>
-        <source>Resize {0}</source>
-        <translation>{0} の大きさを変更</translation>
-    </message>
-    <message>
-        <source>Move {0}</source>
-        <translation>{0}を移動</translation>
-    </message>
-    <message>
-        <source>Delete {0}</source>
-        <translation>{0} を削除</translation>
     </message>
 </context>
 <context>
@@ -1628,6 +4580,32 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Keyboard shortcuts</source>
         <translation>キーボードショートカット</translation>
+    </message>
+</context>
+<context>
+    <name>Sides</name>
+    <message>
+        <source>Priorities</source>
+        <translation>優先度</translation>
+    </message>
+    <message>
+        <source>Who holds it when all ask</source>
+        <translation>全員が要求したときに使うもの</translation>
+    </message>
+    <message>
+        <source>There is no situation yet: add one.</source>
+        <translation>まだ状況がありません。追加してください。</translation>
+    </message>
+    <message>
+        <source>There is no module yet: add one.</source>
+        <translation>まだモジュールがありません。追加してください。</translation>
+    </message>
+</context>
+<context>
+    <name>SituationCommands</name>
+    <message>
+        <source>Add a script of situations</source>
+        <translation>状況のスクリプトを追加</translation>
     </message>
 </context>
 <context>
@@ -1650,138 +4628,141 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>StateStrip</name>
+    <message>
+        <source>States</source>
+        <translation>状態</translation>
+    </message>
+</context>
+<context>
     <name>Status</name>
     <message>
         <source>no robot</source>
         <translation>ロボットなし</translation>
     </message>
     <message>
-        <source>error</source>
-        <translation>エラー</translation>
-    </message>
-    <message>
-        <source>errors</source>
-        <translation>エラー</translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation>警告</translation>
-    </message>
-    <message>
-        <source>warnings</source>
-        <translation>警告</translation>
-    </message>
-    <message>
         <source>“In every state” selected</source>
         <translation>「すべての状態」を選択中</translation>
-    </message>
-    <message>
-        <source>thing</source>
-        <translation>件</translation>
-    </message>
-    <message>
-        <source>priorities</source>
-        <translation>優先度</translation>
     </message>
     <message>
         <source>{0} selected</source>
         <translation>{0} 個を選択中</translation>
     </message>
     <message>
-        <source>state</source>
-        <translation>状態</translation>
+        <source>{0} error</source>
+        <translation>エラー {0} 件</translation>
     </message>
     <message>
-        <source>states</source>
-        <translation>状態</translation>
+        <source>{0} errors</source>
+        <translation>エラー {0} 件</translation>
     </message>
     <message>
-        <source>transition</source>
-        <translation>遷移</translation>
+        <source>{0} warning</source>
+        <translation>警告 {0} 件</translation>
     </message>
     <message>
-        <source>transitions</source>
-        <translation>遷移</translation>
+        <source>{0} warnings</source>
+        <translation>警告 {0} 件</translation>
     </message>
     <message>
-        <source>situation</source>
-        <translation>状況</translation>
+        <source>{0} state</source>
+        <translation>状態 {0} 個</translation>
     </message>
     <message>
-        <source>event</source>
-        <translation>イベント</translation>
+        <source>{0} states</source>
+        <translation>状態 {0} 個</translation>
     </message>
     <message>
-        <source>events</source>
-        <translation>イベント</translation>
+        <source>{0} event</source>
+        <translation>イベント {0} 個</translation>
     </message>
     <message>
-        <source>timeout</source>
-        <translation>時間切れ</translation>
+        <source>{0} events</source>
+        <translation>イベント {0} 個</translation>
     </message>
     <message>
-        <source>timeouts</source>
-        <translation>時間切れ</translation>
+        <source>{0} timeout</source>
+        <translation>時間切れ {0} 個</translation>
     </message>
     <message>
-        <source>situations</source>
-        <translation>状況</translation>
+        <source>{0} timeouts</source>
+        <translation>時間切れ {0} 個</translation>
     </message>
     <message>
-        <source>module</source>
-        <translation>モジュール</translation>
+        <source>{0} situation</source>
+        <translation>状況 {0} 個</translation>
     </message>
     <message>
-        <source>modules</source>
-        <translation>モジュール</translation>
+        <source>{0} situations</source>
+        <translation>状況 {0} 個</translation>
     </message>
     <message>
-        <source>priority</source>
-        <translation>優先度</translation>
+        <source>{0} module</source>
+        <translation>モジュール {0} 個</translation>
     </message>
     <message>
-        <source>data</source>
-        <translation>データ</translation>
+        <source>{0} modules</source>
+        <translation>モジュール {0} 個</translation>
     </message>
     <message>
-        <source>resource</source>
-        <translation>リソース</translation>
+        <source>{0} priority</source>
+        <translation>優先度 {0} 個</translation>
     </message>
     <message>
-        <source>resources</source>
-        <translation>リソース</translation>
+        <source>{0} priorities</source>
+        <translation>優先度 {0} 個</translation>
     </message>
     <message>
-        <source>note</source>
-        <translation>メモ</translation>
+        <source>{0} data</source>
+        <translation>データ {0} 個</translation>
     </message>
     <message>
-        <source>notes</source>
-        <translation>メモ</translation>
+        <source>{0} resource</source>
+        <translation>リソース {0} 個</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>枠</translation>
+        <source>{0} resources</source>
+        <translation>リソース {0} 個</translation>
     </message>
     <message>
-        <source>frames</source>
-        <translation>枠</translation>
+        <source>{0} note</source>
+        <translation>メモ {0} 個</translation>
     </message>
     <message>
-        <source>things</source>
-        <translation>件</translation>
+        <source>{0} notes</source>
+        <translation>メモ {0} 個</translation>
     </message>
     <message>
-        <source>{0} not saved</source>
-        <translation>{0} が未保存</translation>
+        <source>{0} frame</source>
+        <translation>枠 {0} 個</translation>
     </message>
     <message>
-        <source>document</source>
-        <translation>文書</translation>
+        <source>{0} frames</source>
+        <translation>枠 {0} 個</translation>
     </message>
     <message>
-        <source>documents</source>
-        <translation>文書</translation>
+        <source>{0} thing</source>
+        <translation>{0} 個</translation>
+    </message>
+    <message>
+        <source>{0} things</source>
+        <translation>{0} 個</translation>
+    </message>
+    <message>
+        <source>{0} transition</source>
+        <translation>遷移 {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} transitions</source>
+        <translation>遷移 {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} document not saved</source>
+        <translation>保存していない文書 {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} documents not saved</source>
+        <translation>保存していない文書 {0} 個</translation>
     </message>
     <message>
         <source>Saved {0}</source>
@@ -1790,6 +4771,35 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>No changes</source>
         <translation>変更なし</translation>
+    </message>
+</context>
+<context>
+    <name>TagChip</name>
+    <message>
+        <source>Drag it into a text, or press it to put it at its end</source>
+        <translation>文字へドラッグするか、押すと文字の終わりに入ります</translation>
+    </message>
+</context>
+<context>
+    <name>TagChips</name>
+    <message>
+        <source>Tags</source>
+        <translation>タグ</translation>
+    </message>
+</context>
+<context>
+    <name>TemplateTile</name>
+    <message>
+        <source>Template: {0}</source>
+        <translation>ひな形：{0}</translation>
+    </message>
+    <message>
+        <source>The state gets this screen; undo brings back the one before</source>
+        <translation>状態の画面をこれにします。「元に戻す」で前の画面に戻せます</translation>
+    </message>
+    <message>
+        <source>Remove this template</source>
+        <translation>このひな形を取り除く</translation>
     </message>
 </context>
 <context>
@@ -1811,20 +4821,228 @@ Draw what a robot says, shows and does.</source>
         <translation>値</translation>
     </message>
     <message>
-        <source>within</source>
-        <translation>以内</translation>
+        <source>yes</source>
+        <translation>はい</translation>
     </message>
     <message>
-        <source>The tag was set less than so many seconds ago.</source>
-        <translation>タグに書き込まれてから、この秒数より経っていない。</translation>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>以内</translation>
     </message>
     <message>
         <source>for</source>
         <translation>継続</translation>
     </message>
+</context>
+<context>
+    <name>TestEditor</name>
     <message>
-        <source>It has held without a break for so many seconds.</source>
-        <translation>この秒数の間、途切れずに成り立っている。</translation>
+        <source>Test</source>
+        <translation>判定</translation>
+    </message>
+</context>
+<context>
+    <name>TextsModel</name>
+    <message>
+        <source>Always</source>
+        <translation>いつも</translation>
+    </message>
+    <message>
+        <source>Phrase for {0}</source>
+        <translation>{0} の言葉</translation>
+    </message>
+    <message>
+        <source>Speech</source>
+        <translation>発話</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Text as written</source>
+        <translation>書かれた文字</translation>
+    </message>
+    <message>
+        <source>{0}, {1} of {2}</source>
+        <translation>{2} の {0}、{1}</translation>
+    </message>
+    <message>
+        <source>The state in which the text stands.</source>
+        <translation>文字のある状態。</translation>
+    </message>
+    <message>
+        <source>What says it or shows it there.</source>
+        <translation>それを話すか見せるもの。</translation>
+    </message>
+    <message>
+        <source>As it is written in the documents: what you type here goes there.</source>
+        <translation>文書に書かれたままの文字。ここで入力すると文書が変わります。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} texts translated</source>
+        <translation>{1} 件中 {0} 件を翻訳済み</translation>
+    </message>
+    <message>
+        <source>{0} missing</source>
+        <translation>未翻訳 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} to be looked at</source>
+        <translation>要確認 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} without a tag of the text</source>
+        <translation>タグ抜け {0} 件</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>ありません</translation>
+    </message>
+    <message>
+        <source>always said in {0}</source>
+        <translation>いつも {0} で話す</translation>
+    </message>
+    <message>
+        <source>nothing to translate</source>
+        <translation>翻訳するものなし</translation>
+    </message>
+    <message>
+        <source>to be looked at: it was “{0}”</source>
+        <translation>要確認：前は「{0}」</translation>
+    </message>
+    <message>
+        <source>to be looked at</source>
+        <translation>要確認</translation>
+    </message>
+    <message>
+        <source>leaves out {0}</source>
+        <translation>{0} が抜けています</translation>
+    </message>
+</context>
+<context>
+    <name>TextsPage</name>
+    <message>
+        <source>No text fits what you look for.</source>
+        <translation>探しているものに合う文字がありません。</translation>
+    </message>
+    <message>
+        <source>Find a text</source>
+        <translation>文字を検索</translation>
+    </message>
+    <message>
+        <source>Only texts with these letters, in any language.</source>
+        <translation>どの言語でも、この文字を含むものだけ。</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>見せる</translation>
+    </message>
+    <message>
+        <source>Spoken</source>
+        <translation>話す</translation>
+    </message>
+    <message>
+        <source>Heard</source>
+        <translation>聞き取る</translation>
+    </message>
+    <message>
+        <source>Which texts</source>
+        <translation>どの文字</translation>
+    </message>
+    <message>
+        <source>To do</source>
+        <translation>残り</translation>
+    </message>
+    <message>
+        <source>Only what is missing, has to be looked at, or leaves out a {tag}.</source>
+        <translation>未翻訳、要確認、{tag} の抜けたものだけ。</translation>
+    </message>
+    <message>
+        <source>Listen</source>
+        <translation>聞く</translation>
+    </message>
+    <message>
+        <source>It is right</source>
+        <translation>これでよい</translation>
+    </message>
+    <message>
+        <source>Import translations…</source>
+        <translation>翻訳を読み込む…</translation>
+    </message>
+    <message>
+        <source>Export for a translator…</source>
+        <translation>翻訳者用に書き出す…</translation>
+    </message>
+    <message>
+        <source>Add a language…</source>
+        <translation>言語を追加…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>{0} texts</source>
+        <translation>文字 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} of {1} texts</source>
+        <translation>文字 {1} 件中 {0} 件</translation>
+    </message>
+    <message>
+        <source>one language only: add another to translate them</source>
+        <translation>言語は一つだけです。翻訳するには追加してください</translation>
+    </message>
+    <message>
+        <source>Change {0} texts</source>
+        <translation>文字 {0} 件を変更</translation>
+    </message>
+    <message>
+        <source>Change the text “{0}”</source>
+        <translation>文字「{0}」を変更</translation>
+    </message>
+    <message>
+        <source>Translate “{0}” into {1}</source>
+        <translation>「{0}」を {1} に翻訳</translation>
+    </message>
+    <message>
+        <source>Show where it stands</source>
+        <translation>置いてある場所を表示</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切り取り</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>貼り付け</translation>
+    </message>
+</context>
+<context>
+    <name>TextsTable</name>
+    <message>
+        <source>Texts</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>{0} cells had no room in the table and were left out.</source>
+        <translation>表に入らないセル {0} 個は省きました。</translation>
     </message>
 </context>
 <context>
@@ -1838,10 +5056,6 @@ Draw what a robot says, shows and does.</source>
         <translation>なし</translation>
     </message>
     <message>
-        <source>After so many seconds without an event the state is left.</source>
-        <translation>この秒数イベントがなければ、状態を離れます。</translation>
-    </message>
-    <message>
         <source>then to</source>
         <translation>行き先</translation>
     </message>
@@ -1852,10 +5066,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>only when idle</source>
         <translation>操作のない間だけ</translation>
-    </message>
-    <message>
-        <source>Counted anew after each touch and speech; still while the robot speaks.</source>
-        <translation>触れるか話すたびに数え直します。ロボットが話している間は止まります。</translation>
     </message>
     <message>
         <source>raises the event timeout</source>
@@ -1968,6 +5178,80 @@ Draw what a robot says, shows and does.</source>
         <source>Resources</source>
         <translation>リソース</translation>
     </message>
+    <message>
+        <source>What else it says, in short.</source>
+        <translation>そのほかの内容を短く。</translation>
+    </message>
+    <message>
+        <source>What it is called.</source>
+        <translation>呼び名。</translation>
+    </message>
+    <message>
+        <source>The state to which it leads.</source>
+        <translation>行き先の状態。</translation>
+    </message>
+    <message>
+        <source>The state&apos;s number, or what stands in it.</source>
+        <translation>状態の番号、またはその中にあるもの。</translation>
+    </message>
+    <message>
+        <source>What of the script it is.</source>
+        <translation>スクリプトの何か。</translation>
+    </message>
+    <message>
+        <source>The situation whose priorities it takes over.</source>
+        <translation>優先度を引き継ぐ元の状況。</translation>
+    </message>
+    <message>
+        <source>The parts of the robot that it moves.</source>
+        <translation>動かすロボットの部分。</translation>
+    </message>
+</context>
+<context>
+    <name>Value</name>
+    <message>
+        <source>Write a number.</source>
+        <translation>数値を書いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>ValueField</name>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>はい・いいえ</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>一覧</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>What sort of value it is.</source>
+        <translation>値の種類。</translation>
+    </message>
 </context>
 <context>
     <name>Welcome</name>
@@ -2076,16 +5360,227 @@ Draw what a robot says, shows and does.</source>
         <translation>まだ開いています</translation>
     </message>
     <message>
-        <source>Take it off the list</source>
-        <translation>一覧から外す</translation>
+        <source>Remove from the list</source>
+        <translation>一覧から取り除く</translation>
+    </message>
+    <message>
+        <source>Not there any more</source>
+        <translation>もうありません</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>場所を指定…</translation>
+    </message>
+    <message>
+        <source>Say where this project is now</source>
+        <translation>プロジェクトの今の場所を指定します</translation>
     </message>
     <message>
         <source>Projects that you open will be listed here.</source>
         <translation>開いたプロジェクトがここに並びます。</translation>
     </message>
+</context>
+<context>
+    <name>WhatIf</name>
     <message>
-        <source>Not there any more: {0}</source>
-        <translation>もうありません：{0}</translation>
+        <source>Modules that ask</source>
+        <translation>要求するモジュール</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>もしも</translation>
+    </message>
+    <message>
+        <source>Suppose values: each counts as set just now, and as having lasted long enough. What keeps a situation for a while is not counted. Nothing of this is saved.
+A right click or the down key gives other values.</source>
+        <translation>値を仮定します。どれも今書き込まれ、十分に続いたものとみなします。状況をしばらく保つ設定は考えません。何も保存されません。
+右クリックか下矢印キーで別の値を選べます。</translation>
+    </message>
+    <message>
+        <source>Supposed values</source>
+        <translation>仮定した値</translation>
+    </message>
+    <message>
+        <source>Suppose nothing</source>
+        <translation>何も仮定しない</translation>
+    </message>
+    <message>
+        <source>another value</source>
+        <translation>別の値</translation>
+    </message>
+    <message>
+        <source>Another value of {0}</source>
+        <translation>{0} の別の値</translation>
+    </message>
+    <message>
+        <source>{0} of {1} ask</source>
+        <translation>{1} のうち {0} が要求</translation>
+    </message>
+    <message>
+        <source>all ask</source>
+        <translation>全員が要求</translation>
+    </message>
+    <message>
+        <source>Which modules ask for what they can use</source>
+        <translation>使えるものを要求するモジュール</translation>
+    </message>
+    <message>
+        <source>no situation</source>
+        <translation>状況なし</translation>
+    </message>
+</context>
+<context>
+    <name>WhenTouched</name>
+    <message>
+        <source>The state expects it</source>
+        <translation>状態が待っています</translation>
+    </message>
+    <message>
+        <source>All right</source>
+        <translation>問題なし</translation>
+    </message>
+    <message>
+        <source>The state does not expect {0}: nothing happens.</source>
+        <translation>状態は {0} を待っていません。何も起こりません。</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Expect {0}</source>
+        <translation>{0} を待つ</translation>
+    </message>
+    <message>
+        <source>The state gets this event; say then where it leads</source>
+        <translation>状態にこのイベントを加えます。次に行き先を決めてください</translation>
+    </message>
+    <message>
+        <source>{0} leads to {1}</source>
+        <translation>{0} の行き先は {1}</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>そこへ行く</translation>
+    </message>
+    <message>
+        <source>Show the event</source>
+        <translation>イベントを表示</translation>
+    </message>
+    <message>
+        <source>Expect {0} in {1}</source>
+        <translation>{1} で {0} を待つ</translation>
+    </message>
+</context>
+<context>
+    <name>WhySide</name>
+    <message>
+        <source>Why?</source>
+        <translation>なぜ？</translation>
+    </message>
+    <message>
+        <source>A trace tells nothing of that.</source>
+        <translation>記録からは分かりません。</translation>
+    </message>
+    <message>
+        <source>Select a state, a transition, a situation, a module or a resource.</source>
+        <translation>状態、遷移、状況、モジュール、リソースのどれかを選んでください。</translation>
+    </message>
+    <message>
+        <source>Why did {0} move?</source>
+        <translation>{0} はなぜ動いた？</translation>
+    </message>
+    <message>
+        <source>Why is {0} held so?</source>
+        <translation>{0} はなぜこう使われている？</translation>
+    </message>
+    <message>
+        <source>Why not {0}?</source>
+        <translation>なぜ {0} ではない？</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>調べています…</translation>
+    </message>
+    <message>
+        <source>It has not happened up to this moment.</source>
+        <translation>この時点までには起きていません。</translation>
+    </message>
+    <message>
+        <source>Nothing of it is in what is kept of the trace.</source>
+        <translation>残っている記録の中にはありません。</translation>
+    </message>
+    <message>
+        <source>at {0} s</source>
+        <translation>{0} 秒</translation>
+    </message>
+    <message>
+        <source>at {0} s, {1} s after what began it</source>
+        <translation>{0} 秒、きっかけから {1} 秒後</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0}（{1}）</translation>
+    </message>
+    <message>
+        <source>{0} not set</source>
+        <translation>{0} は未設定</translation>
+    </message>
+    <message>
+        <source>{0} has priority {1}</source>
+        <translation>{0} の優先度は {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no priority</source>
+        <translation>{0} に優先度はありません</translation>
+    </message>
+    <message>
+        <source>There is no answer.</source>
+        <translation>答えがありません。</translation>
+    </message>
+    <message>
+        <source>The log says what went wrong.</source>
+        <translation>何が起きたかはログにあります。</translation>
+    </message>
+    <message>
+        <source>{0}: it was so already</source>
+        <translation>{0}：もうそうなっていました</translation>
+    </message>
+    <message>
+        <source>{0}; the documents here are not the robot&apos;s</source>
+        <translation>{0}。ここの文書はロボットのものと違います</translation>
+    </message>
+    <message>
+        <source>Why is {0} not in {1}?</source>
+        <translation>{0} はなぜ {1} にいない？</translation>
+    </message>
+    <message>
+        <source>Why does {0} not leave {1} by itself?</source>
+        <translation>{0} はなぜ自分で {1} を出ない？</translation>
+    </message>
+    <message>
+        <source>Why does {0} not leave {1} by {2}?</source>
+        <translation>{0} はなぜ {2} で {1} を出ない？</translation>
+    </message>
+    <message>
+        <source>Why is {0} not the situation?</source>
+        <translation>なぜ状況が {0} でない？</translation>
+    </message>
+    <message>
+        <source>Why does {0} not hold {1}?</source>
+        <translation>{0} はなぜ {1} を使えない？</translation>
+    </message>
+    <message>
+        <source>Why does {0} not move {1}?</source>
+        <translation>{0} はなぜ {1} を動かさない？</translation>
+    </message>
+    <message>
+        <source>Why does {0} not begin {1}?</source>
+        <translation>{0} はなぜ {1} を始めない？</translation>
+    </message>
+    <message>
+        <source>Why does {0} not come to {1}?</source>
+        <translation>{0} はなぜ {1} に来ない？</translation>
     </message>
 </context>
 <context>
@@ -2112,6 +5607,13 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>Text of {0} {1}</source>
+        <translation>{1}（{0}）の文字</translation>
+    </message>
+</context>
+<context>
     <name>WorkStrip</name>
     <message>
         <source>Cancel</source>
@@ -2119,14 +5621,49 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>_Amount</name>
+    <message>
+        <source>Write a number.</source>
+        <translation>数値を書いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>_Choices</name>
+    <message>
+        <source>Two or more, each once, with commas between.</source>
+        <translation>二つ以上を、重複なくコンマで区切ってください。</translation>
+    </message>
+</context>
+<context>
+    <name>_Header</name>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+</context>
+<context>
+    <name>_Json</name>
+    <message>
+        <source>Write a list such as [&quot;a&quot;, &quot;b&quot;], or {&quot;a&quot;: 1}.</source>
+        <translation>[&quot;a&quot;, &quot;b&quot;] や {&quot;a&quot;: 1} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>There is no null at the start: leave it out.</source>
+        <translation>最初の値に null は使えません。省いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>_States</name>
+    <message>
+        <source>In every state</source>
+        <translation>すべての状態</translation>
+    </message>
+</context>
+<context>
     <name>actions</name>
     <message>
         <source>A few words for those who draw; the robot does not see them.</source>
         <translation>描く人のための覚え書き。ロボットには見えません。</translation>
-    </message>
-    <message>
-        <source>A new transition of the selected state, or another target of the selected one.</source>
-        <translation>選んだ状態の新しい遷移、または選んだ遷移の別の行き先。</translation>
     </message>
     <message>
         <source>A program that moves the robot when it has the authority.</source>
@@ -2253,6 +5790,34 @@ Draw what a robot says, shows and does.</source>
         <translation>選んだ状態へ向かう状態も選びます。</translation>
     </message>
     <message>
+        <source>A field that people type into; what they type goes to a tag.</source>
+        <translation>人が入力する欄。入力はタグに入ります。</translation>
+    </message>
+    <message>
+        <source>A film of the media folder, played once.</source>
+        <translation>メディアフォルダーの動画。一度再生します。</translation>
+    </message>
+    <message>
+        <source>A letter</source>
+        <translation>文字キー</translation>
+    </message>
+    <message>
+        <source>A letter or number</source>
+        <translation>文字か数字</translation>
+    </message>
+    <message>
+        <source>A new transition of the selected state, another target of the selected one; or what selected data, a situation or a module leads to.</source>
+        <translation>選んだ状態の新しい遷移、選んだ遷移の別の行き先、または選んだデータ・状況・モジュールの行き先。</translation>
+    </message>
+    <message>
+        <source>A picture of the media folder.</source>
+        <translation>メディアフォルダーの絵。</translation>
+    </message>
+    <message>
+        <source>A value on the robot&apos;s blackboard.</source>
+        <translation>ロボットのブラックボードの値。</translation>
+    </message>
+    <message>
         <source>Adds the states to which the selected ones lead.</source>
         <translation>選んだ状態の行き先も選びます。</translation>
     </message>
@@ -2261,8 +5826,72 @@ Draw what a robot says, shows and does.</source>
         <translation>揃える</translation>
     </message>
     <message>
+        <source>All of these</source>
+        <translation>すべて成り立つ</translation>
+    </message>
+    <message>
+        <source>All texts</source>
+        <translation>すべての文字</translation>
+    </message>
+    <message>
+        <source>Along one axis; resize in proportion</source>
+        <translation>一方向だけに動かす・縦横比を保って大きさを変える</translation>
+    </message>
+    <message>
+        <source>Alt while dragging</source>
+        <translation>ドラッグ中に Alt</translation>
+    </message>
+    <message>
+        <source>Alt+arrows, Ctrl+arrows</source>
+        <translation>Alt+矢印、Ctrl+矢印</translation>
+    </message>
+    <message>
+        <source>Alt+click</source>
+        <translation>Alt+クリック</translation>
+    </message>
+    <message>
         <source>An event, tag or module gets another name in every document of the project.</source>
         <translation>イベント、タグ、モジュールの名前を、プロジェクトのすべての文書で変えます。</translation>
+    </message>
+    <message>
+        <source>Any of these</source>
+        <translation>いずれか成り立つ</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>矢印</translation>
+    </message>
+    <message>
+        <source>As if it had happened: the one of the selected transition, or any other.</source>
+        <translation>起きたことにします。選んだ遷移のイベントか、ほかのどれでも。</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>両方</translation>
+    </message>
+    <message>
+        <source>Breakpoint here, or none</source>
+        <translation>ここにブレークポイント・なし</translation>
+    </message>
+    <message>
+        <source>Bring forward</source>
+        <translation>前面へ</translation>
+    </message>
+    <message>
+        <source>Bring to the front</source>
+        <translation>最前面へ</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>セル</translation>
+    </message>
+    <message>
+        <source>Clear the cells</source>
+        <translation>セルを消去</translation>
+    </message>
+    <message>
+        <source>Close the recording</source>
+        <translation>記録を閉じる</translation>
     </message>
     <message>
         <source>Close window</source>
@@ -2271,6 +5900,30 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Connect one after the other</source>
         <translation>順につなぐ</translation>
+    </message>
+    <message>
+        <source>Ctrl and wheel</source>
+        <translation>Ctrl とホイール</translation>
+    </message>
+    <message>
+        <source>Ctrl+A</source>
+        <translation>Ctrl+A</translation>
+    </message>
+    <message>
+        <source>Ctrl+arrows</source>
+        <translation>Ctrl+矢印</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Delete the selected components</source>
+        <translation>選んだ画面の部品を削除</translation>
+    </message>
+    <message>
+        <source>Deploy…</source>
+        <translation>配備…</translation>
     </message>
     <message>
         <source>Dissolve the part</source>
@@ -2285,8 +5938,28 @@ Draw what a robot says, shows and does.</source>
         <translation>畳んだ線を描く・線を畳む</translation>
     </message>
     <message>
+        <source>Each is done from the start, and what shall happen is looked for.</source>
+        <translation>それぞれ最初から実行し、期待したことが起きるか調べます。</translation>
+    </message>
+    <message>
+        <source>End after…</source>
+        <translation>期限…</translation>
+    </message>
+    <message>
+        <source>End the rehearsal</source>
+        <translation>リハーサルを終える</translation>
+    </message>
+    <message>
         <source>English</source>
         <translation>English</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
     </message>
     <message>
         <source>Evenly one above the other</source>
@@ -2305,12 +5978,28 @@ Draw what a robot says, shows and does.</source>
         <translation>選んだイベント、タグ、状態、モジュール、ファイルを使うすべての箇所。</translation>
     </message>
     <message>
+        <source>Every text of the project, spoken, shown and heard, with a column a language</source>
+        <translation>話す・見せる・聞き取る文字のすべてを、言語ごとの列で</translation>
+    </message>
+    <message>
         <source>Everything</source>
         <translation>すべて</translation>
     </message>
     <message>
         <source>Export picture…</source>
         <translation>画像を書き出す…</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation>下へ埋める</translation>
+    </message>
+    <message>
+        <source>Fill to the right</source>
+        <translation>右へ埋める</translation>
     </message>
     <message>
         <source>Filter the outline</source>
@@ -2337,6 +6026,14 @@ Draw what a robot says, shows and does.</source>
         <translation>枠</translation>
     </message>
     <message>
+        <source>Free of guides and grid</source>
+        <translation>補助線とグリッドに合わせない</translation>
+    </message>
+    <message>
+        <source>Give up a drag or a text; select the state again</source>
+        <translation>ドラッグや文字入力をやめる・状態を選び直す</translation>
+    </message>
+    <message>
         <source>Go</source>
         <translation>移動</translation>
     </message>
@@ -2357,12 +6054,20 @@ Draw what a robot says, shows and does.</source>
         <translation>ヘルプ</translation>
     </message>
     <message>
+        <source>Holds when…</source>
+        <translation>成り立つ条件…</translation>
+    </message>
+    <message>
         <source>Image</source>
         <translation>画像</translation>
     </message>
     <message>
         <source>In every state</source>
         <translation>すべての状態</translation>
+    </message>
+    <message>
+        <source>In which unit the data is, such as deg or m.</source>
+        <translation>データの単位（deg、m など）。</translation>
     </message>
     <message>
         <source>Input</source>
@@ -2377,8 +6082,24 @@ Draw what a robot says, shows and does.</source>
         <translation>部品の中へ</translation>
     </message>
     <message>
+        <source>Is touched, and raises an event.</source>
+        <translation>触れるとイベントを起こします。</translation>
+    </message>
+    <message>
+        <source>Its name and languages, values at the start, settings for those who use the robot</source>
+        <translation>名前と言語、最初の値、ロボットを使う人のための設定</translation>
+    </message>
+    <message>
+        <source>Its time stands still, or goes on.</source>
+        <translation>時間を止める・進める。</translation>
+    </message>
+    <message>
         <source>Keyboard shortcuts</source>
         <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>Kind of value…</source>
+        <translation>値の種類…</translation>
     </message>
     <message>
         <source>Language</source>
@@ -2417,12 +6138,28 @@ Draw what a robot says, shows and does.</source>
         <translation>長い線は、状態の番号を示す札に畳まれます。</translation>
     </message>
     <message>
+        <source>Look at what a robot did before: all views show the moment that you choose.</source>
+        <translation>ロボットの以前の動きを見ます。どの表示も、選んだ時点の様子になります。</translation>
+    </message>
+    <message>
         <source>Lower edges</source>
         <translation>下端</translation>
     </message>
     <message>
         <source>Make a part…</source>
         <translation>部品にする…</translation>
+    </message>
+    <message>
+        <source>Make them larger or smaller by 1 %, with Shift by 10 %</source>
+        <translation>1 % ずつ大きさを変える（Shift で 10 %）</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>Mend…</source>
+        <translation>直す…</translation>
     </message>
     <message>
         <source>Message</source>
@@ -2439,6 +6176,18 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Module</source>
         <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>Move the drawing</source>
+        <translation>図を動かす</translation>
+    </message>
+    <message>
+        <source>Move the selected cards</source>
+        <translation>選んだカードを動かす</translation>
+    </message>
+    <message>
+        <source>Move the selected components by 1 %, with Shift by 10 %</source>
+        <translation>選んだ画面の部品を 1 % ずつ動かす（Shift で 10 %）</translation>
     </message>
     <message>
         <source>Moves every card to a place where the arrows are easy to follow.</source>
@@ -2477,12 +6226,36 @@ Draw what a robot says, shows and does.</source>
         <translation>次の問題</translation>
     </message>
     <message>
-        <source>Next transition of the state</source>
-        <translation>状態の次の遷移</translation>
+        <source>Next transition or pipe</source>
+        <translation>次の遷移か線</translation>
+    </message>
+    <message>
+        <source>None of these</source>
+        <translation>どれも成り立たない</translation>
     </message>
     <message>
         <source>Note</source>
         <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>メモ…</translation>
+    </message>
+    <message>
+        <source>Nothing pauses the robot any more; what is paused stays so until you let it go on.</source>
+        <translation>もうロボットは止まりません。止まっているものは、再開するまで止まったままです。</translation>
+    </message>
+    <message>
+        <source>Of a module in the selected situation, also one that is taken over.</source>
+        <translation>選んだ状況でのモジュールの優先度。引き継いだものも変えられます。</translation>
+    </message>
+    <message>
+        <source>Once current, the situation holds until this does.</source>
+        <translation>いったん現在の状況になると、これが成り立つまで続きます。</translation>
+    </message>
+    <message>
+        <source>One more test of data for the selected situation.</source>
+        <translation>選んだ状況にデータの判定を一つ加えます。</translation>
     </message>
     <message>
         <source>One test of a value on the blackboard; a situation holds while all of its tests do.</source>
@@ -2491,6 +6264,18 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Open a project…</source>
         <translation>プロジェクトを開く…</translation>
+    </message>
+    <message>
+        <source>Open beside</source>
+        <translation>横に開く</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>記録を開く…</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>重なり順</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -2509,6 +6294,14 @@ Draw what a robot says, shows and does.</source>
         <translation>貼り付け</translation>
     </message>
     <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Pause the rehearsal, or go on</source>
+        <translation>リハーサルを一時停止・続ける</translation>
+    </message>
+    <message>
         <source>Plays a sound of the media folder.</source>
         <translation>メディアフォルダーの音を鳴らします。</translation>
     </message>
@@ -2519,6 +6312,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Print…</source>
         <translation>印刷…</translation>
+    </message>
+    <message>
+        <source>Priority…</source>
+        <translation>優先度…</translation>
     </message>
     <message>
         <source>Problem before</source>
@@ -2537,8 +6334,20 @@ Draw what a robot says, shows and does.</source>
         <translation>終了</translation>
     </message>
     <message>
+        <source>Raise an event…</source>
+        <translation>イベントを起こす…</translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>リハーサル</translation>
+    </message>
+    <message>
+        <source>Remove all breakpoints</source>
+        <translation>ブレークポイントをすべて取り除く</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -2549,12 +6358,20 @@ Draw what a robot says, shows and does.</source>
         <translation>すべての箇所で名前を変更…</translation>
     </message>
     <message>
+        <source>Rename the selected card; Tab goes on to the next one</source>
+        <translation>選んだカードの名前を変える。Tab で次へ</translation>
+    </message>
+    <message>
         <source>Reopen closed tab</source>
         <translation>閉じたタブを開き直す</translation>
     </message>
     <message>
         <source>Reset layout</source>
         <translation>配置を初期状態に戻す</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>再開</translation>
     </message>
     <message>
         <source>Right edges</source>
@@ -2565,6 +6382,10 @@ Draw what a robot says, shows and does.</source>
         <translation>ロボット</translation>
     </message>
     <message>
+        <source>Run all scenarios</source>
+        <translation>すべてのシナリオを実行</translation>
+    </message>
+    <message>
         <source>Save</source>
         <translation>保存</translation>
     </message>
@@ -2573,8 +6394,52 @@ Draw what a robot says, shows and does.</source>
         <translation>コピーを保存…</translation>
     </message>
     <message>
+        <source>Save the rehearsal as a scenario…</source>
+        <translation>リハーサルをシナリオとして保存…</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Script of situations</source>
+        <translation>状況のスクリプト</translation>
+    </message>
+    <message>
+        <source>Seconds after which the situation ends at the latest.</source>
+        <translation>遅くともこの秒数で状況は終わります。</translation>
+    </message>
+    <message>
+        <source>Seconds that the situation stays once it is current.</source>
+        <translation>現在の状況になってから続く秒数。</translation>
+    </message>
+    <message>
+        <source>See what the robot would do differently, and have it run what is open here.</source>
+        <translation>ロボットの動きがどう変わるかを見て、ここで開いているものを動かします。</translation>
+    </message>
+    <message>
         <source>Select</source>
         <translation>選択</translation>
+    </message>
+    <message>
+        <source>Select all components</source>
+        <translation>画面の部品をすべて選ぶ</translation>
+    </message>
+    <message>
+        <source>Select nothing; give up a drag</source>
+        <translation>選択を解く・ドラッグをやめる</translation>
+    </message>
+    <message>
+        <source>Send backward</source>
+        <translation>背面へ</translation>
+    </message>
+    <message>
+        <source>Send the robot here</source>
+        <translation>ロボットをここへ</translation>
+    </message>
+    <message>
+        <source>Send to the back</source>
+        <translation>最背面へ</translation>
     </message>
     <message>
         <source>Sends a message to whoever listens to its topic.</source>
@@ -2585,8 +6450,16 @@ Draw what a robot says, shows and does.</source>
         <translation>サービス</translation>
     </message>
     <message>
+        <source>Set a value…</source>
+        <translation>値を設定…</translation>
+    </message>
+    <message>
         <source>Set value</source>
         <translation>値の設定</translation>
+    </message>
+    <message>
+        <source>Shift while dragging</source>
+        <translation>ドラッグ中に Shift</translation>
     </message>
     <message>
         <source>Show everything</source>
@@ -2609,8 +6482,16 @@ Draw what a robot says, shows and does.</source>
         <translation>状況</translation>
     </message>
     <message>
+        <source>Situations and modules as a table of priorities</source>
+        <translation>状況とモジュールを優先度の表で</translation>
+    </message>
+    <message>
         <source>Sound</source>
         <translation>音</translation>
+    </message>
+    <message>
+        <source>Space and drag</source>
+        <translation>Space とドラッグ</translation>
     </message>
     <message>
         <source>Speech</source>
@@ -2637,32 +6518,136 @@ Draw what a robot says, shows and does.</source>
         <translation>すべての文書の状態、文章、イベント、タグ。</translation>
     </message>
     <message>
+        <source>Stay at least…</source>
+        <translation>最低継続時間…</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>一つ進める</translation>
+    </message>
+    <message>
+        <source>Step in the rehearsal</source>
+        <translation>リハーサルを一つ進める</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab、Shift+Tab</translation>
+    </message>
+    <message>
         <source>Take from</source>
         <translation>取り出す</translation>
+    </message>
+    <message>
+        <source>Take over from…</source>
+        <translation>引き継ぎ元…</translation>
+    </message>
+    <message>
+        <source>Take the group away</source>
+        <translation>まとまりを解く</translation>
+    </message>
+    <message>
+        <source>Take the priority away here</source>
+        <translation>ここで優先度を取り去る</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>判定</translation>
     </message>
     <message>
         <source>Text</source>
         <translation>文字</translation>
     </message>
     <message>
+        <source>The application stops where it is; the script goes on.</source>
+        <translation>アプリケーションはその場で止まり、スクリプトは動き続けます。</translation>
+    </message>
+    <message>
+        <source>The drawing is shown as it is drawn again.</source>
+        <translation>図を描いたとおりの表示に戻します。</translation>
+    </message>
+    <message>
         <source>The drawing, or a part of it, as SVG, PDF or PNG.</source>
         <translation>図の全体または一部を SVG、PDF、PNG にします。</translation>
+    </message>
+    <message>
+        <source>The entries of a list on the blackboard, to choose one.</source>
+        <translation>ブラックボードの一覧から一つを選びます。</translation>
+    </message>
+    <message>
+        <source>The first column of the range into the others (Ctrl+R in the table)</source>
+        <translation>範囲の最初の列をほかの列へ（表では Ctrl+R）</translation>
+    </message>
+    <message>
+        <source>The first row of the range into the others (Ctrl+D in the table)</source>
+        <translation>範囲の最初の行をほかの行へ（表では Ctrl+D）</translation>
+    </message>
+    <message>
+        <source>The graph, and below it the priorities as a table</source>
+        <translation>グラフと、その下に優先度の表</translation>
     </message>
     <message>
         <source>The graph, and beside it the screen of the selected state</source>
         <translation>グラフと、その横に選んだ状態の画面</translation>
     </message>
     <message>
+        <source>The module can not move the robot in this situation, whatever it takes over.</source>
+        <translation>何を引き継いでいても、この状況ではモジュールはロボットを動かせません。</translation>
+    </message>
+    <message>
+        <source>The next card in that direction</source>
+        <translation>その方向の次のカード</translation>
+    </message>
+    <message>
+        <source>The next card whose name or number begins so</source>
+        <translation>名前か番号がそう始まる次のカード</translation>
+    </message>
+    <message>
+        <source>The next card, the card before, in the order of the document</source>
+        <translation>文書の順で次のカード・前のカード</translation>
+    </message>
+    <message>
+        <source>The next component, the one before</source>
+        <translation>次・前の画面の部品</translation>
+    </message>
+    <message>
+        <source>The paused application does the next thing that waits.</source>
+        <translation>止まっているアプリケーションが、次に待っていることを行います。</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
         <source>The project goes into another folder as it is here, and you go on there.</source>
         <translation>今の内容でプロジェクトを別のフォルダーに保存し、そこで作業を続けます。</translation>
+    </message>
+    <message>
+        <source>The project runs here, without a robot, from its start.</source>
+        <translation>ロボットなしで、プロジェクトを最初からここで動かします。</translation>
+    </message>
+    <message>
+        <source>The recording is left; what is live is shown again.</source>
+        <translation>記録を離れ、今の動きの表示に戻ります。</translation>
     </message>
     <message>
         <source>The robot moves: one of its resources gets a command.</source>
         <translation>ロボットが動きます。リソースの一つに指令を送ります。</translation>
     </message>
     <message>
+        <source>The robot pauses when it comes to this state, takes this transition, or is in this situation.</source>
+        <translation>この状態に入るとき、この遷移のとき、またはこの状況のとき、ロボットが止まります。</translation>
+    </message>
+    <message>
         <source>The robot says something.</source>
         <translation>ロボットが話します。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s application leaves its state for this one.</source>
+        <translation>ロボットのアプリケーションが今の状態からこの状態へ移ります。</translation>
+    </message>
+    <message>
+        <source>The screen of the selected state, drawn to scale</source>
+        <translation>選んだ状態の画面を正しい比率で</translation>
     </message>
     <message>
         <source>The selected cards, or all, to the nearest points of the grid.</source>
@@ -2673,6 +6658,22 @@ Draw what a robot says, shows and does.</source>
         <translation>選んだ状態を独立したアプリケーションにし、一つの状態がそれを動かします。</translation>
     </message>
     <message>
+        <source>The selected tests hold together when all of them do.</source>
+        <translation>選んだ判定は、すべてが成り立つときに成り立ちます。</translation>
+    </message>
+    <message>
+        <source>The selected tests hold together when none of them does.</source>
+        <translation>選んだ判定は、どれも成り立たないときに成り立ちます。</translation>
+    </message>
+    <message>
+        <source>The selected tests hold together when one of them does.</source>
+        <translation>選んだ判定は、どれか一つが成り立つときに成り立ちます。</translation>
+    </message>
+    <message>
+        <source>The situation whose priorities count in the selected one too.</source>
+        <translation>選んだ状況でも優先度が有効になる状況。</translation>
+    </message>
+    <message>
         <source>The start</source>
         <translation>開始状態</translation>
     </message>
@@ -2681,20 +6682,48 @@ Draw what a robot says, shows and does.</source>
         <translation>部品の状態がここに戻ります。ファイルは残ります。</translation>
     </message>
     <message>
+        <source>The tests in the selected group stay.</source>
+        <translation>まとまりの中の判定は残ります。</translation>
+    </message>
+    <message>
+        <source>This document in a second group of tabs, beside the first.</source>
+        <translation>この文書を横の二つ目のタブ群で開きます。</translation>
+    </message>
+    <message>
         <source>Timeout</source>
         <translation>時間切れ</translation>
     </message>
     <message>
-        <source>Transition before</source>
-        <translation>前の遷移</translation>
+        <source>To the form of the component</source>
+        <translation>画面の部品の入力欄へ</translation>
+    </message>
+    <message>
+        <source>To what happens next if nobody does anything.</source>
+        <translation>誰も何もしないとき、次に起こることまで進みます。</translation>
+    </message>
+    <message>
+        <source>Transition or pipe before</source>
+        <translation>前の遷移か線</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>元に戻す</translation>
     </message>
     <message>
+        <source>Unit…</source>
+        <translation>単位…</translation>
+    </message>
+    <message>
+        <source>Until…</source>
+        <translation>終了条件…</translation>
+    </message>
+    <message>
         <source>Upper edges</source>
         <translation>上端</translation>
+    </message>
+    <message>
+        <source>Versions on the robot…</source>
+        <translation>ロボットにあるバージョン…</translation>
     </message>
     <message>
         <source>View</source>
@@ -2703,6 +6732,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Welcome page</source>
         <translation>ようこそページ</translation>
+    </message>
+    <message>
+        <source>What can be done about the problems of what is selected.</source>
+        <translation>選んだものの問題に対してできること。</translation>
     </message>
     <message>
         <source>What can be done with the selection</source>
@@ -2725,12 +6758,32 @@ Draw what a robot says, shows and does.</source>
         <translation>すべての状態に共通のもの：ホームボタン、時間切れ、いつでも言える言葉。</translation>
     </message>
     <message>
+        <source>What is this?</source>
+        <translation>これは何？</translation>
+    </message>
+    <message>
+        <source>What is to be remembered about what is selected; of nothing, about the script.</source>
+        <translation>選んだものについての覚え書き。何も選ばなければスクリプトについて。</translation>
+    </message>
+    <message>
         <source>What its developer says of a module.</source>
         <translation>モジュールについての開発者の説明。</translation>
     </message>
     <message>
+        <source>What kept it from happening at this moment: a guard, a priority, a suspension.</source>
+        <translation>この時点で起きなかった理由。条件、優先度、一時中断など。</translation>
+    </message>
+    <message>
         <source>What leads here too</source>
         <translation>前にあるものも</translation>
+    </message>
+    <message>
+        <source>What led to it, from the input that began it, with the values then.</source>
+        <translation>きっかけの入力からの経緯と、そのときの値。</translation>
+    </message>
+    <message>
+        <source>What lies under the selected component</source>
+        <translation>選んだ画面の部品の下にあるもの</translation>
     </message>
     <message>
         <source>What the robot shows, says and waits for.</source>
@@ -2745,16 +6798,68 @@ Draw what a robot says, shows and does.</source>
         <translation>報告のための最近の記録：ファイル名のみで、あなたの文章は含まれません。</translation>
     </message>
     <message>
+        <source>What they take over counts again (Del in the table)</source>
+        <translation>引き継いだ優先度に戻ります（表では Del）</translation>
+    </message>
+    <message>
+        <source>What was deployed when and by whom; go back to a former version.</source>
+        <translation>いつ誰が何を配備したか。前のバージョンに戻せます。</translation>
+    </message>
+    <message>
+        <source>What was done can be done again, and what happened is expected then.</source>
+        <translation>したことをもう一度でき、起きたことが期待になります。</translation>
+    </message>
+    <message>
+        <source>What was paused goes on.</source>
+        <translation>止まっていたものが続きます。</translation>
+    </message>
+    <message>
+        <source>What you click next is explained, and nothing else is done with it.</source>
+        <translation>次にクリックしたものを説明します。ほかには何もしません。</translation>
+    </message>
+    <message>
         <source>When the selected transition may be taken.</source>
         <translation>選んだ遷移が起こってよい条件。</translation>
+    </message>
+    <message>
+        <source>When which module may move the robot. The project has no script yet.</source>
+        <translation>いつどのモジュールがロボットを動かしてよいか。プロジェクトにはまだスクリプトがありません。</translation>
     </message>
     <message>
         <source>Where it leads</source>
         <translation>行き先</translation>
     </message>
     <message>
+        <source>Whether the data is a number, a text, yes or no.</source>
+        <translation>データが数値か、文字か、はい・いいえか。</translation>
+    </message>
+    <message>
+        <source>Why not?</source>
+        <translation>なぜ起きない？</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>なぜ？</translation>
+    </message>
+    <message>
+        <source>Words on the screen.</source>
+        <translation>画面の文字。</translation>
+    </message>
+    <message>
+        <source>Write another text</source>
+        <translation>別の文字を書く</translation>
+    </message>
+    <message>
+        <source>Write the component&apos;s text where it stands</source>
+        <translation>画面の部品の文字をその場で書く</translation>
+    </message>
+    <message>
         <source>Writes a value on the blackboard.</source>
         <translation>ブラックボードに値を書き込みます。</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>拡大・縮小</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -2772,6 +6877,10 @@ Draw what a robot says, shows and does.</source>
         <source>On the canvas</source>
         <translation>キャンバス上</translation>
     </message>
+    <message>
+        <source>On the screen of a state</source>
+        <translation>状態の画面で</translation>
+    </message>
 </context>
 <context>
     <name>fields</name>
@@ -2785,6 +6894,657 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>help</name>
+    <message>
+        <source>A condition is one test, or a group of which all, any or none must hold. A test that has no value to look at does not hold; “exists” asks just that. Take care with “is not”: it does not hold either while there is no value.</source>
+        <translation>条件は一つの判定か、「すべて」「いずれか」「どれも〜ない」のまとまりです。見る値がない判定は成り立ちません。値があるかどうかは「存在する」で調べます。「〜でない」には注意してください。値がない間は、これも成り立ちません。</translation>
+    </message>
+    <message>
+        <source>A few letters of a command, state or situation are enough.</source>
+        <translation>コマンド、状態、状況の名前の数文字で探せます。</translation>
+    </message>
+    <message>
+        <source>A file with errors that could not be read whole is shown, but not changed, until the errors are mended: else what they name would be lost.</source>
+        <translation>誤りがあって全部は読めなかったファイルは、表示はしますが、直るまで変更しません。書かれていたものが失われないようにするためです。</translation>
+    </message>
+    <message>
+        <source>A project is a folder. Its applications say what the robot shows, says and waits for; its script says which of the robot&apos;s modules may move it in which situation.</source>
+        <translation>プロジェクトは一つのフォルダーです。アプリケーションは、ロボットが何を見せ、話し、待つかを表します。スクリプトは、どの状況でどのモジュールがロボットを動かしてよいかを表します。</translation>
+    </message>
+    <message>
+        <source>A script decides who may move the robot. Data is looked at by conditions; the first situation from the top whose conditions hold is the current one; it gives each module a priority. Of the modules that ask for the same part of the robot, the one with the highest priority gets it.</source>
+        <translation>誰がロボットを動かしてよいかはスクリプトが決めます。条件がデータを見て、上から最初に条件が成り立った状況が現在の状況になり、各モジュールに優先度を与えます。ロボットの同じ部分を要求するモジュールのうち、優先度が最も高いものが使います。</translation>
+    </message>
+    <message>
+        <source>A situation may take over another one&apos;s priorities and change some. A module without a priority gets nothing in that situation. The last situation has no conditions, so that there always is one.</source>
+        <translation>状況は別の状況の優先度を引き継ぎ、一部を変えられます。優先度のないモジュールは、その状況では何も使えません。いつも何かの状況になるように、最後の状況には条件がありません。</translation>
+    </message>
+    <message>
+        <source>A tag in braces, such as {user.name}, shows a value of the blackboard and follows its changes. A touch on a button raises its event, for which the state must wait. Keep buttons at least 12 mm high: people with unsteady hands have to hit them.</source>
+        <translation>{user.name} のように波括弧で囲んだタグは、ブラックボードの値を表示し、変化に合わせて変わります。ボタンに触れるとイベントが起きるので、状態がそれを待っている必要があります。ボタンの高さは 12 mm 以上にしてください。手の震える人でも押せるようにするためです。</translation>
+    </message>
+    <message>
+        <source>Actions are done when a state is entered, or on the way to another one. They start from first to last without waiting for each other, unless “Wait for it” is on.</source>
+        <translation>動作は、状態に入ったとき、または別の状態へ移る途中で行われます。「終わりを待つ」を付けない限り、互いを待たずに上から順に始まります。</translation>
+    </message>
+    <message>
+        <source>All keys in a list that can be searched.</source>
+        <translation>すべてのキーを、検索できる一覧で表示します。</translation>
+    </message>
+    <message>
+        <source>An application is a graph of states. In a state the robot shows a screen, does its actions from first to last, and waits for an event: a touch, a spoken answer, a message, the end of an action, or a timeout.</source>
+        <translation>アプリケーションは状態のグラフです。状態の中でロボットは画面を見せ、動作を順に行い、イベントを待ちます。イベントとは、画面に触れること、声の返事、メッセージ、動作の終わり、時間切れです。</translation>
+    </message>
+    <message>
+        <source>An edit does not change what runs: Start again runs it as it is then.</source>
+        <translation>編集しても、動いているものは変わりません。「もう一度始める」で、そのときの内容を動かします。</translation>
+    </message>
+    <message>
+        <source>An empty project in a folder of its own.</source>
+        <translation>新しいフォルダーに空のプロジェクトを作ります。</translation>
+    </message>
+    <message>
+        <source>An operator may do more: a breakpoint (F9) pauses an application at a state, before a transition, or in a situation; Step does the next thing that waits; an event is raised, a value set, the robot sent to a state. Who did it stands in the trace.</source>
+        <translation>操作者はさらに、ブレークポイント（F9）で状態、遷移の前、状況のときにアプリケーションを止め、「一つ進める」で次に待っていることを行わせ、イベントを起こし、値を設定し、ロボットを状態へ送れます。誰がしたかは記録に残ります。</translation>
+    </message>
+    <message>
+        <source>Another name for what is selected, in its place.</source>
+        <translation>選んだものの名前をその場で変えます。</translation>
+    </message>
+    <message>
+        <source>Another window, for another project.</source>
+        <translation>別のプロジェクト用に、もう一つウィンドウを開きます。</translation>
+    </message>
+    <message>
+        <source>Asks first where something is not saved.</source>
+        <translation>保存していないものがあれば、先に尋ねます。</translation>
+    </message>
+    <message>
+        <source>Authority</source>
+        <translation>実行権</translation>
+    </message>
+    <message>
+        <source>Before all other components of the screen.</source>
+        <translation>画面のほかのすべての部品より手前へ。</translation>
+    </message>
+    <message>
+        <source>Before the next component.</source>
+        <translation>次の部品より手前へ。</translation>
+    </message>
+    <message>
+        <source>Begin with an example or a template from the welcome page: a copy is made, so nothing can be spoilt. Click a card and look at its form at the right. Change a text, press Enter, and take it back with Ctrl+Z: every change is one step with a name, and all of them can be undone.</source>
+        <translation>最初のページの例かひな形から始めてください。写しが作られるので、何も壊れません。カードをクリックして、右の入力欄を見てください。文字を変えて Enter を押し、Ctrl+Z で元に戻してみましょう。変更は一つずつ名前の付いた操作になり、すべて元に戻せます。</translation>
+    </message>
+    <message>
+        <source>Behind all other components of the screen.</source>
+        <translation>画面のほかのすべての部品より奥へ。</translation>
+    </message>
+    <message>
+        <source>Behind the next component.</source>
+        <translation>次の部品より奥へ。</translation>
+    </message>
+    <message>
+        <source>Blackboard</source>
+        <translation>ブラックボード</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>ブレークポイント</translation>
+    </message>
+    <message>
+        <source>Cards and arrows.</source>
+        <translation>カードと矢印。</translation>
+    </message>
+    <message>
+        <source>Cards as large as they are drawn.</source>
+        <translation>カードを描いたとおりの大きさで。</translation>
+    </message>
+    <message>
+        <source>Click a card or an arrow to select it; drag the ground to select several, hold Space to move the drawing, Ctrl and wheel to zoom.</source>
+        <translation>カードや矢印はクリックで選びます。空いたところをドラッグするとまとめて選べます。Space を押しながらで図の移動、Ctrl とホイールで拡大・縮小です。</translation>
+    </message>
+    <message>
+        <source>Click a problem to go there; F8 goes from one to the next. Where a mend is offered, one click does it, and undo takes it back. The form of what is wrong says it again above its fields.</source>
+        <translation>問題をクリックするとその場所へ移ります。F8 で次の問題へ。直し方が示されていれば、一度のクリックで直り、「元に戻す」で戻せます。誤りのあるものの入力欄の上にも、同じ説明が出ます。</translation>
+    </message>
+    <message>
+        <source>Closes all windows; asks first where something is not saved.</source>
+        <translation>すべてのウィンドウを閉じます。保存していないものがあれば、先に尋ねます。</translation>
+    </message>
+    <message>
+        <source>Connect to a robot by its address. Its state and its situation glow in the drawings, and the tables below the canvas show what is on the blackboard, who holds which part of the robot, and what happened.</source>
+        <translation>アドレスを指定してロボットに接続します。今の状態と状況が図の中で光り、下の表に、ブラックボードの中身、ロボットの各部分を誰が使っているか、何が起きたかが表示されます。</translation>
+    </message>
+    <message>
+        <source>Ctrl+K finds any command, state or situation by a few letters, Ctrl+F every text of the project. F1 explains what you are at; Shift+F1 explains what you click next. Keys are changed in the preferences.</source>
+        <translation>Ctrl+K は数文字でコマンド、状態、状況を探し、Ctrl+F はプロジェクトの文字を探します。F1 は今の対象を、Shift+F1 は次にクリックしたものを説明します。キーは環境設定で変えられます。</translation>
+    </message>
+    <message>
+        <source>Dark letters on light ground.</source>
+        <translation>明るい地に暗い文字。</translation>
+    </message>
+    <message>
+        <source>Deploy has the robot run what is open here, from its next safe point on. What it will do differently is told before in words. If it fails in its first minute the robot goes back by itself; Roll back does so at any time.</source>
+        <translation>「配備」は、ここで開いているものを、次の安全な切り替え時からロボットに動かします。動きの違いは先に言葉で示します。最初の一分で失敗すると、ロボットは自分で前に戻ります。「前に戻す」でいつでも戻せます。</translation>
+    </message>
+    <message>
+        <source>Does again what was taken back.</source>
+        <translation>元に戻したことをやり直します。</translation>
+    </message>
+    <message>
+        <source>Drag from the dot at the right of a card to another card to lead there, or to the empty ground for a new state. Drop a card on an arrow to put it between. “In every state” holds what is part of all of them, such as a Home button.</source>
+        <translation>カードの右の点から別のカードへドラッグすると、そこへつながります。空いたところへドラッグすると新しい状態ができます。カードを矢印の上に置くと間に入ります。「すべての状態」には、ホームボタンのように、どの状態にもあるものを置きます。</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>図</translation>
+    </message>
+    <message>
+        <source>Each of the selected states leads to the next.</source>
+        <translation>選んだ状態を順につなぎます。</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Every place in which a text or a name stands.</source>
+        <translation>文字や名前が出てくるすべての場所。</translation>
+    </message>
+    <message>
+        <source>Everything larger.</source>
+        <translation>全体を大きく。</translation>
+    </message>
+    <message>
+        <source>Everything smaller.</source>
+        <translation>全体を小さく。</translation>
+    </message>
+    <message>
+        <source>Everything works without a mouse. F6 goes from panel to panel, Tab from field to field, arrows from card to card; letters go to the card whose name begins so; Enter renames. The outline has all that the drawing has, as rows for the keyboard and for screen readers.</source>
+        <translation>何でもマウスなしでできます。F6 でパネルからパネルへ、Tab で欄から欄へ、矢印でカードからカードへ移ります。文字を打つと、名前がその文字で始まるカードへ移り、Enter で名前を変えます。アウトラインには図の内容がすべて行として並び、キーボードや読み上げで使えます。</translation>
+    </message>
+    <message>
+        <source>Examples, templates and the projects of before; this one stays open.</source>
+        <translation>例、ひな形、以前のプロジェクト。今のものは開いたままです。</translation>
+    </message>
+    <message>
+        <source>Explains what is selected, or where the keyboard is.</source>
+        <translation>選んだもの、またはキーボードの位置にあるものを説明します。</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>はじめに</translation>
+    </message>
+    <message>
+        <source>Following a robot</source>
+        <translation>ロボットの動きを見る</translation>
+    </message>
+    <message>
+        <source>Following changes nothing on the robot. Where its documents differ from yours, that is told, since the drawing may not be what the robot does.</source>
+        <translation>見ているだけでは、ロボットは何も変わりません。ロボットの文書が手元と違うときは、図とロボットの動きが違うことがあるので、そう表示します。</translation>
+    </message>
+    <message>
+        <source>Goes to the next place that was found.</source>
+        <translation>次に見つかった場所へ移ります。</translation>
+    </message>
+    <message>
+        <source>Goes to the place before that was found.</source>
+        <translation>前に見つかった場所へ移ります。</translation>
+    </message>
+    <message>
+        <source>Goes where the next problem is.</source>
+        <translation>次の問題の場所へ移ります。</translation>
+    </message>
+    <message>
+        <source>Goes where the problem before is.</source>
+        <translation>前の問題の場所へ移ります。</translation>
+    </message>
+    <message>
+        <source>How much is probably not meant. A click shows it.</source>
+        <translation>おそらく意図と違うところの数。クリックで表示します。</translation>
+    </message>
+    <message>
+        <source>How much is selected.</source>
+        <translation>選んでいるものの数。</translation>
+    </message>
+    <message>
+        <source>How much there is in the shown document.</source>
+        <translation>表示中の文書にあるものの数。</translation>
+    </message>
+    <message>
+        <source>How much there is that can not work. A click shows it.</source>
+        <translation>動かないところの数。クリックで表示します。</translation>
+    </message>
+    <message>
+        <source>In a script a test can look at time too. “Within” holds while the value was set less than so many seconds ago; “for” holds once it has been so without a break.</source>
+        <translation>スクリプトの判定では時間も見られます。「以内」は、値が書き込まれてからその秒数の間だけ成り立ちます。「継続」は、途切れずにその秒数続いてから成り立ちます。</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>インスペクター</translation>
+    </message>
+    <message>
+        <source>Keeps what is selected to be pasted, in other projects too.</source>
+        <translation>選んだものを貼り付けのために覚えます。別のプロジェクトにも貼り付けられます。</translation>
+    </message>
+    <message>
+        <source>Light letters on dark ground.</source>
+        <translation>暗い地に明るい文字。</translation>
+    </message>
+    <message>
+        <source>Light or dark, as the computer is set.</source>
+        <translation>明るいか暗いかは、コンピューターの設定に従います。</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>One for each open document; at the right, the ways in which it can be shown.</source>
+        <translation>開いている文書ごとに一つ。右側で表示のしかたを選びます。</translation>
+    </message>
+    <message>
+        <source>Only the rows of the outline in which a word stands.</source>
+        <translation>アウトラインのうち、言葉を含む行だけ。</translation>
+    </message>
+    <message>
+        <source>Other actions write to the blackboard: set a value, add to a number, append to a list, take from one. Services ask a web address, a module or a file, and keep the answer. Launch begins another application.</source>
+        <translation>ほかの動作はブラックボードに書き込みます。値の設定、数への加算、一覧への追加、一覧からの取り出しです。サービスは、ウェブのアドレス、モジュール、ファイルに問い合わせ、答えを取っておきます。「起動」は別のプログラムを始めます。</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>アウトライン</translation>
+    </message>
+    <message>
+        <source>Palette</source>
+        <translation>パレット</translation>
+    </message>
+    <message>
+        <source>Panels are dragged by their headings: to another side, or out of the window. The right button on a heading closes them; View, Panels brings them back, and Reset layout puts all where they were.</source>
+        <translation>パネルは見出しをドラッグして、別の側やウィンドウの外へ動かせます。見出しの右クリックで閉じ、「表示」の「パネル」で戻します。「配置を元に戻す」ですべて最初の位置に戻ります。</translation>
+    </message>
+    <message>
+        <source>Panels, keys and finding things</source>
+        <translation>パネル、キー、検索</translation>
+    </message>
+    <message>
+        <source>Places and sizes are in percent, so that a screen fits every display. Components snap to the grid and to each other; hold Alt to place them freely. Later ones lie in front of earlier ones.</source>
+        <translation>位置と大きさは百分率なので、どの大きさの画面にも合います。部品はグリッドや互いの位置に揃います。Alt を押している間は自由に置けます。後のものほど手前に重なります。</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>Problems and how to mend them</source>
+        <translation>問題とその直し方</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>Puts another one of what is selected beside it.</source>
+        <translation>選んだものと同じものを横に置きます。</translation>
+    </message>
+    <message>
+        <source>Puts in what was cut or copied; numbers and names that are taken become new ones.</source>
+        <translation>切り取ったかコピーしたものを入れます。使われている番号や名前は新しくなります。</translation>
+    </message>
+    <message>
+        <source>Rehearsal</source>
+        <translation>リハーサル</translation>
+    </message>
+    <message>
+        <source>Rehearse (F5) runs the project as it is drawn, here, from its start. Touch the robot&apos;s screen, let people say what it listens for, turn data, let modules ask: the drawings and tables show what comes of it, as they do with a robot.</source>
+        <translation>「リハーサル」（F5）は、描いたとおりのプロジェクトを最初からここで動かします。ロボットの画面に触れ、人の言葉を聞かせ、データを変え、モジュールに要求させると、その結果がロボットのときと同じように図と表に出ます。</translation>
+    </message>
+    <message>
+        <source>Rehearsing without a robot</source>
+        <translation>ロボットなしのリハーサル</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>Screens</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>Selects all cards.</source>
+        <translation>すべてのカードを選びます。</translation>
+    </message>
+    <message>
+        <source>Selects the next one, without the mouse.</source>
+        <translation>マウスを使わずに次のものを選びます。</translation>
+    </message>
+    <message>
+        <source>Selects the one before, without the mouse.</source>
+        <translation>マウスを使わずに前のものを選びます。</translation>
+    </message>
+    <message>
+        <source>Selects the state in which the application starts.</source>
+        <translation>アプリケーションが始まる状態を選びます。</translation>
+    </message>
+    <message>
+        <source>Selects the state to which the selected transition leads.</source>
+        <translation>選んだ遷移の行き先の状態を選びます。</translation>
+    </message>
+    <message>
+        <source>Shows the application again in which the part is used.</source>
+        <translation>部品を使っているアプリケーションに戻ります。</translation>
+    </message>
+    <message>
+        <source>Shows the document again that was closed last.</source>
+        <translation>最後に閉じた文書をもう一度表示します。</translation>
+    </message>
+    <message>
+        <source>Shows the drawing as it comes on paper, on one page or several.</source>
+        <translation>図を紙に印刷したときの様子を、一枚または複数枚で表示します。</translation>
+    </message>
+    <message>
+        <source>Shows the project of a folder.</source>
+        <translation>フォルダーのプロジェクトを表示します。</translation>
+    </message>
+    <message>
+        <source>Situations and priorities</source>
+        <translation>状況と優先度</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>Speech and movement can end well or badly; give the names of the events that are raised then, and let the state expect them. When a state is left, what it still says or moves is stopped.</source>
+        <translation>発話や動きは、うまく終わることも失敗することもあります。そのとき起こすイベントの名前を決め、状態に待たせてください。状態を出ると、まだ続いている発話や動きは止まります。</translation>
+    </message>
+    <message>
+        <source>Speech and movements end by themselves after a while; for a service you say how it ended. The clock goes as fast as the one on the wall, ten times as fast, or from one thing that happens to the next.</source>
+        <translation>発話や動きはしばらくすると自分で終わります。サービスがどう終わったかはあなたが決めます。時計は実際の速さ、10 倍の速さ、または次に起こることまで一気に進められます。</translation>
+    </message>
+    <message>
+        <source>States and what leads on</source>
+        <translation>状態と次への進み方</translation>
+    </message>
+    <message>
+        <source>States that belong together can become a part: an application of its own that one state runs. A double click goes into it.</source>
+        <translation>関係する状態は部品にまとめられます。部品は、一つの状態が動かす別のアプリケーションです。ダブルクリックで中へ入ります。</translation>
+    </message>
+    <message>
+        <source>Tabs</source>
+        <translation>タブ</translation>
+    </message>
+    <message>
+        <source>Takes the keyboard to the next panel.</source>
+        <translation>キーボードを次のパネルへ移します。</translation>
+    </message>
+    <message>
+        <source>Takes the keyboard to the panel before.</source>
+        <translation>キーボードを前のパネルへ移します。</translation>
+    </message>
+    <message>
+        <source>Takes the last change back, also after saving.</source>
+        <translation>最後の変更を元に戻します。保存した後でもできます。</translation>
+    </message>
+    <message>
+        <source>Takes what is selected away and keeps it to be pasted.</source>
+        <translation>選んだものを取り去り、貼り付けのために覚えます。</translation>
+    </message>
+    <message>
+        <source>Takes what is selected away, with the arrows that lead there.</source>
+        <translation>選んだものを、そこへの矢印といっしょに取り去ります。</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>The application starts in the selected state.</source>
+        <translation>アプリケーションは選んだ状態から始まります。</translation>
+    </message>
+    <message>
+        <source>The blackboard holds what is known: each value stands at a tag, such as user.name or sound.loud. Modules, services, touches and actions write there; screens, speech and conditions read.</source>
+        <translation>ブラックボードには、分かっていることが置かれます。値は user.name や sound.loud のようなタグにあります。モジュール、サービス、画面への接触、動作が書き込み、画面、発話、条件が読みます。</translation>
+    </message>
+    <message>
+        <source>The computer&apos;s language, if the studio speaks it.</source>
+        <translation>コンピューターの言語（対応しているとき）。</translation>
+    </message>
+    <message>
+        <source>The document of the tab at the left.</source>
+        <translation>左のタブの文書。</translation>
+    </message>
+    <message>
+        <source>The document of the tab at the right.</source>
+        <translation>右のタブの文書。</translation>
+    </message>
+    <message>
+        <source>The document stays in the project.</source>
+        <translation>文書はプロジェクトに残ります。</translation>
+    </message>
+    <message>
+        <source>The documents of the project and its media. A click shows one in a tab.</source>
+        <translation>プロジェクトの文書とメディア。クリックするとタブに表示します。</translation>
+    </message>
+    <message>
+        <source>The first expected event that fits is taken. It may depend on a condition, do actions on the way, and lead to another state, back to the one before (#back), or into the same one anew (#again). Without a target the state stays.</source>
+        <translation>待っているイベントのうち、最初に合ったものが選ばれます。イベントには条件や途中の動作を付けられ、行き先は、別の状態、前の状態（#back）、同じ状態への入り直し（#again）です。行き先がなければ状態は変わりません。</translation>
+    </message>
+    <message>
+        <source>The form of what is selected. Enter ends a field.</source>
+        <translation>選んだものの入力欄。Enter で欄の入力を終えます。</translation>
+    </message>
+    <message>
+        <source>The gaps from left to right become equal.</source>
+        <translation>左右の間隔を等しくします。</translation>
+    </message>
+    <message>
+        <source>The gaps from top to bottom become equal.</source>
+        <translation>上下の間隔を等しくします。</translation>
+    </message>
+    <message>
+        <source>The left edges come to stand below each other.</source>
+        <translation>左端を縦に揃えます。</translation>
+    </message>
+    <message>
+        <source>The lower edges come to stand at one height.</source>
+        <translation>下端を同じ高さに揃えます。</translation>
+    </message>
+    <message>
+        <source>The menu of a problem, and Ctrl+. for what is selected, mend all of a kind at once, or accept a warning that you know and mean: it is told no more.</source>
+        <translation>問題のメニューや、選んだものへの Ctrl+. で、同じ種類をまとめて直したり、承知のうえの警告を認めたりできます。認めた警告はもう出ません。</translation>
+    </message>
+    <message>
+        <source>The menu that the right button opens.</source>
+        <translation>右ボタンで開くメニュー。</translation>
+    </message>
+    <message>
+        <source>The middles come to stand at one height.</source>
+        <translation>上下の中央を同じ高さに揃えます。</translation>
+    </message>
+    <message>
+        <source>The middles come to stand below each other.</source>
+        <translation>左右の中央を縦に揃えます。</translation>
+    </message>
+    <message>
+        <source>The priority of each module in each situation. Type a number; pale ones are taken over from another situation.</source>
+        <translation>状況ごとのモジュールの優先度。数を入力します。淡色は別の状況から引き継いだものです。</translation>
+    </message>
+    <message>
+        <source>The right edges come to stand below each other.</source>
+        <translation>右端を縦に揃えます。</translation>
+    </message>
+    <message>
+        <source>The robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>The robot goes on; it is followed no more.</source>
+        <translation>ロボットは動き続けます。見るのをやめます。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s screen, to be touched; what people say, data and modules. Nothing of it is in the documents.</source>
+        <translation>触れるロボットの画面、人の言葉、データ、モジュール。どれも文書には入りません。</translation>
+    </message>
+    <message>
+        <source>The same as rows of a table, for keyboard and screen reader.</source>
+        <translation>同じ内容を表の行で。キーボードと読み上げに向いています。</translation>
+    </message>
+    <message>
+        <source>The same script can be seen as a drawing or as a matrix of situations and modules. Give the robot a situation that stops it, and put it first.</source>
+        <translation>同じスクリプトを、図としても、状況とモジュールの表としても見られます。ロボットを止める状況を作り、最初に置いてください。</translation>
+    </message>
+    <message>
+        <source>The status bar says honestly what is seen: “no robot”, how far behind the picture is, or for how long nothing has been heard. What is shown after a robot was lost is old, and is shown as old.</source>
+        <translation>下の帯には、見ているものがありのままに出ます。「ロボットなし」、表示の遅れ、応答のない時間です。ロボットとの接続が切れた後の表示は古いものなので、古いと示します。</translation>
+    </message>
+    <message>
+        <source>The studio speaks English.</source>
+        <translation>表示を英語にします。</translation>
+    </message>
+    <message>
+        <source>The studio speaks Japanese.</source>
+        <translation>表示を日本語にします。</translation>
+    </message>
+    <message>
+        <source>The upper edges come to stand at one height.</source>
+        <translation>上端を同じ高さに揃えます。</translation>
+    </message>
+    <message>
+        <source>The values that the robot knows now, by their tags.</source>
+        <translation>ロボットが今知っている値をタグごとに。</translation>
+    </message>
+    <message>
+        <source>The whole drawing at once.</source>
+        <translation>図の全体を表示。</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>トレース</translation>
+    </message>
+    <message>
+        <source>Values and conditions</source>
+        <translation>値と条件</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Welcome page</source>
+        <translation>ようこそページ</translation>
+    </message>
+    <message>
+        <source>What a state shows is drawn to scale on the robot&apos;s screen: texts, buttons, images, movies, fields to type into, and lists. A state without a screen keeps the one that was shown before.</source>
+        <translation>状態が見せるものを、ロボットの画面と同じ比率で描きます。文字、ボタン、絵、動画、入力欄、一覧です。画面のない状態では、前の画面がそのまま残ります。</translation>
+    </message>
+    <message>
+        <source>What can be added. Drag it onto the drawing, or press it to add it at the selection.</source>
+        <translation>追加できるもの。図の上へドラッグするか、押すと選んだところに加わります。</translation>
+    </message>
+    <message>
+        <source>What can not work, and what is probably not meant. A click goes there; a button mends it.</source>
+        <translation>動かないところと、おそらく意図と違うところ。クリックでその場所へ、ボタンで直せます。</translation>
+    </message>
+    <message>
+        <source>What is selected as large as there is room for.</source>
+        <translation>選んだものをできるだけ大きく表示。</translation>
+    </message>
+    <message>
+        <source>What is spoken, shown and heard, a column for each language.</source>
+        <translation>話す・見せる・聞き取る文字を、言語ごとの列で。</translation>
+    </message>
+    <message>
+        <source>What led to it, the input that began it first. A click on a row goes there.</source>
+        <translation>経緯を、きっかけの入力から順に。行をクリックするとその時点へ移ります。</translation>
+    </message>
+    <message>
+        <source>What stops the robot from doing what you mean is listed under Problems while you draw. Save with Ctrl+S; what you have not saved yet is kept aside, and offered again after a crash.</source>
+        <translation>ロボットが思いどおりに動かない原因は、描いている間、「問題」に並びます。Ctrl+S で保存します。まだ保存していない変更も別に取ってあり、異常終了の後で取り戻せます。</translation>
+    </message>
+    <message>
+        <source>What the robot did, one line each, the latest at the end.</source>
+        <translation>ロボットのしたことを一行ずつ、新しいものほど下に。</translation>
+    </message>
+    <message>
+        <source>What the robot says and does</source>
+        <translation>ロボットが話し、行うこと</translation>
+    </message>
+    <message>
+        <source>What the shown document has, in its order. A click selects it everywhere.</source>
+        <translation>表示中の文書の中身を順に。クリックするとどの表示でも選ばれます。</translation>
+    </message>
+    <message>
+        <source>What was done before is done again, and what shall happen is looked for. A click on what failed shows that moment in all views.</source>
+        <translation>前にしたことをもう一度行い、期待したことが起きるか調べます。失敗したものをクリックすると、どの表示もその時点になります。</translation>
+    </message>
+    <message>
+        <source>What was done can be saved as a scenario, with what shall happen again. All of them are run from the panel Scenarios; what they came through can be painted on the drawings.</source>
+        <translation>したことは、期待する結果とともにシナリオとして保存できます。「シナリオ」のパネルですべて実行でき、通ったところを図に表示できます。</translation>
+    </message>
+    <message>
+        <source>Where a project is begun or opened. Esc goes back to the one that is open.</source>
+        <translation>プロジェクトを始めたり開いたりする場所。Esc で開いているものに戻ります。</translation>
+    </message>
+    <message>
+        <source>Where the robot pauses. A click goes there, Delete takes one away.</source>
+        <translation>ロボットが止まるところ。クリックでその場所へ、Delete で取り除きます。</translation>
+    </message>
+    <message>
+        <source>Whether a robot is followed, and how old what you see of it is.</source>
+        <translation>ロボットを見ているか、見ているものがどれだけ前のものか。</translation>
+    </message>
+    <message>
+        <source>Whether the project&apos;s files have all changes, and since when.</source>
+        <translation>変更がすべてファイルに保存されているか、いつからか。</translation>
+    </message>
+    <message>
+        <source>Which module holds which part of the robot, who else asks, and why not they.</source>
+        <translation>ロボットのどの部分をどのモジュールが使っているか、ほかに誰が要求しているか、なぜ使えないか。</translation>
+    </message>
+    <message>
+        <source>Which version of the studio this is.</source>
+        <translation>このスタジオの版。</translation>
+    </message>
+    <message>
+        <source>While you draw, the project is looked through. An error is something that can not work: a transition to nowhere, two states with one number, an unknown module. A warning is something that is probably not meant: a state that can not be reached, a button that nobody waits for, a speech longer than its timeout.</source>
+        <translation>描いている間、プロジェクトが調べられます。エラーは動かないものです。行き先のない遷移、同じ番号の二つの状態、知らないモジュールなどです。警告はおそらく意図と違うものです。たどり着けない状態、誰も待っていないボタン、時間切れより長い発話などです。</translation>
+    </message>
+    <message>
+        <source>Why not? (Shift+F7) shows what kept it from happening at the moment that is seen: an input that did not come, a condition or a guard, a priority, a suspension.</source>
+        <translation>「なぜ起きない？」（Shift+F7）は、見ている時点で起きなかった理由を示します。来なかった入力、条件、優先度、一時中断などです。</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>なぜ？</translation>
+    </message>
+    <message>
+        <source>Why? (F7, and the menus of cards, arrows and rows) shows what led to it: one event a row, from the input that began it, with the values then. A click on a row goes to that moment and to the card.</source>
+        <translation>「なぜ？」（F7、またはカード・矢印・行のメニュー）は経緯を示します。きっかけの入力から一行に一つずつ、そのときの値とともに並びます。行をクリックすると、その時点とカードへ移ります。</translation>
+    </message>
+    <message>
+        <source>Writes all that was changed into the project&apos;s files.</source>
+        <translation>変更をすべてプロジェクトのファイルに書き込みます。</translation>
+    </message>
+    <message>
+        <source>“Stays” keeps a situation for a while, so that the robot is not fickle; “Until” keeps it until something holds; “Ends” ends it at the latest then.</source>
+        <translation>「最低継続」は、ロボットが落ち着きなく変わらないように、状況をしばらく保ちます。「終了条件」は、それが成り立つまで保ちます。「終わり」は、遅くともその時間で終わらせます。</translation>
+    </message>
+</context>
+<context>
     <name>kinds</name>
     <message>
         <source>%</source>
@@ -2793,6 +7553,18 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>A few words for those who draw; the robot does not see them.</source>
         <translation>描く人のための覚え書き。ロボットには見えません。</translation>
+    </message>
+    <message>
+        <source>A field that people type into; what they type goes to a tag.</source>
+        <translation>人が入力する欄。入力はタグに入ります。</translation>
+    </message>
+    <message>
+        <source>A film of the media folder, played once.</source>
+        <translation>メディアフォルダーの動画。一度再生します。</translation>
+    </message>
+    <message>
+        <source>A picture of the media folder.</source>
+        <translation>メディアフォルダーの絵。</translation>
     </message>
     <message>
         <source>A program that moves the robot when it has the authority.</source>
@@ -2809,6 +7581,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>A tag that a touch sets, if any.</source>
         <translation>タッチで書き込むタグ（あれば）。</translation>
+    </message>
+    <message>
+        <source>A tag; * stands for one name in it, ** for all below.</source>
+        <translation>タグ。* は中の一語、** はそれより下のすべてを表します。</translation>
     </message>
     <message>
         <source>A value on the blackboard that situations look at.</source>
@@ -2865,6 +7641,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Asks a web service, a module or a file, and keeps the answer.</source>
         <translation>ウェブサービス、モジュール、ファイルに尋ね、答えを保持します。</translation>
+    </message>
+    <message>
+        <source>At which side of its place the text stands.</source>
+        <translation>場所の中で文字をどちらに寄せるか。</translation>
     </message>
     <message>
         <source>Background</source>
@@ -2951,6 +7731,10 @@ Draw what a robot says, shows and does.</source>
         <translation>塗り</translation>
     </message>
     <message>
+        <source>Fit for touch and sight</source>
+        <translation>触れやすさと見やすさ</translation>
+    </message>
+    <message>
         <source>For</source>
         <translation>継続</translation>
     </message>
@@ -2965,6 +7749,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>GET</source>
         <translation>GET</translation>
+    </message>
+    <message>
+        <source>GET asks; the others change something there.</source>
+        <translation>GET は尋ねるだけ、ほかは相手側の何かを変えます。</translation>
     </message>
     <message>
         <source>Goes round states that belong together, and moves with them.</source>
@@ -2995,8 +7783,40 @@ Draw what a robot says, shows and does.</source>
         <translation>項目の見せ方：{item.name}、{item.room} 号室</translation>
     </message>
     <message>
+        <source>How far from the left.</source>
+        <translation>左からの距離。</translation>
+    </message>
+    <message>
+        <source>How far from the top.</source>
+        <translation>上からの距離。</translation>
+    </message>
+    <message>
+        <source>How high it is.</source>
+        <translation>高さ。</translation>
+    </message>
+    <message>
+        <source>How it is compared.</source>
+        <translation>比べ方。</translation>
+    </message>
+    <message>
+        <source>How long the state waits.</source>
+        <translation>状態が待つ時間。</translation>
+    </message>
+    <message>
+        <source>How much a module counts in a situation; the highest one that asks wins.</source>
+        <translation>状況でのモジュールの重み。要求したうち最も高いものが使います。</translation>
+    </message>
+    <message>
+        <source>How the robot calls it.</source>
+        <translation>ロボットでの呼び名。</translation>
+    </message>
+    <message>
         <source>How traces and results call it.</source>
         <translation>トレースや結果での呼び名。</translation>
+    </message>
+    <message>
+        <source>How wide it is.</source>
+        <translation>幅。</translation>
     </message>
     <message>
         <source>Id</source>
@@ -3015,12 +7835,20 @@ Draw what a robot says, shows and does.</source>
         <translation>すべての状態</translation>
     </message>
     <message>
+        <source>In percent of the screen.</source>
+        <translation>画面に対する百分率。</translation>
+    </message>
+    <message>
         <source>In words</source>
         <translation>言葉で</translation>
     </message>
     <message>
         <source>Input</source>
         <translation>入力欄</translation>
+    </message>
+    <message>
+        <source>Is touched, and raises an event.</source>
+        <translation>触れるとイベントを起こします。</translation>
     </message>
     <message>
         <source>It has held without a break for so many seconds.</source>
@@ -3033,6 +7861,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>It runs on when the state is left.</source>
         <translation>状態を離れても続きます。</translation>
+    </message>
+    <message>
+        <source>Its components; those further down lie in front.</source>
+        <translation>画面の部品。下にあるものほど手前に重なります。</translation>
     </message>
     <message>
         <source>Its name in traces and scenarios; unique on the screen.</source>
@@ -3095,6 +7927,10 @@ Draw what a robot says, shows and does.</source>
         <translation>その他</translation>
     </message>
     <message>
+        <source>More is not taken.</source>
+        <translation>それ以上は入りません。</translation>
+    </message>
+    <message>
         <source>Moves one entry of a list to a tag.</source>
         <translation>一覧の一項目をタグに移します。</translation>
     </message>
@@ -3139,8 +7975,28 @@ Draw what a robot says, shows and does.</source>
         <translation>番号</translation>
     </message>
     <message>
+        <source>Of each module in this situation; the higher wins.</source>
+        <translation>この状況での各モジュールの優先度。高いほうが使います。</translation>
+    </message>
+    <message>
         <source>Of exists: true or false.</source>
         <translation>「ある」の場合：true か false。</translation>
+    </message>
+    <message>
+        <source>Of its letters.</source>
+        <translation>文字の色。</translation>
+    </message>
+    <message>
+        <source>Of the ground behind it.</source>
+        <translation>後ろの地の色。</translation>
+    </message>
+    <message>
+        <source>Of the project&apos;s media folder.</source>
+        <translation>プロジェクトのメディアフォルダーのもの。</translation>
+    </message>
+    <message>
+        <source>On the drawing.</source>
+        <translation>図の上。</translation>
     </message>
     <message>
         <source>On the screen</source>
@@ -3243,6 +8099,10 @@ Draw what a robot says, shows and does.</source>
         <translation>タグの一覧の末尾に値を加えます。</translation>
     </message>
     <message>
+        <source>Puts it to an edge or into the middle.</source>
+        <translation>端か中央に置きます。</translation>
+    </message>
+    <message>
         <source>Resource</source>
         <translation>リソース</translation>
     </message>
@@ -3327,12 +8187,20 @@ Draw what a robot says, shows and does.</source>
         <translation>順に並んだ状況と、それぞれでのモジュールの優先度。</translation>
     </message>
     <message>
+        <source>Size and colours; by itself they fit the screen.</source>
+        <translation>大きさと色。「自動」なら画面に合います。</translation>
+    </message>
+    <message>
         <source>Sound</source>
         <translation>音</translation>
     </message>
     <message>
         <source>Speech</source>
         <translation>発話</translation>
+    </message>
+    <message>
+        <source>Stands at its upper edge.</source>
+        <translation>上端に表示されます。</translation>
     </message>
     <message>
         <source>Starts a program that the robot allows.</source>
@@ -3407,8 +8275,20 @@ Draw what a robot says, shows and does.</source>
         <translation>アプリケーションのファイル。終わりはイベント done.番号、または done。</translation>
     </message>
     <message>
+        <source>The entries of a list on the blackboard, to choose one.</source>
+        <translation>ブラックボードの一覧から一つを選びます。</translation>
+    </message>
+    <message>
+        <source>The entry that is taken; it is in the list no more.</source>
+        <translation>取り出される項目。一覧からはなくなります。</translation>
+    </message>
+    <message>
         <source>The event at Enter, or when it is full.</source>
         <translation>Enter を押すか、いっぱいになったときのイベント。</translation>
+    </message>
+    <message>
+        <source>The event at its end, and where that leads.</source>
+        <translation>終わったときのイベントと、その行き先。</translation>
     </message>
     <message>
         <source>The event is taken only while this holds.</source>
@@ -3419,8 +8299,16 @@ Draw what a robot says, shows and does.</source>
         <translation>何もないところへのタッチのイベント。</translation>
     </message>
     <message>
+        <source>The event that a choice raises.</source>
+        <translation>選んだときに起こすイベント。</translation>
+    </message>
+    <message>
         <source>The event that a touch raises.</source>
         <translation>タッチで起こるイベント。</translation>
+    </message>
+    <message>
+        <source>The event that is raised at its end.</source>
+        <translation>終わったときに起こすイベント。</translation>
     </message>
     <message>
         <source>The event that is raised when it has ended badly.</source>
@@ -3429,6 +8317,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>The event that is raised when it has ended well.</source>
         <translation>成功して終わったときに起こるイベント。</translation>
+    </message>
+    <message>
+        <source>The event that it raises, and where that leads.</source>
+        <translation>起こすイベントと、その行き先。</translation>
     </message>
     <message>
         <source>The higher wins; empty: taken away in this situation.</source>
@@ -3441,6 +8333,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>The robot says something.</source>
         <translation>ロボットが話します。</translation>
+    </message>
+    <message>
+        <source>The same as a sentence.</source>
+        <translation>同じ内容を文で。</translation>
     </message>
     <message>
         <source>The situation whose priorities also count here.</source>
@@ -3479,6 +8375,14 @@ Draw what a robot says, shows and does.</source>
         <translation>タグが受け取る値。</translation>
     </message>
     <message>
+        <source>The values that it reads.</source>
+        <translation>読む値。</translation>
+    </message>
+    <message>
+        <source>The values that it writes.</source>
+        <translation>書き込む値。</translation>
+    </message>
+    <message>
         <source>Timeout</source>
         <translation>時間切れ</translation>
     </message>
@@ -3491,12 +8395,20 @@ Draw what a robot says, shows and does.</source>
         <translation>行き先</translation>
     </message>
     <message>
+        <source>To tell it from others at a glance.</source>
+        <translation>一目で見分けるため。</translation>
+    </message>
+    <message>
         <source>Topic</source>
         <translation>トピック</translation>
     </message>
     <message>
         <source>Type</source>
         <translation>種類</translation>
+    </message>
+    <message>
+        <source>Unique; others call it so.</source>
+        <translation>重ならない名前。ほかからこの名前で呼ばれます。</translation>
     </message>
     <message>
         <source>Unique; transitions lead to it.</source>
@@ -3535,8 +8447,16 @@ Draw what a robot says, shows and does.</source>
         <translation>操作</translation>
     </message>
     <message>
+        <source>What happens when it has ended.</source>
+        <translation>終わったときに起こること。</translation>
+    </message>
+    <message>
         <source>What happens when nothing happens.</source>
         <translation>何も起こらないときにどうなるか。</translation>
+    </message>
+    <message>
+        <source>What is done before the next state is entered.</source>
+        <translation>次の状態に入る前に行うこと。</translation>
     </message>
     <message>
         <source>What is going on, and who may use the robot then.</source>
@@ -3547,28 +8467,68 @@ Draw what a robot says, shows and does.</source>
         <translation>すべての状態に共通のもの：ホームボタン、時間切れ、いつでも言える言葉。</translation>
     </message>
     <message>
+        <source>What is seldom needed.</source>
+        <translation>めったに使わないもの。</translation>
+    </message>
+    <message>
+        <source>What is waited for, and where each leads.</source>
+        <translation>待つものと、それぞれの行き先。</translation>
+    </message>
+    <message>
+        <source>What it is for, in a sentence or two.</source>
+        <translation>何のためのものか、一、二文で。</translation>
+    </message>
+    <message>
         <source>What it may ask for, such as: head base</source>
         <translation>求めてよいもの（例：head base）</translation>
+    </message>
+    <message>
+        <source>What it says.</source>
+        <translation>話す内容。</translation>
     </message>
     <message>
         <source>What its developer says of a module.</source>
         <translation>モジュールについての開発者の説明。</translation>
     </message>
     <message>
+        <source>What its values are.</source>
+        <translation>どんな値か。</translation>
+    </message>
+    <message>
         <source>What moves: base, head …</source>
         <translation>動くもの：base、head など</translation>
+    </message>
+    <message>
+        <source>What old fingers and eyes need, on a screen of 10 inches.</source>
+        <translation>10 インチの画面で、お年寄りの指と目に必要なこと。</translation>
     </message>
     <message>
         <source>What people may say instead.</source>
         <translation>代わりに人が言える言葉。</translation>
     </message>
     <message>
+        <source>What stands on it.</source>
+        <translation>上に出る文字。</translation>
+    </message>
+    <message>
         <source>What the developers of the modules say of them.</source>
         <translation>モジュールについての開発者の説明。</translation>
     </message>
     <message>
+        <source>What the robot says and does when the state is entered.</source>
+        <translation>状態に入ったときにロボットが話し、行うこと。</translation>
+    </message>
+    <message>
         <source>What the robot shows, says and waits for.</source>
         <translation>ロボットが見せ、話し、待つもの。</translation>
+    </message>
+    <message>
+        <source>What the robot shows, until another screen comes.</source>
+        <translation>次の画面が出るまでロボットが見せるもの。</translation>
+    </message>
+    <message>
+        <source>What the robot shows. Without one, what was shown before stays.</source>
+        <translation>ロボットが見せるもの。なければ前の画面が残ります。</translation>
     </message>
     <message>
         <source>What the robot&apos;s adapter knows, such as goto.</source>
@@ -3579,12 +8539,20 @@ Draw what a robot says, shows and does.</source>
         <translation>状態が待つものと、その行き先。</translation>
     </message>
     <message>
+        <source>What you call it; a few words will do.</source>
+        <translation>呼び名。短い言葉で十分です。</translation>
+    </message>
+    <message>
         <source>What “In every state” adds is part of this one too.</source>
         <translation>「すべての状態」のものがここにも加わります。</translation>
     </message>
     <message>
         <source>When done</source>
         <translation>完了したら</translation>
+    </message>
+    <message>
+        <source>When touched</source>
+        <translation>触れたとき</translation>
     </message>
     <message>
         <source>Where the value stands on the blackboard, such as user.name.</source>
@@ -3595,8 +8563,16 @@ Draw what a robot says, shows and does.</source>
         <translation>どれを</translation>
     </message>
     <message>
+        <source>Which keys the robot offers.</source>
+        <translation>ロボットが出すキー。</translation>
+    </message>
+    <message>
         <source>Which part of the answer goes to which tag.</source>
         <translation>答えのどの部分をどのタグに書き込むか。</translation>
+    </message>
+    <message>
+        <source>Whose priority it is.</source>
+        <translation>誰の優先度か。</translation>
     </message>
     <message>
         <source>Width</source>
@@ -3605,6 +8581,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Within</source>
         <translation>以内</translation>
+    </message>
+    <message>
+        <source>Words on the screen.</source>
+        <translation>画面の文字。</translation>
     </message>
     <message>
         <source>Writes a value on the blackboard.</source>
@@ -3657,6 +8637,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>as set</source>
         <translation>設定のまま</translation>
+    </message>
+    <message>
+        <source>at 10 inches</source>
+        <translation>10 インチで</translation>
     </message>
     <message>
         <source>at least</source>
@@ -3749,6 +8733,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>object</source>
         <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>on the screen</source>
+        <translation>画面で</translation>
     </message>
     <message>
         <source>or module</source>
@@ -3970,6 +8958,14 @@ Draw what a robot says, shows and does.</source>
         <translation>この画面へのタッチ</translation>
     </message>
     <message>
+        <source>Accept this warning</source>
+        <translation>この警告を認める</translation>
+    </message>
+    <message>
+        <source>Add a state</source>
+        <translation>状態を追加</translation>
+    </message>
+    <message>
         <source>Add the situation {0}, which always holds</source>
         <translation>いつも成り立つ状況 {0} を加える</translation>
     </message>
@@ -4024,6 +9020,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Give it {0}</source>
         <translation>{0} にする</translation>
+    </message>
+    <message>
+        <source>Give {0} the priority {1} in {2}</source>
+        <translation>{2} で {0} の優先度を {1} にする</translation>
     </message>
     <message>
         <source>Go to the start {0} s after the last touch</source>
@@ -4112,6 +9112,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Put it before event {0}</source>
         <translation>イベント {0} の前に置く</translation>
+    </message>
+    <message>
+        <source>Put it before {0}</source>
+        <translation>{0} の前に置く</translation>
     </message>
     <message>
         <source>Put {0} beneath {1}</source>
@@ -4542,6 +9546,10 @@ Draw what a robot says, shows and does.</source>
         <translation>application/{0} が使われていて、その状態のいくつかが複数の名前を持つことになります</translation>
     </message>
     <message>
+        <source>as written</source>
+        <translation>書かれたとおり</translation>
+    </message>
+    <message>
         <source>at least {0}</source>
         <translation>が {0} 以上</translation>
     </message>
@@ -4550,8 +9558,16 @@ Draw what a robot says, shows and does.</source>
         <translation>が {0} 以下</translation>
     </message>
     <message>
+        <source>comments or layout</source>
+        <translation>コメントか配置</translation>
+    </message>
+    <message>
         <source>here and in what every state has</source>
         <translation>ここと、すべての状態に共通のところに</translation>
+    </message>
+    <message>
+        <source>in {0}, {1} is said {2} → {3}</source>
+        <translation>{0} で {1} の読み {2} → {3}</translation>
     </message>
     <message>
         <source>is not {0}</source>
@@ -5056,6 +10072,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>not well-formed (invalid token)</source>
         <translation>整形式でない（無効な文字）</translation>
+    </message>
+    <message>
+        <source>notes, or what is not used</source>
+        <translation>覚え書き、または使われないもの</translation>
     </message>
     <message>
         <source>on this screen</source>
@@ -5668,6 +10688,44 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0}; did you mean &lt;{1}&gt;?</source>
         <translation>{0}。&lt;{1}&gt; のことですか？</translation>
+    </message>
+</context>
+<context>
+    <name>self._canvas</name>
+    <message>
+        <source>Priority of {0} in {1}</source>
+        <translation>{1} での {0} の優先度</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>A priority is a whole number or none, not {0}</source>
+        <translation>優先度は整数か none です。{0} は使えません</translation>
+    </message>
+    <message>
+        <source>{0} is too large for a priority</source>
+        <translation>{0} は優先度には大きすぎます</translation>
+    </message>
+</context>
+<context>
+    <name>sheet</name>
+    <message>
+        <source>Resize {0}</source>
+        <translation>{0} の大きさを変更</translation>
+    </message>
+    <message>
+        <source>Move {0}</source>
+        <translation>{0}を移動</translation>
+    </message>
+    <message>
+        <source>Delete {0}</source>
+        <translation>{0} を削除</translation>
+    </message>
+    <message>
+        <source>Change text of {0}</source>
+        <translation>{0} の文字を変更</translation>
     </message>
 </context>
 </TS>

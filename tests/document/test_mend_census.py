@@ -208,3 +208,22 @@ def test_where_mending_takes_nothing_away_nothing_is_done(tmp_path: Path) -> Non
     project = project_of(tmp_path, {"a.rbd.xml": '<application name="a"/>'})
     before = check(project)
     assert mend_alike(project, before, "dead-end") == (project, before)
+
+
+def test_mends_that_take_nothing_away_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    states = '<state no="1"/>' * 2
+    project = project_of(tmp_path, {"a.rbd.xml": f'<application name="a">{states}</application>'})
+    before = check(project)
+    monkeypatch.setattr("situ.document.mend_alike.every", lambda one, mends: (one, [*mends]))
+    assert mend_alike(project, before, "double-state") == (project, before)
+
+
+def test_after_so_many_rounds_what_is_left_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("situ.document.mend_alike.ROUNDS", 1)
+    states = '<state no="1"/>' * 4
+    project = project_of(tmp_path, {"a.rbd.xml": f'<application name="a">{states}</application>'})
+    after, left = mend_alike(project, check(project), "double-state")
+    assert left == check(after)
+    assert "double-state" in {one.code for one in left}
