@@ -412,6 +412,18 @@
         <translation>必要なもの</translation>
     </message>
     <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Situations, first that holds</source>
+        <translation>状況（上から最初に成り立つもの）</translation>
+    </message>
+    <message>
+        <source>Modules</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
         <source>What ends {0}</source>
         <translation>{0} を終わらせるもの</translation>
     </message>
@@ -1850,6 +1862,26 @@
     <message>
         <source>A text can not be left empty here: delete it where it stands.</source>
         <translation>ここでは文字を空にできません。置いてある場所で削除してください。</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>接続中</translation>
+    </message>
+    <message>
+        <source>live, {0} ms behind</source>
+        <translation>接続中、{0} ミリ秒遅れ</translation>
+    </message>
+    <message>
+        <source>lost {0} s ago</source>
+        <translation>{0} 秒前に切断</translation>
+    </message>
+    <message>
+        <source>connecting to {0}</source>
+        <translation>{0} に接続しています</translation>
+    </message>
+    <message>
+        <source>no robot</source>
+        <translation>ロボットなし</translation>
     </message>
 </context>
 <context>
@@ -4646,7 +4678,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>{0} selected</source>
-        <translation>{0} 個を選択中</translation>
+        <translation>{0}を選択中</translation>
     </message>
     <message>
         <source>{0} error</source>
@@ -4872,7 +4904,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>{0}, {1} of {2}</source>
-        <translation>{2} の {0}、{1}</translation>
+        <translation>{0}、{2} 件中 {1} 件</translation>
     </message>
     <message>
         <source>The state in which the text stands.</source>

@@ -8,9 +8,8 @@ from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from situ_studio.canvas.script_faces import LEFT, TITLES, WIDTH
+from situ_studio.canvas.script_faces import LEFT, WIDTH, titles
 from situ_studio.canvas.style import Label, Look
-from situ_studio.language import translated
 
 HIGH = 32
 BASELINE = 21.0
@@ -45,16 +44,17 @@ class Headings(QWidget):
         look = self._look
         painter = QPainter(self)
         painter.fillRect(self.rect(), look.faint("canvas", 0.94))
+        named = titles()
         for kind, area in self.areas().items():
-            label = Label(translated(TITLES[kind]), 12, 600, area.width())
+            label = Label(named[kind], 12, 600, area.width())
             label.draw(painter, area.left(), BASELINE, look["text2"])
         painter.end()
 
 
 def draw(painter: QPainter, look: Look) -> None:
     """The same on paper, above the columns."""
-    for kind, title in TITLES.items():
-        Label(translated(title), 12, 600).draw(painter, LEFT[kind], 26, look["text2"])
+    for kind, title in titles().items():
+        Label(title, 12, 600).draw(painter, LEFT[kind], 26, look["text2"])
 
 
 EXTENT = QRectF(QPointF(16, 8), QPointF(LEFT["resource"] + WIDTH["resource"], 40))

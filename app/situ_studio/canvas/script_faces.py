@@ -27,13 +27,6 @@ WIDTH: dict[str, float] = {
     "module": 126,
     "resource": 100,
 }
-TITLES: dict[str, str] = {
-    "data": "Data",
-    "condition": "Conditions",
-    "situation": "Situations, first that holds",
-    "module": "Modules",
-    "resource": "Resources",
-}
 TOP = 44.0
 TALL, LOW = 52.0, 44.0
 PITCH = 72.0
@@ -42,6 +35,17 @@ LINE = 18.0
 STRIP = 32.0
 INDENT = 12.0
 OUT, IN, UNTIL = "out", "in", "until"
+
+
+def titles() -> dict[str, str]:
+    """What stands above each column, in the user's language."""
+    return {
+        "data": tr("Data"),
+        "condition": tr("Conditions"),
+        "situation": tr("Situations, first that holds"),
+        "module": tr("Modules"),
+        "resource": tr("Resources"),
+    }
 
 
 class Row(Struct, frozen=True):

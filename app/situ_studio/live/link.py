@@ -15,6 +15,7 @@ from msgspec import Struct
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
 from situ.errors import BlackboardError
+from situ_studio.language import tr
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
 
@@ -46,13 +47,13 @@ class LinkState(Struct, frozen=True):
         """As a designer reads it, at ``now`` of the link's clock."""
         if self.kind == "live":
             if self.behind is None:
-                return "live"
-            return f"live, {round(self.behind * 1000)} ms behind"
+                return tr("live")
+            return tr("live, {0} ms behind").format(round(self.behind * 1000))
         if self.kind == "lost":
-            return f"lost {round(now - self.since)} s ago"
+            return tr("lost {0} s ago").format(round(now - self.since))
         if self.kind == "connecting":
-            return f"connecting to {self.endpoint}"
-        return self.why if self.kind == "refused" else "no robot"
+            return tr("connecting to {0}").format(self.endpoint)
+        return self.why if self.kind == "refused" else tr("no robot")
 
 
 class RobotLink(QObject):
