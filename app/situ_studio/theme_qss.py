@@ -65,7 +65,10 @@ QPushButton[role="bare"], QToolButton[role="bare"] {{ border: 1px solid transpar
 QPushButton[role="bare"]:hover, QToolButton[role="bare"]:hover {{ background: {hover}; }}
 QToolButton[role="bare"]:focus, QPushButton[role="bare"]:focus {{ border: 2px solid {accent};
   padding: 0; }}
-QToolButton[role="bare"][popupMode="2"] {{ padding: 2px 16px 2px 6px; }}
+QToolButton[role="opens"] {{ border: 1px solid transparent; background: transparent;
+  border-radius: 6px; padding: 2px 16px 2px 6px; color: {text2}; }}
+QToolButton[role="opens"]:hover {{ background: {hover}; }}
+QToolButton[role="opens"]:focus {{ border-color: {accent}; }}
 QPushButton[role="link"] {{ border: 1px solid transparent; background: transparent;
   color: {text2}; padding: 0 4px; }}
 QPushButton[role="link"]:hover {{ color: {accent}; }}

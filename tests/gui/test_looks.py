@@ -13,9 +13,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRect, QSettings, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSettings, QSize, Qt, QTimer
 from PySide6.QtGui import QImage, QPainter
-from PySide6.QtWidgets import QApplication, QDialog, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QDialog, QWidget
 from tests.gui.conftest import Studio
 from tests.gui.likeness import differences, keep, made_small, marked
 
@@ -72,14 +72,22 @@ class Views:
         self._way = f"{colours}-{code}"
         self.found: list[str] = []
 
-    def compare(self, name: str, shown: QWidget | QImage | None = None) -> None:
+    def settle(self) -> None:
+        """The mouse is nowhere: where it was last, in a test before, a row would be lit."""
         self.made.settle()
+        for view in QApplication.allWidgets():
+            if isinstance(view, QAbstractItemView):
+                QApplication.sendEvent(view.viewport(), QEvent(QEvent.Type.Leave))
+        self.made.settle()
+
+    def compare(self, name: str, shown: QWidget | QImage | None = None) -> None:
+        self.settle()
         picture = shown if isinstance(shown, QImage) else (shown or self.window).grab().toImage()
         self.found.append(compared(f"{name}-{self._way}", picture))
 
     def over(self, name: str, shown: QWidget) -> None:
         """The window, with what lies over it."""
-        self.made.settle()
+        self.settle()
         picture = self.window.grab()
         painter = QPainter(picture)
         painter.drawPixmap(shown.mapTo(self.window, QPoint(0, 0)), shown.grab())

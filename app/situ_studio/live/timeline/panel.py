@@ -103,7 +103,7 @@ def _opens(menu: QMenu, words: str, tip: str) -> QToolButton:
     """A button on the bar that opens a menu."""
     button = QToolButton()
     button.setText(words)
-    button.setProperty("role", "bare")
+    button.setProperty("role", "opens")
     button.setAccessibleName(words)
     button.setToolTip(tip)
     button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
