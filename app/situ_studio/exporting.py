@@ -12,19 +12,22 @@ from PySide6.QtCore import QObject, QRectF, Qt
 from PySide6.QtPrintSupport import QPrinter
 from PySide6.QtWidgets import QApplication
 
+from situ.document import codec
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import UsageError
 from situ_studio import picture, printing
 from situ_studio.export_dialog import What
+from situ_studio.large_export import LargeExport
 from situ_studio.panels.project_tree import stem
+from situ_studio.working import Work
 
 if TYPE_CHECKING:
     from situ_studio.canvas.paper import Paper
     from situ_studio.window import MainWindow
 
 MOST_CARDS = 1000
-"""Of a drawing that is put on paper while the window waits."""
+"""Of a drawing that is put on paper while the window waits; another process draws larger ones."""
 
 
 class ExportingSide(QObject):
@@ -38,6 +41,10 @@ class ExportingSide(QObject):
         self._window = window
         self._now = now
         self._folder: Path | None = None
+        self._work: Work | None = None
+        self._large = LargeExport(self)
+        self._large.written.connect(self._on_written)
+        self._large.refused.connect(self._on_refused)
 
     def export(self) -> None:
         """Asks for a file and what shall be in it, and writes it. UsageError where it can not."""
@@ -49,6 +56,9 @@ class ExportingSide(QObject):
         if name is None:
             return
         picture.format_of(name)
+        if _cards(window.current_document) > MOST_CARDS:
+            self._export_large(file, name)
+            return
         with self._drawn() as whole:
             areas = self._areas(whole)
             chosen = window.dialogs.export(Path(name).name, areas)
@@ -61,6 +71,35 @@ class ExportingSide(QObject):
                 self._write(whole, name, areas[chosen.what], chosen.scale)
         self._folder = Path(name).parent
         window.say(self.tr("{0} is written.").format(name))
+
+    def _export_large(self, file: str, name: str) -> None:
+        """The whole drawing, by another process; the window stays in use."""
+        session = self._window.session
+        every = {one: session.document(one) for one in session.files}
+        files = {one: codec.write(document) for one, document in every.items() if document}
+        self._end_work()
+        words = self.tr("Drawing {0}").format(Path(name).name)
+        self._work = self._window.status.work.begin(words, self._give_up)
+        self._large.start(files, file, name)
+
+    def _give_up(self) -> None:
+        # The work ends itself.
+        self._work = None
+        self._large.cancel()
+
+    def _on_written(self, name: str) -> None:
+        self._end_work()
+        self._folder = Path(name).parent
+        self._window.say(self.tr("{0} is written.").format(name))
+
+    def _on_refused(self, why: str) -> None:
+        self._end_work()
+        self._window.dialogs.tell(why)
+
+    def _end_work(self) -> None:
+        work, self._work = self._work, None
+        if work is not None:
+            work.end()
 
     def print_(self) -> None:
         """Shows the drawing as it comes on paper, to be printed from there."""
@@ -86,8 +125,8 @@ class ExportingSide(QObject):
         if _cards(document) > MOST_CARDS:
             raise UsageError(
                 self.tr(
-                    "The drawing is too large to be put on paper in the window: "
-                    "use situ studio PROJECT --picture OUT"
+                    "The drawing is too large to be printed from here: export it as PDF, "
+                    "and print that"
                 )
             )
         with _waiting():

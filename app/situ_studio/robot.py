@@ -108,7 +108,7 @@ class RobotSide(QObject):
         """Reads it, and lets all views show it from its beginning."""
         self._end_work()
         words = self.tr("Reading {0}").format(path.name)
-        self._work = self._window.status.work.begin(words, self._reading.cancel)
+        self._work = self._window.status.work.begin(words, self._give_up)
         self._reading.start(path)
 
     def close_recording(self) -> None:
@@ -137,6 +137,11 @@ class RobotSide(QObject):
 
     def _ask_for_bookmark(self, usual: str) -> str | None:
         return self._window.dialogs.name(self.tr("Bookmark"), self.tr("Name"), usual)
+
+    def _give_up(self) -> None:
+        # The work ends itself.
+        self._work = None
+        self._reading.cancel()
 
     def _on_refused(self, why: str) -> None:
         self._end_work()

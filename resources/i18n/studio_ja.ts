@@ -2867,12 +2867,16 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} を書き出しました。</translation>
     </message>
     <message>
+        <source>Drawing {0}</source>
+        <translation>{0} を描画中</translation>
+    </message>
+    <message>
         <source>{0} — {1}</source>
         <translation>{0} — {1}</translation>
     </message>
     <message>
-        <source>The drawing is too large to be put on paper in the window: use situ studio PROJECT --picture OUT</source>
-        <translation>図が大きすぎて、ウィンドウからは紙に出せません。situ studio PROJECT --picture OUT を使ってください</translation>
+        <source>The drawing is too large to be printed from here: export it as PDF, and print that</source>
+        <translation>図が大きすぎてここからは印刷できません。PDF に書き出して、それを印刷してください</translation>
     </message>
 </context>
 <context>
@@ -3251,6 +3255,17 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>What</source>
         <translation>操作</translation>
+    </message>
+</context>
+<context>
+    <name>LargeExport</name>
+    <message>
+        <source>{0} can not be drawn: {1}</source>
+        <translation>{0} を描けません：{1}</translation>
+    </message>
+    <message>
+        <source>its process ended early</source>
+        <translation>処理が途中で終わりました</translation>
     </message>
 </context>
 <context>

@@ -15,10 +15,11 @@ from PySide6.QtCore import QEvent, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QImage, QPageLayout
 from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog, QPrintPreviewWidget
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtTest import QTest
+from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication
 
 from situ.document import folder
+from situ.errors import UsageError
 from situ.resources import example
 from situ_studio import exporting, picture, printing
 from situ_studio.dialogs import Dialogs
@@ -26,6 +27,7 @@ from situ_studio.export_dialog import ExportDialog
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]
+PATIENCE = 20_000
 CONTROL = Qt.KeyboardModifier.ControlModifier
 AREAS = {"whole": QRectF(0, 0, 400, 300), "seen": QRectF(0, 0, 100, 50)}
 
@@ -97,13 +99,51 @@ def test_what_can_not_be_written_is_told_in_one_line(
     export(used, tmp_path / "none" / "a.png", "whole")
     export(used, tmp_path / "a.gif", "whole")
     monkeypatch.setattr(exporting, "MOST_CARDS", 3)
-    export(used, tmp_path / "a.png", "whole")
-    told = ("can not be written", ".svg, .pdf or .png", "--picture")
+    with pytest.raises(UsageError, match="export it as PDF"):
+        used.window.exporting.print_()
+    used.answers.put("picture_file", str(tmp_path / "none" / "b.png"))
+    used.window.exporting.export()
+    refused = QSignalSpy(used.window.exporting._large.refused)
+    assert refused.count() or refused.wait(PATIENCE)
+    told = ("can not be written", ".svg, .pdf or .png", "can not be drawn")
     assert len(used.answers.told) == len(told)
     for text, said in zip(told, used.answers.told, strict=True):
         assert text in said
         assert "\n" not in said
     assert list(tmp_path.glob("a.*")) == []
+
+
+def test_a_large_drawing_is_drawn_by_another_process_and_can_be_cancelled(
+    studio: Start, project: Copy, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(exporting, "MOST_CARDS", 3)
+    used = studio(project("reception"))
+    out = tmp_path / "a.svg"
+
+    def begin() -> Any:
+        used.answers.put("picture_file", str(out))
+        used.key(Qt.Key.Key_K, CONTROL)
+        used.type("Export picture")
+        used.key(Qt.Key.Key_Return)
+        (work,) = used.window.status.work.going
+        return work
+
+    begin().cancel()
+    assert used.window.status.work.going == []
+    assert not out.exists()
+    # What is not saved yet is drawn too.
+    used.select("state", "7")
+    used.key(Qt.Key.Key_Delete)
+    work = begin()
+    ended = QSignalSpy(work.ended)
+    assert ended.count() or ended.wait(PATIENCE)
+    assert used.answers.told == []
+    assert "a.svg is written" in used.window.status.said.text()
+    alone = tmp_path / "alone.svg"
+    monkeypatch.setattr(exporting, "MOST_CARDS", 1000)
+    export(used, alone, "whole")
+    sizes = [QSvgRenderer(str(file)).viewBox().size() for file in (out, alone)]
+    assert sizes[0] == sizes[1]
 
 
 def test_a_document_without_a_graph_is_neither_exported_nor_printed(

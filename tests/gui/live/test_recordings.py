@@ -173,6 +173,24 @@ def until_shown(it: Any) -> None:
     it.settle()
 
 
+def test_reading_is_cancelled_in_the_status_bar_and_begun_again(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    where = project("conversation")
+    it = studio(where)
+    file = recording(tmp_path / "run.mcap", events, where)
+    robot: Any = it.window.robot
+    robot.open_recording(file)
+    it.window.status.work.cancel()
+    assert it.window.status.work.going == []
+    assert robot.recording is None
+    robot.open_recording(file)
+    until_shown(it)
+    assert robot.recording.path == file
+    it.window.commands.close_recording()
+
+
 def test_a_recording_that_can_not_be_read_leaves_everything_as_it_is(
     studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
 ) -> None:
