@@ -328,7 +328,7 @@ def test_a_movie_plays_to_its_end_and_says_so(play: Any, media: Path) -> None:
         stage.show(text("One"), clip, actions=(7,))
         video = stage.page.locator("video")
         await video.wait_for()
-        await stage.page.wait_for_function("() => document.querySelector('video').currentTime > 0")
+        await stage.page.wait_for_function("() => document.querySelector('video')?.currentTime > 0")
         # A text that changes does not begin it anew; meanwhile it runs faster than in life.
         await video.evaluate("one => { one.playbackRate = 16; one.mark = 1; }")
         stage.show(text("Two"), clip, actions=(7,))
@@ -591,7 +591,7 @@ def test_turned_to_portrait_and_back_everything_stays_and_can_be_used(
             component("button", "no", 52, 74, 44, 22, text="NO", event="n"),
             actions=(7,),
         )  # fmt: skip
-        await page.wait_for_function("() => document.querySelector('video').currentTime > 0")
+        await page.wait_for_function("() => document.querySelector('video')?.currentTime > 0")
         # It must not end before it is told to.
         await page.locator("video").evaluate("one => { one.playbackRate = 0.0625; }")
         await page.evaluate("document.querySelectorAll('.component').forEach(n => n.mark = 1)")
