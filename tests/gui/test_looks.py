@@ -26,6 +26,8 @@ from situ_studio.shortcuts import Shortcuts
 
 PICTURES = Path(__file__).with_name("pictures")
 DIFFERS = PICTURES / "differs"
+SPARED = 3
+"""Blocks of 8 px that may differ: an edge that is smoothed otherwise. A lost word is many more."""
 ANEW = bool(os.environ.get("SITU_PICTURES"))
 WAYS = [("light", "en"), ("dark", "en"), ("light", "ja"), ("dark", "ja")]
 
@@ -52,7 +54,7 @@ def compared(name: str, picture: QImage) -> str:
     apart = differences(small, kept.convertToFormat(QImage.Format.Format_RGB32))
     for old in (DIFFERS / f"{name}.png", DIFFERS / f"{name}-where.png"):
         old.unlink(missing_ok=True)
-    if not apart:
+    if len(apart) <= SPARED:
         return ""
     DIFFERS.mkdir(exist_ok=True)
     small.save(str(DIFFERS / f"{name}.png"))
