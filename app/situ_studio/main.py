@@ -23,11 +23,11 @@ from situ_studio import picture
 from situ_studio.language import LANGUAGES, Speaking
 from situ_studio.log_file import LogFile, on_qt_message, usual_folder
 from situ_studio.panels.project_tree import stem
+from situ_studio.project_pictures import Example
 from situ_studio.session import Session
 from situ_studio.theme import load_fonts
 from situ_studio.unexpected import Hooks, Interrupts, Unexpected
 from situ_studio.views import VIEWS
-from situ_studio.welcome import Example
 from situ_studio.window import MainWindow
 from situ_studio.windows import Windows
 

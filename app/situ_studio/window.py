@@ -40,6 +40,7 @@ from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.parts import PartsSide
+from situ_studio.project_pictures import Example
 from situ_studio.recovery import Recovery
 from situ_studio.rehearsing.scenarios_side import ScenariosSide
 from situ_studio.rehearsing.side import RehearsingSide
@@ -50,7 +51,6 @@ from situ_studio.showing import keep as keep_shown
 from situ_studio.showing import recall, show_as, show_beside
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Lexicon
-from situ_studio.welcome import Example
 from situ_studio.working import follow
 
 if TYPE_CHECKING:

@@ -14,9 +14,9 @@ from situ.errors import SituError
 from situ_studio.language import SYSTEM, Speaking, language_of
 from situ_studio.log_file import LogFile
 from situ_studio.opening import is_large, read_into
+from situ_studio.project_pictures import Example
 from situ_studio.session import Session
 from situ_studio.showing import keep, recall, show_again, showing
-from situ_studio.welcome import Example
 from situ_studio.window import MainWindow
 
 ASIDE = QPoint(32, 32)

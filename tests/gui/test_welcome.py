@@ -17,7 +17,7 @@ from situ.document import folder
 from situ.document.check import check
 from situ.resources import templates
 from situ_studio import recent
-from situ_studio.welcome import SmallPicture
+from situ_studio.project_pictures import SmallPicture
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
