@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLineEdit, QWidget
 
@@ -18,6 +18,7 @@ from situ_studio.screens import placing
 from situ_studio.screens.component_painting import Stage
 from situ_studio.screens.input_painting import letters, rooms
 from situ_studio.screens.list_painting import Row, rows
+from situ_studio.screens.marks import Scale
 from situ_studio.screens.painting import layer
 from situ_studio.screens.shown import content
 from situ_studio.screens.walk import Walk
@@ -50,6 +51,8 @@ class PreviewPage(ScreenPreview):
         self.walk = walk
         self._folder = media
         self._at: int | None = None
+        self._stage: Stage | None = None
+        self._rows: dict[str, list[Row]] = {}
         self.field: QLineEdit | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -59,9 +62,17 @@ class PreviewPage(ScreenPreview):
         """Shows where the walk is now."""
         self._close_field()
         self._at = None
+        self._show()
+
+    def _show(self) -> None:
         walk = self.walk
+        self._stage = None
         self.show_screen(self._theme, walk.screen, walk.above, self._folder, walk.shown)
         self.walked.emit()
+
+    def show_device(self, device: QSize) -> None:
+        self._stage = None
+        super().show_device(device)
 
     # -- what can be pressed -------------------------------------------------------------
 
@@ -70,7 +81,7 @@ class PreviewPage(ScreenPreview):
         found: list[Target] = []
         for one in self.walk.seen:
             if isinstance(one, rbd.List):
-                count = len(self._shown(one.id)[1]["items"] or ())
+                count = len(self._shown(one.id)["items"] or ())
                 found += [(one, at) for at in range(count)]
             elif isinstance(one, rbd.Button | rbd.Input) or getattr(one, "done", None):
                 found.append((one, -1))
@@ -80,10 +91,8 @@ class PreviewPage(ScreenPreview):
         """Where it lies in the widget, px; empty for a row that is not seen."""
         component, at = target
         if at < 0:
-            box = placing.box_of(component)
-            across, down = self.width() / 100, self.height() / 100
-            return QRectF(box.x * across, box.y * down, box.width * across, box.height * down)
-        every = self._rows(component.id)
+            return Scale(QSizeF(self.size())).area(placing.box_of(component))
+        every = self._rows_of(component.id)
         return self._scaled(every[at].box) if at < len(every) else QRectF()
 
     def target_at(self, spot: QPointF) -> Target | None:
@@ -93,14 +102,22 @@ class PreviewPage(ScreenPreview):
                 return target
         return None
 
-    def _shown(self, id: str) -> tuple[Stage, Shown]:
-        walk = self.walk
-        every = content(walk.screen, walk.above, walk.shown)
-        stage = Stage(layer(self.device), every, None)
-        return stage, next(one for one in every.components if one["id"] == id)
+    def _laid_out(self) -> Stage:
+        # Asked for at each move of the mouse, for every row of a list.
+        if self._stage is None:
+            walk = self.walk
+            every = content(walk.screen, walk.above, walk.shown)
+            self._stage, self._rows = Stage(layer(self.device), every, None), {}
+        return self._stage
 
-    def _rows(self, id: str) -> list[Row]:
-        return rows(*self._shown(id))
+    def _shown(self, id: str) -> Shown:
+        return next(one for one in self._laid_out().content.components if one["id"] == id)
+
+    def _rows_of(self, id: str) -> list[Row]:
+        stage, one = self._laid_out(), self._shown(id)
+        if id not in self._rows:
+            self._rows[id] = rows(stage, one)
+        return self._rows[id]
 
     def _scaled(self, box: QRectF) -> QRectF:
         size = layer(self.device)
@@ -119,7 +136,7 @@ class PreviewPage(ScreenPreview):
             case rbd.Movie():
                 self._do(lambda: walk.end(component))
             case rbd.List():
-                entry: Any = self._shown(component.id)[1]["items"][at]["value"]
+                entry: Any = self._shown(component.id)["items"][at]["value"]
                 self._do(lambda: walk.choose(component, entry))
             case rbd.Input():
                 self._at = self.targets().index(target)
@@ -133,7 +150,7 @@ class PreviewPage(ScreenPreview):
 
     def _open_field(self, component: rbd.Input) -> None:
         self._close_field()
-        stage, one = self._shown(component.id)
+        stage, one = self._laid_out(), self._shown(component.id)
         text = in_text(one.get("value"))
         room, _ = rooms(stage, one, text)
         zoom = self.width() / stage.size.width()
@@ -165,9 +182,7 @@ class PreviewPage(ScreenPreview):
         if full and component.event:
             self._do(lambda: self.walk.enter(component))
             return
-        walk = self.walk
-        self.show_screen(self._theme, walk.screen, walk.above, self._folder, walk.shown)
-        self.walked.emit()
+        self._show()
 
     def _close_field(self) -> None:
         field, self.field = self.field, None
