@@ -12,6 +12,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from msgspec import Struct
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
 from situ.errors import BlackboardError
@@ -63,7 +64,7 @@ class RobotLink(QObject):
     """
 
     state_changed = Signal()
-    """``state`` is another."""
+    """``state`` is another, in more than how far it is behind: that is so with every event."""
     came = Signal(list)
     """New trace events (plain objects), already in ``log``."""
     moment_changed = Signal()
@@ -131,7 +132,7 @@ class RobotLink(QObject):
         link.dialog.bye()
         link.turn()
         link.close()
-        self._runtime = None
+        self._runtime = self.files = None
         self._become(LinkState())
 
     @property
@@ -142,27 +143,15 @@ class RobotLink(QObject):
 
     def set(self, tags: Mapping[str, Any], told: Callable[[str], None]) -> None:
         """Sets tags; ``told`` gets one line where the robot refuses."""
-        if self._link is not None:
-            self._await(self._link.dialog.set(tags), told)
+        self.ask(lambda dialog: dialog.set(tags), lambda _: None, told)
 
     def publish(self, event: str, application: str | None, told: Callable[[str], None]) -> None:
         """Raises an event; ``told`` gets one line where the robot refuses."""
-        if self._link is not None:
-            self._await(self._link.dialog.publish(event, application), told)
+        self.ask(lambda dialog: dialog.publish(event, application), lambda _: None, told)
 
     def ask_modules(self, told: Callable[[tuple[ModuleState, ...]], None]) -> None:
         """Tells the modules that the robot knows; nothing where there is no answer."""
-        if self._link is None:
-            return
-        call = self._link.dialog.modules()
-
-        def done() -> None:
-            try:
-                told(call.result().modules)
-            except BlackboardError:
-                return
-
-        call.then(done)
+        self.ask(lambda dialog: dialog.modules(), lambda reply: told(reply.modules), lambda _: None)
 
     def ask(
         self,
@@ -188,9 +177,6 @@ class RobotLink(QObject):
 
         call.then(done)
         self._timer.start(0)
-
-    def _await(self, call: Call[Any], told: Callable[[str], None]) -> None:
-        self.ask(lambda _: call, lambda _: None, told)
 
     # -- the loop ------------------------------------------------------------
 
@@ -228,11 +214,7 @@ class RobotLink(QObject):
         if last["seq"] <= self._backlog:
             return
         behind = (self._now() - datetime.fromisoformat(written)).total_seconds()
-        self._become(
-            LinkState(
-                "live", self.state.endpoint, self.state.project, self.state.since, max(behind, 0.0)
-            )
-        )
+        self.state = replace(self.state, behind=max(behind, 0.0))
 
     def _on_dialog(self) -> None:
         link = self._link

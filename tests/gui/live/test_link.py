@@ -71,6 +71,9 @@ def test_graphs_and_tables_show_what_the_robot_does(
     it.window.disconnect_robot()
     assert window.status.link.text() == "no robot"
     assert shown.canvas.look.live is None
+    # What that robot runs is not what the next one does.
+    it.session.commit(file, replace(script, states=script.states[1:]), "Delete state 1")
+    assert window.robot.follower.same is None
 
 
 def test_a_lost_robot_is_told_at_once_and_found_again(
