@@ -72,6 +72,7 @@ class Follower(QObject):
         self._rehearses = False
         self._painted: Mapping[str, LiveView | LiveScript] | None = None
         self.same: bool | None = None
+        self._read: tuple[dict[str, str] | None, dict[str, Document | None]] = (None, {})
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.setInterval(FRAME)
@@ -134,10 +135,19 @@ class Follower(QObject):
             self.same = None
         else:
             self.same = all(
-                file in files and codec.read(files[file].encode(), file)[0] == document
+                file in files and self._theirs(files, file) == document
                 for file, document in self._window.live_documents().items()
             )
         self._tell()
+
+    def _theirs(self, files: dict[str, str], file: str) -> Document | None:
+        """A document of the robot's: read once, for every edit here is compared with it."""
+        if files is not self._read[0]:
+            self._read = files, {}
+        read = self._read[1]
+        if file not in read:
+            read[file] = codec.read(files[file].encode(), file)[0]
+        return read[file]
 
     def refresh(self) -> None:
         """Draws the moment as it is now."""
