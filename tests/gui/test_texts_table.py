@@ -173,6 +173,10 @@ def test_cells_go_to_a_spreadsheet_and_come_back_as_one_step(used: Any) -> None:
     assert said(used, "stop") == "y"
     assert "1 cells had no room" in used.window.status.said.text()
     assert view.currentIndex() == first
+    # Where nothing was copied nothing happens.
+    QApplication.clipboard().clear()
+    used.key(Qt.Key.Key_V, CONTROL)
+    assert said(used, "stop") == "y"
 
 
 def test_a_click_on_the_place_shows_it_and_control_enter_too(used: Any) -> None:

@@ -90,20 +90,29 @@ def _taken(script: Spds, situation: Situation) -> set[str]:
     return set(script.priorities(above)) if above is not None and above is not situation else set()
 
 
+def reach(texts: Texts, high: int, wide: int) -> tuple[int, int]:
+    """How many rows and columns pasting ``texts`` into ``high`` × ``wide`` cells covers: all of
+    them where that is a multiple of what is pasted, else as many as are pasted.
+    """
+    rows, columns = len(texts), max((len(line) for line in texts), default=0)
+    if not rows or not columns:
+        return 0, 0
+    return (rows, columns) if high % rows or wide % columns else (high, wide)
+
+
 def spread(
     grid: Grid, texts: Texts, top: int, left: int, high: int, wide: int
 ) -> dict[tuple[int, str], Wanted]:
     """What pasting ``texts`` into a selection of ``high`` × ``wide`` cells makes of which cells.
 
-    A selection that is a multiple of what is pasted is filled with it; else it is put at the
-    corner. What is taken over already becomes no entry by being pasted. ValueError, with a
-    sentence, where there is no room, or a text that is no priority.
+    It begins at the corner, and reaches as far as ``reach`` says. What is taken over already
+    becomes no entry by being pasted. ValueError, with a sentence, where there is no room, or a
+    text that is no priority.
     """
-    rows, columns = len(texts), max((len(line) for line in texts), default=0)
-    if not rows or not columns:
+    high, wide = reach(texts, high, wide)
+    if not high:
         raise ValueError(tr("There is nothing to paste."))
-    if high % rows or wide % columns:
-        high, wide = rows, columns
+    rows, columns = len(texts), max(len(line) for line in texts)
     if top + high > len(grid.lines) or left + wide > len(grid.modules):
         raise ValueError(
             tr("{0} rows and {1} columns do not fit here: begin further up or to the left.").format(

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QMimeData, QObject, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QObject, Signal
 
-from situ_studio.matrix import edits, spreadsheet
+from situ_studio.matrix import clipboard, edits
 from situ_studio.matrix.edits import Wanted
 from situ_studio.matrix.model import MatrixModel
 from situ_studio.matrix.table import Area, MatrixTable
@@ -72,11 +71,7 @@ class RangeEdits(QObject):
         area = self._table.area
         if area is None:
             return
-        rows = self._texts(area)
-        mime = QMimeData()
-        mime.setText(spreadsheet.to_text(rows))
-        mime.setHtml(spreadsheet.to_html(rows))
-        QGuiApplication.clipboard().setMimeData(mime)
+        clipboard.put(self._texts(area))
         self.status.emit(self._named(self.tr("{0} copied"), area))
 
     def cut(self) -> None:
@@ -85,14 +80,7 @@ class RangeEdits(QObject):
 
     def paste(self) -> None:
         """What the clipboard holds into the range, all of it or, where it can not be, nothing."""
-        # Where nothing was ever copied it is None, whatever the types of Qt say.
-        there: QMimeData | None = QGuiApplication.clipboard().mimeData()
-        if there is None:
-            return
-        rows = spreadsheet.from_html(there.html()) if there.hasHtml() else []
-        self._fill(
-            rows or spreadsheet.from_text(there.text()), self._table.area, self.tr("Paste {0}")
-        )
+        self._fill(clipboard.cells(), self._table.area, self.tr("Paste {0}"))
 
     def fill_down(self) -> None:
         """The first row of the range into the others; into a single row what stands above it."""
@@ -115,7 +103,13 @@ class RangeEdits(QObject):
         self._table.choose(area)
 
     def _on_filled(self, first: Area, whole: Area) -> None:
-        self._fill(self._texts(first), whole, self.tr("Fill {0}"))
+        """The cells of the first range again and again, as far as the whole one reaches."""
+        texts = self._texts(first)
+        rows = [
+            [texts[down % first.high][across % first.wide] for across in range(whole.wide)]
+            for down in range(whole.high)
+        ]
+        self._fill(rows, whole, self.tr("Fill {0}"))
 
     def _fill(self, rows: edits.Texts, area: Area | None, text: str) -> None:
         grid = self._model.grid
@@ -129,8 +123,7 @@ class RangeEdits(QObject):
             self.status.emit(str(wrong))
             return
         self._table.sentence.hide()
-        high = max(row for row, _ in wanted) - area.top + 1 if wanted else 1
-        whole = Area(area.top, area.left, max(high, area.high), max(len(rows[0]), area.wide))
+        whole = Area(area.top, area.left, *edits.reach(rows, area.high, area.wide))
         self._put(wanted, self._named(text, whole))
         self._table.choose(whole)
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from PySide6.QtCore import QEvent, QItemSelectionModel, QMimeData, QModelIndex, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QModelIndex, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
 
-from situ_studio.matrix import spreadsheet
+from situ_studio.matrix import clipboard
 from situ_studio.texts.cells import ONE_LINE, TextDelegate
 from situ_studio.texts.model import ROW, STATE, WRITTEN, TextsModel
 from situ_studio.texts.sheet import Typed
@@ -217,13 +217,10 @@ class TextsTable(QTableView):
         lines: dict[int, list[str]] = {}
         for one in chosen:
             lines.setdefault(one.row(), []).append(str(one.data()))
-        cells = list(lines.values())
-        data = QMimeData()
-        alone = len(chosen) == 1
-        data.setText(cells[0][0] if alone else spreadsheet.to_text(cells))
-        if not alone:
-            data.setHtml(spreadsheet.to_html(cells))
-        QApplication.clipboard().setMimeData(data)
+        if len(chosen) == 1:
+            QApplication.clipboard().setText(str(chosen[0].data()))
+        else:
+            clipboard.put(list(lines.values()))
 
     def cut(self) -> None:
         """Copies the selected cells and empties them."""
@@ -236,9 +233,7 @@ class TextsTable(QTableView):
 
     def paste(self) -> None:
         """Fills the cells from the current one on; one cell fills all that are selected."""
-        data = QApplication.clipboard().mimeData()
-        cells = spreadsheet.from_html(data.html()) if data.hasHtml() else []
-        cells = cells or spreadsheet.from_text(data.text())
+        cells = clipboard.cells()
         chosen = sorted(self.selectedIndexes(), key=lambda one: (one.row(), one.column()))
         if not cells or not chosen:
             return
@@ -251,16 +246,14 @@ class TextsTable(QTableView):
             for down, line in enumerate(cells)
             for across, text in enumerate(line)
         ]
-        outside = sum(not index.isValid() for index, _ in typed)
-        self._type([(index, text) for index, text in typed if index.isValid()])
-        if outside:
+        inside = [(index, text) for index, text in typed if index.isValid()]
+        last = inside[-1][0].row(), inside[-1][0].column()
+        self._type(inside)
+        if len(inside) < len(typed):
             told = self.tr("{0} cells had no room in the table and were left out.")
-            self.refused.emit(told.format(outside))
-        last = [index for index, _ in typed if index.isValid()][-1]
-        self.selectionModel().select(
-            self.selectionModel().selection(), QItemSelectionModel.SelectionFlag.Select
-        )
-        self.scrollTo(last)
+            self.refused.emit(told.format(len(typed) - len(inside)))
+        # What was typed may have made other rows.
+        self.scrollTo(self.texts.index(*last))
 
     def _type(self, cells: list[tuple[QModelIndex, str]]) -> None:
         """Types into cells, those before the texts left out, as one step."""

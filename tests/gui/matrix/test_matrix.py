@@ -256,6 +256,35 @@ def test_the_handle_in_the_corner_fills_the_cells_that_it_is_dragged_over(desk: 
     assert used.steps == ["Fill 3 priorities"]
 
 
+def test_the_handle_repeats_a_range_also_where_it_ends_in_its_midst(desk: Make) -> None:
+    used = desk()
+    row, column = used.at("called", "transfer")
+    used.click("called", "transfer")
+    used.type("3")
+    used.key(ENTER)
+    used.table.choose(Area(row - 1, column, 2, 1))
+    corner = used.table.visualRect(used.view.model.index(row, column)).bottomRight()
+    used.drag(used.table.viewport(), corner, used.point(row + 3, column))
+    rows = ("invited", "called", "sound", "accepted", "conversation")
+    assert [own(used.document, name).get("transfer") for name in rows] == [90, 3, 90, 3, 90]
+    assert used.steps[-1] == "Fill 5 priorities"
+
+
+def test_what_is_pasted_once_into_a_larger_range_is_what_is_told_and_selected(desk: Make) -> None:
+    used = desk()
+    clipboard().setText("1\t2\n3\t4\n")
+    row, column = used.at("invited", "nod")
+    used.table.choose(Area(row, column, 3, 2))
+    used.key(Qt.Key.Key_V, CONTROL)
+    assert used.steps == ["Paste 4 priorities"]
+    assert used.area() == Area(row, column, 2, 2)
+    # Where nothing was copied nothing happens.
+    clipboard().clear()
+    used.key(Qt.Key.Key_V, CONTROL)
+    assert used.said[-1] == "There is nothing to paste."
+    assert len(used.steps) == 1
+
+
 def test_a_range_travels_by_the_clipboard_as_text_and_as_a_table(desk: Make) -> None:
     used = desk()
     used.click("accepted", "converse")
