@@ -7,18 +7,12 @@ import { balance, fit, write } from "./fit.js";
 import { input } from "./input.js";
 import { measure } from "./measures.js";
 
-// Texts stay the same nodes while they say the same.
-function setText(node, { text, parts }) {
-  if (node.textContent !== text) write(node, parts);
-}
-
 function text() {
   const node = element("div", "text");
   const inner = element("span", "", node);
   return {
     node,
     update(component) {
-      setText(inner, component);
       node.style.color = colour(component.color);
       const size = component.size ?? measure("text-size");
       node.dataset.rank = size >= measure("title-from") ? "title" : size >= measure("body-from") ? "body" : "hint";
@@ -40,7 +34,6 @@ function button(say) {
     node,
     update(component) {
       shown = component;
-      setText(inner, component);
       node.style.color = colour(component.color);
       node.dataset.look = component.fill ? "given" : component.first ? "filled" : "outlined";
     },

@@ -51,8 +51,9 @@ export function write(inner, parts, parted = false) {
   inner.replaceChildren(...nodes);
 }
 
-// Sets the largest size up to `wanted` px at which `inner` lies inside `box`. Phrases stay whole
-// unless that makes them much smaller, words unless nothing else fits.
+// Writes a text into `inner`, in the largest size up to `wanted` px at which it lies inside `box`.
+// Phrases stay whole unless that makes them much smaller, words unless nothing else fits. What says
+// the same in the same room stays as it is.
 export function fit(box, inner, wanted, parts) {
   const { clientWidth, clientHeight, dataset } = box;
   if (clientWidth === 0) return;
@@ -84,7 +85,7 @@ function fitAnew(box, inner, wanted, parts) {
     return fits(low) ? low : 0;
   };
   inner.style.width = "";
-  if (box.dataset.parted) write(inner, parts);
+  if (box.dataset.parted || inner.textContent !== parts.flat().join("")) write(inner, parts);
   delete box.dataset.parted;
   delete box.dataset.cut;
   if (largest() >= wanted * measure("whole")) return;

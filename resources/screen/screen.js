@@ -3,7 +3,7 @@
 import { makers } from "./components.js";
 import { colour } from "./colours.js";
 import { element } from "./element.js";
-import { even, fit, fontsCame, unit, write } from "./fit.js";
+import { even, fit, fontsCame, unit } from "./fit.js";
 import { keyboard, ownKeys } from "./keys.js";
 import { connect } from "./link.js";
 
@@ -128,7 +128,7 @@ function showCaption(on, spoken) {
   const line = caption.firstElementChild;
   caption.classList.toggle("speaking", spoken !== null);
   if (spoken !== null) {
-    write(line, (said = spoken.parts));
+    said = spoken.parts;
     line.lang = spoken.lang;
   }
 }

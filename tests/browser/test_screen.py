@@ -369,6 +369,23 @@ def test_what_is_said_stands_at_the_bottom_where_there_is_no_sound(play: Any) ->
     play(scenario, services=("screen", "engine"), captions=True)
 
 
+def test_what_is_said_keeps_its_lines_while_the_screen_changes(play: Any) -> None:
+    async def scenario(stage: Any) -> None:
+        line = stage.page.locator("#caption > span")
+        await stage.page.evaluate("Promise.all([...document.fonts].map((face) => face.load()))")
+        # One phrase, which has to be parted.
+        stage.performer.perform(Map("speech", "m", {"text": "ア" * 200, "lang": "ja"}))
+        await expect(line).to_have_text("ア" * 200)
+        high = (await line.bounding_box())["height"]
+        assert await line.evaluate("one => one.scrollWidth <= one.clientWidth + 1")
+        stage.show(text("Meanwhile"))
+        await expect(stage.component("hello")).to_have_text("Meanwhile")
+        assert (await line.bounding_box())["height"] == high
+        assert await line.evaluate("one => one.scrollWidth <= one.clientWidth + 1")
+
+    play(scenario, services=("screen", "engine"), captions=True)
+
+
 def test_the_second_half_of_a_double_tap_does_not_answer_the_next_screen(play: Any) -> None:
     async def scenario(stage: Any) -> None:
         stage.show(text("Are these your initials?"), button())
