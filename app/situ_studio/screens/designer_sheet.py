@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QMimeData, QPointF, Qt, Signal
-from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent, QPainter, QPaintEvent
+from PySide6.QtCore import QMimeData, Qt, Signal
+from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent, QPainter
 
 from situ.document import rbd
 from situ_studio.screens import placing
@@ -44,7 +44,7 @@ class DesignerSheet(Sheet):
             super().dragMoveEvent(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        data, at = event.mimeData(), self._percent(event.position())
+        data, at = event.mimeData(), self.scale.percent(event.position())
         files, template = files_in(data), read(bytes(data.data(TEMPLATE).data()))
         if not data.hasFormat(TAG) and not files and template is None:
             super().dropEvent(event)
@@ -78,8 +78,8 @@ class DesignerSheet(Sheet):
     def _is_there(self, src: str) -> bool:
         return self._media is not None and (self._media / src).is_file()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
+    def paint_marks(self) -> None:
+        super().paint_marks()
         missing = self.missing()
         if not missing:
             return
@@ -95,9 +95,6 @@ class DesignerSheet(Sheet):
                 below = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
                 painter.drawText(area, int(below), said)
         painter.end()
-
-    def _percent(self, at: QPointF) -> tuple[float, float]:
-        return at.x() / self.width() * 100, at.y() / self.height() * 100
 
 
 def files_in(data: QMimeData) -> tuple[Path, ...]:

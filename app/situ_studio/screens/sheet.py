@@ -340,7 +340,7 @@ class Sheet(ScreenPreview):
         self._screen = self._proposed if self._proposed is not None else kept
         try:
             super().paintEvent(event)
-            self._paint_marks()
+            self.paint_marks()
         finally:
             self._screen, self._kept = kept, None
 
@@ -356,7 +356,8 @@ class Sheet(ScreenPreview):
             self._resting = Resting(shown, count, proposal.boxes, self._media, self._device)
         self._resting.paint(painter, rect, content(screen, self._above, self._values))
 
-    def _paint_marks(self) -> None:
+    def paint_marks(self) -> None:
+        """Paints what stands on the screen that is seen, with what is proposed."""
         # The robot's screen is light in both themes, and so is what stands on it.
         painter, theme, scale = QPainter(self), LIGHT, self.scale
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
