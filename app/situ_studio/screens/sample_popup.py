@@ -44,11 +44,13 @@ class SamplePopup(QFrame):
         self.setProperty("role", "popup")
         self.setAccessibleName(self.tr("Sample values"))
         self.setFixedWidth(WIDE)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 8, 12, 12)
         column.setSpacing(8)
         self.use: QCheckBox = Flag(theme, self.tr("Fill texts with sample values"), self)
         self.use.setToolTip(self.tr("Else texts are shown as they are written"))
+        self.use.toggled.connect(self._enable)
         self.use.toggled.connect(self.shown)
         column.addWidget(self.use)
         self._grid = QGridLayout()
@@ -101,13 +103,13 @@ class SamplePopup(QFrame):
             self._grid.addWidget(label, row, 0)
             self._grid.addWidget(field, row, 1)
             self.fields[name] = field
-        self.enable(used)
+        self._enable(used)
         if not names:
             none = QLabel(self.tr("No text of this screen refers to a value."))
             none.setProperty("role", "dim")
             self._grid.addWidget(none, 0, 0, 1, 2)
 
-    def enable(self, used: bool) -> None:
+    def _enable(self, used: bool) -> None:
         """Values can be picked while texts are filled in."""
         for field in (*self.fields.values(), *self.tables.values()):
             field.setEnabled(used)

@@ -47,7 +47,6 @@ class Sampling(QObject):
         self._tags: tuple[Project | None, tuple[str, ...]] = (None, ())
         self._read: dict[int, tuple[Any, frozenset[str]]] = {}
         """The states that were read, kept so that no other has their id, and the tags of each."""
-        self.popup: SamplePopup | None = None
         bar.samples_asked.connect(self.open)
 
     def set_theme(self, theme: Theme) -> None:
@@ -57,10 +56,11 @@ class Sampling(QObject):
         """What this screen is shown with; None where texts stay as they are written."""
         self._names = samples.wanted(screen, above)
         self._columns = samples.columns(screen, above)
-        self._tell()
+        values = self._values()
+        self._tell(values)
         if not self._used:
             return None
-        return Values(samples.filled(self._values(), screen, above), self._texts())
+        return Values(samples.filled(values, screen, above), self._texts())
 
     def known(self) -> Values:
         """All values that are known or picked, whatever this screen shows."""
@@ -98,7 +98,6 @@ class Sampling(QObject):
         languages = (LANGUAGE,) if LANGUAGE in known else ()
         names = tuple(dict.fromkeys((*self._names, *languages)))
         popup.show_values(self._used, names, known, self._values(), self._columns)
-        self.popup = popup
         popup.open_below(self._bar.samples)
 
     def _all(self) -> dict[str, tuple[Any, ...]]:
@@ -117,8 +116,7 @@ class Sampling(QObject):
     def _values(self) -> dict[str, Any]:
         return samples.chosen(self._all(), self._picked)
 
-    def _tell(self) -> None:
-        values = self._values()
+    def _tell(self, values: dict[str, Any]) -> None:
         said = [
             f"{name} = {self._said(value)}"
             for name in self._names
@@ -140,6 +138,4 @@ class Sampling(QObject):
 
     def _on_used(self, used: bool) -> None:
         self._used = used
-        if self.popup is not None:
-            self.popup.enable(used)
         self.changed.emit()

@@ -28,6 +28,7 @@ from situ_studio.screens.designer import Designer
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.own_device import OwnDevice
 from situ_studio.screens.own_templates import OwnTemplates
+from situ_studio.screens.sample_popup import SamplePopup
 from situ_studio.screens.shown import content
 from situ_studio.screens.tag_chips import dragged
 from situ_studio.screens.template_tiles import dragged as dragged_template
@@ -95,6 +96,12 @@ class Desk:
         QTest.mouseClick(widget, LEFT, pos=at if at is not None else widget.rect().center())
         self.settle()
 
+    def ask_for_samples(self) -> Any:
+        """The only popup that there is."""
+        self.click(self.bar.samples)
+        (popup,) = self.bar.findChildren(SamplePopup)
+        return popup
+
     def choose(self, combo: Any, text: str) -> None:
         """By the arrow keys."""
         combo.setFocus()
@@ -143,9 +150,7 @@ def test_texts_are_filled_with_sample_values_that_a_person_chooses(desk: Desk) -
     desk.go_to("10")
     before, filled = desk.document, desk.sheet.grab().toImage()
     assert "user.name = Jack Nilsen" in desk.bar.samples.accessibleName()
-    desk.click(desk.bar.samples)
-    popup = desk.designer.sampling.popup
-    assert popup is not None
+    popup = desk.ask_for_samples()
     line = popup.fields["user.name"].lineEdit()
     assert line is not None
     QTest.mouseClick(line, LEFT)
@@ -166,8 +171,7 @@ def test_texts_are_filled_with_sample_values_that_a_person_chooses(desk: Desk) -
 def test_a_screen_is_looked_at_in_the_language_that_is_picked(desk: Desk) -> None:
     desk.go_to("2")
     written = {one.text for one in desk.components("2") if hasattr(one, "text")}
-    desk.click(desk.bar.samples)
-    popup: Any = desk.designer.sampling.popup
+    popup = desk.ask_for_samples()
     desk.choose(popup.fields["language"], "ja")
     popup.close()
     screen: Any = desk.designer.shown.screen
@@ -187,8 +191,7 @@ def test_a_screen_is_looked_at_in_the_language_that_is_picked(desk: Desk) -> Non
 def test_the_entries_of_a_list_are_typed_into_a_table(desk: Desk) -> None:
     desk.go_to("8")
     before = desk.sheet.grab().toImage()
-    desk.click(desk.bar.samples)
-    popup: Any = desk.designer.sampling.popup
+    popup = desk.ask_for_samples()
     table = popup.tables["patients"]
     heads = [table.horizontalHeaderItem(at).text() for at in range(table.columnCount())]
     assert "name" in heads
@@ -213,11 +216,12 @@ def test_a_scenario_that_is_saved_meanwhile_gives_its_values(desk: Desk) -> None
     line = '{"at":1,"set":{"user":{"name":"Aroha"}}}\n'
     (desk.root / "scenarios" / "zz.jsonl").write_text(line, encoding="utf-8")
     desk.go_to("10")
-    desk.click(desk.bar.samples)
-    popup: Any = desk.designer.sampling.popup
+    popup = desk.ask_for_samples()
     field = popup.fields["user.name"]
     assert "Aroha" in [field.itemText(at) for at in range(field.count())]
     popup.close()
+    # The one that is closed is gone.
+    desk.ask_for_samples().close()
 
 
 def test_what_is_in_every_state_can_be_hidden_while_one_designs(desk: Desk) -> None:
@@ -411,3 +415,35 @@ def test_the_screen_lies_in_its_frame_however_large_the_window_is(desk: Desk) ->
         assert area.width() / area.height() == pytest.approx(1.6, abs=0.01)
         # Under the names above it.
         assert area.top() > desk.designer.crumbs.height()
+
+
+def test_that_a_picture_is_missing_stands_on_it_while_it_is_dragged_too(desk: Desk) -> None:
+    desk.go_to("2")
+    at = ("state", "2", "screen", "robot")
+    desk.designer.edited.emit(places.change(desk.document, at, src="gone.png"), "")
+    box = desk.sheet.own()["robot"]
+    ink: Any = LIGHT.color("error")
+
+    def told(y: float) -> int:
+        """How much is written in red between there and 8 % above."""
+        image: Any = desk.sheet.grab().toImage()
+        first, last = desk.at(box.x, y - 8), desk.at(box.right, y)
+        seen = (
+            image.pixelColor(x, y)
+            for x in range(first.x() + 10, last.x() - 10)
+            for y in range(first.y(), last.y() - 2)
+        )
+        pairs = (zip(one.getRgb(), ink.getRgb(), strict=True) for one in seen)
+        return sum(all(abs(a - b) < 24 for a, b in pair) for pair in pairs)
+
+    assert told(box.bottom)
+    middle = desk.at(box.x + box.width / 2, box.y + box.height / 2)
+    QTest.mousePress(desk.sheet, LEFT, pos=middle)
+    for far in (10, 20):
+        QTest.mouseMove(desk.sheet, middle + desk.at(0, far))
+    proposal = desk.sheet.proposal
+    assert proposal is not None
+    assert told(proposal.boxes["robot"].bottom)
+    assert not told(box.bottom)
+    QTest.keyClick(desk.sheet, Qt.Key.Key_Escape)
+    QTest.mouseRelease(desk.sheet, LEFT, pos=middle)
