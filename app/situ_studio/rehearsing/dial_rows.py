@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
 
 from situ.decide.values import in_text
@@ -60,10 +60,14 @@ class DialRow(QWidget):
             self.choice.setAccessibleName(dial.tag)
             self.choice.addItems(list(dial.values))
             self.choice.setCurrentText("")
-            self.choice.textActivated.connect(self._on_chosen)
             edit = self.choice.lineEdit()
             assert edit is not None
-            edit.returnPressed.connect(lambda: self._on_chosen(edit.text()))
+            # Of one Return Qt tells up to three times, by both of these.
+            soon = QTimer(self)
+            soon.setSingleShot(True)
+            soon.timeout.connect(lambda: self._on_chosen(edit.text()))
+            self.choice.activated.connect(lambda _: soon.start())
+            edit.returnPressed.connect(soon.start)
             line.addWidget(self.choice, 1)
         self.show_value(None)
 

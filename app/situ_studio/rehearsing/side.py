@@ -34,6 +34,7 @@ class RehearsingSide(QObject):
         self.clock = clock
         self.running: Running | None = None
         self._away = False
+        """Whether the desk has taken the inspector's place."""
         self.desk = Desk(window.theme)
         self.desk.again_asked.connect(self.start_again)
         self.desk.clock.save_asked.connect(self.save)
@@ -67,6 +68,7 @@ class RehearsingSide(QObject):
         running.begun.connect(self._show_course)
         self.desk.show_running(running)
         self._show_course()
+        self._away = not window.docks[AWAY].isHidden()
         window.docks[AWAY].hide()
         self._dock.show()
         window.resizeDocks([self._dock], [WIDE], Qt.Orientation.Horizontal)
@@ -87,7 +89,8 @@ class RehearsingSide(QObject):
         self.desk.leave()
         running.deleteLater()
         self._dock.hide()
-        self._window.docks[AWAY].show()
+        if self._away:
+            self._window.docks[AWAY].show()
         follower = self._window.robot.follower
         if follower.viewing.log is running.course.log:
             follower.show_link()

@@ -95,6 +95,18 @@ def test_one_key_rehearses_and_a_click_on_the_screen_goes_on(desk: Any) -> None:
     assert used.window.docks["inspector"].isVisible()
 
 
+def test_an_inspector_that_was_closed_stays_closed_after_a_rehearsal(
+    studio: Callable[..., Any], project: Callable[[str], Path]
+) -> None:
+    made = studio(project("conversation"))
+    made.window.docks["inspector"].hide()
+    used = Desk(made)
+    assert used.desk.isVisible()
+    made.key(Qt.Key.Key_F5, SHIFT)
+    assert not used.desk.isVisible()
+    assert not made.window.docks["inspector"].isVisible()
+
+
 def test_data_is_turned_by_switch_and_slider(desk: Any) -> None:
     used = desk("conversation")
     course = used.side.running.course
@@ -112,6 +124,20 @@ def test_data_is_turned_by_switch_and_slider(desk: Any) -> None:
     used.studio.fill(used.desk.other, "weather.tomorrow = 3")
     assert course.look("weather.tomorrow") == 3
     assert used.desk.other.text() == ""
+
+
+def test_a_word_that_is_typed_is_written_once(desk: Any) -> None:
+    used = desk("conversation")
+    course, row = used.side.running.course, used.desk.dials["transfer.phase"]
+    row.choice.addItem("guiding")
+    used.desk.ensureWidgetVisible(row)
+    # Typed whole, it is both chosen and typed; what is not among the entries is only typed.
+    for word in ("guiding", "waiting"):
+        used.studio.fill(row.choice.lineEdit(), word)
+        assert course.look("transfer.phase") == word
+    assert [one.does for one in course.done] == [
+        inputs.Set({"transfer.phase": word}, "scenario") for word in ("guiding", "waiting")
+    ]
 
 
 def test_modules_ask_give_back_and_are_lost(desk: Any) -> None:
