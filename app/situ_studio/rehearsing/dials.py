@@ -5,13 +5,15 @@ No Qt. A dial says what kind of value a tag has, and between which bounds it is 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any, Literal
 
 from msgspec import Struct
 
+from situ.decide.values import in_text
 from situ.document import rbd
-from situ.document.condition import Group, Test
+from situ.document.analysis_data import actions, events, screens, tested
+from situ.document.condition import Condition, Test
 from situ.document.names import is_reserved, is_tag
 from situ.document.project import Project
 from situ.document.values import is_number, read
@@ -68,7 +70,7 @@ def _dial(tag: str, kind: str | None, unit: str | None, tests: list[Test]) -> Di
     if kind == "number" or (kind is None and numbers):
         low, high = _BOUNDS.get(unit or "", _around(numbers))
         return Dial(tag, "number", unit or "", min(low, *numbers, low), max(high, *numbers, high))
-    return Dial(tag, "other", unit or "", values=tuple(dict.fromkeys(map(_text, values))))
+    return Dial(tag, "other", unit or "", values=tuple(dict.fromkeys(map(in_text, values))))
 
 
 def _around(numbers: list[float]) -> tuple[float, float]:
@@ -79,46 +81,28 @@ def _around(numbers: list[float]) -> tuple[float, float]:
     return (2 * least, 2 * most) if (least, most) != (0.0, 0.0) else (-1.0, 1.0)
 
 
-def _text(value: Any) -> str:
-    return value if isinstance(value, str) else str(value)
-
-
 def _tests(project: Project) -> Iterator[Test]:
+    conditions: list[Condition | None] = []
     if project.spds is not None:
         for situation in project.spds.situations:
-            for condition in (situation.condition, situation.until):
-                if condition is not None:
-                    yield from _inside(condition.children)
+            conditions += (situation.condition, situation.until)
     for application in project.flows.values():
-        always = application.always.events if application.always is not None else ()
-        for event in (*always, *(e for state in application.states for e in state.events)):
-            if event.when is not None:
-                yield from _inside(event.when.children)
-
-
-def _inside(children: Iterable[Test | Group]) -> Iterator[Test]:
-    for child in children:
-        if isinstance(child, Group):
-            yield from _inside(child.children)
-        else:
-            yield child
+        conditions += (event.when for event, _ in events(application))
+    for condition in conditions:
+        if condition is not None:
+            yield from (test for test, _ in tested(condition, ()))
 
 
 def _written(project: Project) -> set[str]:
     """The tags that applications set themselves."""
     found: set[str] = set()
     for application in project.flows.values():
-        for state in application.states:
-            actions: list[rbd.Action] = list(state.actions)
-            for event in state.events:
-                actions += event.actions
-            for action in actions:
-                if isinstance(action, rbd.Set | rbd.Add | rbd.Append | rbd.Take):
-                    found.add(action.tag)
-                elif isinstance(action, rbd.Service):
-                    found.update(result.tag for result in action.results)
-            for part in state.screen.components if state.screen is not None else ():
-                tag = getattr(part, "tag", None)
-                if tag is not None:
-                    found.add(tag)
+        for action in actions(application):
+            if isinstance(action, rbd.Set | rbd.Add | rbd.Append | rbd.Take):
+                found.add(action.tag)
+            elif isinstance(action, rbd.Service):
+                found.update(result.tag for result in action.results)
+        for screen, _ in screens(application):
+            tags = (getattr(component, "tag", None) for component in screen.components)
+            found.update(tag for tag in tags if tag is not None)
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -97,6 +98,27 @@ def test_dials_are_what_the_script_observes_and_modules_bring() -> None:
     distance = next(one for one in dials(ready("reception")) if one.tag == "human.distance")
     assert (distance.kind, distance.unit) == ("number", "m")
     assert distance.low <= 0 < 1.5 < distance.high
+
+
+def test_what_applications_set_themselves_is_no_dial_and_others_are_chosen_as_they_are_written(
+    tmp_path: Path,
+) -> None:
+    root = tmp_path / "conversation"
+    shutil.copytree(examples()["conversation"], root)
+    file = root / "converse.rbd.xml"
+    text = file.read_text()
+    event = """<event name="notunderstood">
+        <when>
+          <all>
+            <any><data tag="door" is="true" /><data tag="door" is="ajar" /></any>
+            <data tag="asked" exists="true" />
+          </all>
+        </when>
+        <set tag="asked">1</set>"""
+    file.write_text(text.replace('<event name="notunderstood">', event, 1))
+    found = {one.tag: one for one in dials(load_ready(root))}
+    assert found["door"].values == ("true", "ajar")
+    assert "asked" not in found
 
 
 @pytest.mark.parametrize("name", sorted(examples()))
