@@ -12,13 +12,12 @@ from PySide6.QtCore import QObject, QRectF, Qt
 from PySide6.QtPrintSupport import QPrinter
 from PySide6.QtWidgets import QApplication
 
-from situ.document import codec
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import UsageError
 from situ_studio import picture, printing
 from situ_studio.export_dialog import What
-from situ_studio.large_export import LargeExport
+from situ_studio.large_export import Drawing, LargeExport
 from situ_studio.panels.project_tree import stem
 from situ_studio.working import Work
 
@@ -56,8 +55,9 @@ class ExportingSide(QObject):
         if name is None:
             return
         picture.format_of(name)
-        if _cards(window.current_document) > MOST_CARDS:
-            self._export_large(file, name)
+        document = window.current_document
+        if document is not None and _cards(document) > MOST_CARDS:
+            self._export_large(Drawing(document, name, stem(file)))
             return
         with self._drawn() as whole:
             areas = self._areas(whole)
@@ -72,15 +72,12 @@ class ExportingSide(QObject):
         self._folder = Path(name).parent
         window.say(self.tr("{0} is written.").format(name))
 
-    def _export_large(self, file: str, name: str) -> None:
+    def _export_large(self, drawing: Drawing) -> None:
         """The whole drawing, by another process; the window stays in use."""
-        session = self._window.session
-        every = {one: session.document(one) for one in session.files}
-        files = {one: codec.write(document) for one, document in every.items() if document}
         self._end_work()
-        words = self.tr("Drawing {0}").format(Path(name).name)
+        words = self.tr("Drawing {0}").format(Path(drawing.out).name)
         self._work = self._window.status.work.begin(words, self._give_up)
-        self._large.start(files, file, name)
+        self._large.start(drawing)
 
     def _give_up(self) -> None:
         # The work ends itself.

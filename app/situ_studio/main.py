@@ -264,11 +264,7 @@ def draw_picture(project: str | None, out: str, name: str | None) -> int:
     if name not in drawn:
         known = ", ".join(drawn) or "none"
         raise UsageError(f"no graph {name!r}; there are: {known}")
-    paper = picture.paper(drawn[name])
-    try:
-        picture.write(paper, out, name)
-    finally:
-        paper.close()
+    picture.draw(drawn[name], out, name)
     return 0
 
 

@@ -57,6 +57,15 @@ def paper(
     return made
 
 
+def draw(document: Document, path: str | Path, title: str) -> None:
+    """Writes the whole graph of the document; raises as ``paper`` and ``write`` do."""
+    drawn = paper(document)
+    try:
+        write(drawn, path, title)
+    finally:
+        drawn.close()
+
+
 def format_of(path: str | Path) -> str:
     """``svg``, ``pdf`` or ``png``, by the name's ending; UsageError where it is another."""
     found = Path(path).suffix.lower().removeprefix(".")

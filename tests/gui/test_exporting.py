@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import itertools
+import sys
 from collections.abc import Callable
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QImage, QPageLayout
@@ -24,6 +25,7 @@ from situ.resources import example
 from situ_studio import exporting, picture, printing
 from situ_studio.dialogs import Dialogs
 from situ_studio.export_dialog import ExportDialog
+from situ_studio.large_export import Drawing, LargeExport
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]
@@ -146,6 +148,28 @@ def test_a_large_drawing_is_drawn_by_another_process_and_can_be_cancelled(
     assert sizes[0] == sizes[1]
 
 
+@pytest.mark.parametrize(
+    ("program", "why"),
+    [
+        ("import sys; sys.exit(3)", "its process ended early"),
+        ("import sys; sys.exit('one line\\nthe last line')", "the last line"),
+    ],
+)
+def test_of_a_process_that_ends_it_is_told_why_each_time(
+    qt: QApplication, tmp_path: Path, program: str, why: str
+) -> None:
+    project, _ = folder.load(example("reception"))
+    assert project is not None
+    document = next(iter(project.applications.values()))
+    large = LargeExport(qt, command=(sys.executable, "-c", program))
+    refused = QSignalSpy(large.refused)
+    for count in (1, 2):
+        large.start(Drawing(document, str(tmp_path / "a.svg"), "a"))
+        assert refused.count() == count or refused.wait(PATIENCE)
+        assert refused.at(count - 1) == [f"{tmp_path / 'a.svg'} can not be drawn: {why}"]
+    large.deleteLater()
+
+
 def test_a_document_without_a_graph_is_neither_exported_nor_printed(
     studio: Start, project: Copy
 ) -> None:
@@ -203,6 +227,7 @@ def test_ctrl_p_prints_the_drawing_in_lines(studio: Start, project: Copy, tmp_pa
     assert used.answers.told == []
 
 
+@settings(deadline=None)
 @given(
     st.floats(-5000, 5000),
     st.floats(50, 20000),
