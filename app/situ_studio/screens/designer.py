@@ -6,7 +6,7 @@ it, ``side``, the window shows in a panel of its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -82,6 +82,10 @@ class Designer(QWidget):
         self.sampling = Sampling(self.bar, theme, project, self)
         self.crumbs = _BareCrumbs(theme, self.ground)
         self.crumbs.setAccessibleName(self.tr("Where you are"))
+        over = QVBoxLayout(self.ground)
+        over.setContentsMargins(0, 0, 0, 0)
+        over.addWidget(self.crumbs)
+        over.addStretch(1)
         self.preview: PreviewWindow | None = None
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -159,7 +163,6 @@ class Designer(QWidget):
         here = words.state_words(application, place[1]) if len(place) > 1 else ""
         here = here or self.tr("In every state")
         self.crumbs.show_way((application.name, here, self.tr("Screen")))
-        self.crumbs.setGeometry(0, 0, self.ground.width(), self.crumbs.height())
         self.strip.show_state(application, place)
         chosen = self.sheet.selected
         if selected[:1] == ((*place, "screen"),):
@@ -289,27 +292,21 @@ class Designer(QWidget):
     def write_tag(self, tag: str) -> None:
         """Puts a reference at the end of the selected text, or makes a text of it."""
         chosen = self.sheet.selected
-        self._write_tag(tag, chosen[0] if len(chosen) == 1 else None, 50, 50)
+        self._write_tag(tag, chosen if len(chosen) == 1 else (), 50, 50)
 
     def _on_tag_dropped(self, tag: str, x: float, y: float) -> None:
-        boxes = self.sheet.own()
-        under = [
-            id
-            for id, b in reversed(boxes.items())
-            if b.x <= x <= b.right and b.y <= y <= b.bottom and self._takes_text(id)
-        ]
-        self._write_tag(tag, under[0] if under else None, x, y)
+        self._write_tag(tag, self.sheet.under(self.sheet.scale.point(x, y)), x, y)
 
-    def _takes_text(self, id: str) -> bool:
-        return isinstance(self.sheet.component(id), rbd.Text | rbd.Button)
-
-    def _write_tag(self, tag: str, id: str | None, x: float, y: float) -> None:
+    def _write_tag(self, tag: str, ids: Sequence[str], x: float, y: float) -> None:
+        """Into the first of these that has a text, else as a new text there."""
         if self.shown.application is None:
             return
-        component = self.sheet.component(id) if id is not None else None
-        if id is None or not isinstance(component, rbd.Text | rbd.Button):
+        every = (self.sheet.component(id) for id in ids)
+        component = next((one for one in every if isinstance(one, rbd.Text | rbd.Button)), None)
+        if component is None:
             self.shown.add("text", x, y, text=f"{{{tag}}}")
             return
+        id = component.id
         gap = "" if not component.text or component.text[-1].isspace() else " "
         place = (*self.shown.place, "screen", id)
         after = places.change(self.shown.application, place, text=f"{component.text}{gap}{{{tag}}}")

@@ -29,8 +29,6 @@ class DeviceGround(QWidget):
 
     pressed = Signal()
     """The ground beside the device was clicked."""
-    zoomed = Signal(float)
-    """The sheet is of another size: px of the window for one of the device."""
 
     def __init__(self, theme: Theme, sheet: Sheet, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -78,7 +76,6 @@ class DeviceGround(QWidget):
         self._zoom.setText(self.tr("{0} %").format(round(self.zoom * 100)))
         self._zoom.adjustSize()
         self._zoom.move(self.width() - self._zoom.width() - 12, self.height() - 20)
-        self.zoomed.emit(self.zoom)
         self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -415,6 +415,7 @@ def test_the_screen_lies_in_its_frame_however_large_the_window_is(desk: Desk) ->
         assert area.width() / area.height() == pytest.approx(1.6, abs=0.01)
         # Under the names above it.
         assert area.top() > desk.designer.crumbs.height()
+        assert desk.designer.crumbs.width() == desk.designer.ground.width()
 
 
 def test_that_a_picture_is_missing_stands_on_it_while_it_is_dragged_too(desk: Desk) -> None:
