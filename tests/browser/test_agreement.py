@@ -61,6 +61,7 @@ WORDS = rbd.Screen(
         rbd.Text(
             **at(50, 45, 45, 10, "filled", fill="#ffeeaa", align="center"), text="With a fill"
         ),
+        rbd.Text(**at(5, 53, 20, 7, "below", size=2.5), text="{nobody}\nBelow"),
         rbd.Text(**at(70, 3, 28, 16, "long"), text="W" * 300),
         rbd.Text(**at(55, 80, 20, 14, "empty"), text=""),
         rbd.Button(**at(5, 60, 28, 15, "yes"), text="YES", event="e"),

@@ -19,6 +19,7 @@ def lines(text: str) -> list[str]:
     [
         ("Hello  you\nthere", ["Hello", "you", "there"]),
         ("10\u00a0mg now", ["10\u00a0mg", "now"]),
+        ("10 \u00a0 mg", ["10", "\u00a0", "mg"]),
         ("well-known and/or e-mail", ["well-", "known", "and/", "or", "e-mail"]),
         ("12-30 -x", ["12-30", "-x"]),
         ("庭でお茶を飲みましょう。", ["庭|で", "お|茶|を", "飲|み|ま|しょ|う。"]),

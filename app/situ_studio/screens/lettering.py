@@ -260,11 +260,13 @@ def _natural(paragraphs: tuple[_Paragraph, ...]) -> float:
 @lru_cache(maxsize=2048)
 def _paragraphs(text: str, style: Style) -> tuple[_Paragraph, ...]:
     found: list[list[phrases.Part]] = [[]]
-    for part in phrases.parts(text.strip()):
+    for part in phrases.parts(text):
         if isinstance(part, str) and "\n" in part:
             found += [[] for _ in range(part.count("\n"))]
         else:
             found[-1].append(part)
+    if len(found) > 1 and not found[-1]:
+        found.pop()  # what ends a text begins no line
     return tuple(_Paragraph(one, style) for one in found)
 
 

@@ -43,7 +43,7 @@ def parts(text: str) -> tuple[Part, ...]:
     """The text in parts, which together are the text: between two of them a line may end."""
     found: list[Part] = []
     for piece in _SPACE.split(text):
-        if piece.isspace():
+        if _SPACE.fullmatch(piece):
             found.append(piece)
         elif piece:
             found += _phrases(piece)

@@ -54,6 +54,23 @@ def test_lines_end_where_the_text_itself_says(qt: QApplication) -> None:
     assert texts("One\ntwo  three\n\nfour", 700, 400)[1] == ["One", "two three", "", "four"]
 
 
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("\n \nOne", ["", "", "One"]),
+        (" One\n", ["One"]),
+        ("One\n\n", ["One", ""]),
+        ("\n", [""]),
+        ("", [""]),
+    ],
+)
+def test_what_begins_with_an_empty_line_shows_it_and_what_ends_with_one_does_not(
+    qt: QApplication, text: str, lines: list[str]
+) -> None:
+    # As CSS has it: what a reference without a value leaves.
+    assert texts(text, 700, 400)[1] == lines
+
+
 def test_japanese_goes_on_after_a_phrase(qt: QApplication) -> None:
     assert texts("庭でお茶を飲みましょう", 300, 400)[1] == ["庭でお茶を", "飲みましょう"]
 
