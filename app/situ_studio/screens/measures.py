@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from PySide6.QtGui import QColor
 
+from situ.document.colours import luminance
 from situ.resources import resource
 from situ_studio.screens.css_colours import css_colour
 
@@ -44,8 +45,4 @@ def is_light(colour: QColor | None) -> bool:
     """Whether dark letters are easier to read on this than white ones (colours.js)."""
     if colour is None or colour.alphaF() < 0.5:
         return True
-    red, green, blue = (
-        share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4
-        for share in (colour.redF(), colour.greenF(), colour.blueF())
-    )
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue > measures()["light"]
+    return luminance((colour.red(), colour.green(), colour.blue())) > measures()["light"]
