@@ -11,6 +11,8 @@ from situ_studio.panels.table import Row
 
 KEPT = 1_000
 """Rows that are kept while others are read: more than a screen has."""
+GONE = Row("", ("", "", "", ""))
+"""Stands where the log has no event any more, until the table is told."""
 
 
 class LogRows(Sequence[Row]):
@@ -59,7 +61,10 @@ class LogRows(Sequence[Row]):
         number = place + self._gone
         row = self._kept.get(number)
         if row is None:
+            at = number - self._log.gone
+            if at < 0 or self._lanes is not self._log.lanes:
+                return GONE
             if len(self._kept) >= KEPT:
                 self._kept.clear()
-            row = self._kept[number] = self._row(self._log[place])
+            row = self._kept[number] = self._row(self._log[at])
         return row

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex
 from PySide6.QtGui import QKeyEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
@@ -86,8 +86,11 @@ class Trace(RowsTable):
             self.setCurrentIndex(self.rows.index(viewing.log.count(viewing.t) - 1, 0))
 
     def _seek(self, index: QModelIndex) -> None:
-        if self._viewing is not None:
-            self._viewing.seek(self._viewing.log.time(index.row()))
+        # The log may have forgotten some of the first since these rows were told.
+        chosen = QPersistentModelIndex(index)
+        self.go_on()
+        if self._viewing is not None and chosen.isValid():
+            self._viewing.seek(self._viewing.log.time(chosen.row()))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         super().wheelEvent(event)

@@ -21,8 +21,10 @@ from situ.rehearse.scenario import End
 from situ.rehearse.simulate import Rehearsal
 from situ.resources import examples
 from situ_studio.live.log import TraceLog
+from situ_studio.live.log_rows import LogRows
 from situ_studio.live.moment import Moment, Taken
 from situ_studio.live.views import exit_of, live_script, live_view
+from situ_studio.panels.table import Row
 
 SCENARIOS = [
     (name, path.name)
@@ -249,3 +251,24 @@ def test_what_stood_there_counts_in_the_past_from_its_time_on() -> None:
     assert "late" not in log.now.board
     assert "late" not in log.at(6.0).board
     assert "late" in log.at(5.0).board
+
+
+def test_a_row_that_is_read_before_the_table_is_told_is_never_another_events() -> None:
+    def told(first: int, last: int) -> list[dict[str, Any]]:
+        same = {"kind": "data", "tag": "a.b", "writer": "w", "value": 1}
+        return [{**same, "seq": seq, "t": float(seq)} for seq in range(first, last + 1)]
+
+    log = TraceLog(limit=4, block=2)
+    log.add(told(1, 6))
+    rows = LogRows(log, lambda event: Row(str(event["seq"]), ("", "", "", "")))
+    log.add(told(7, 8))
+    assert rows.news() == (2, 2)
+    assert [row.key for row in rows] == ["", "", "3", "4", "5", "6"]
+    rows.drop(2)
+    rows.take(2)
+    assert [row.key for row in rows[2:]] == ["5", "6", "7", "8"]
+    # The robot began anew: its log is empty before anybody is told.
+    rows = LogRows(log, lambda event: Row(str(event["seq"]), ("", "", "", "")))
+    log.clear()
+    assert [row.key for row in rows] == [""] * len(rows)
+    assert rows.news() is None
