@@ -134,6 +134,16 @@ def test_two_people_who_translate_different_texts_are_joined() -> None:
     assert join_texts(base, mine, _of(Translation("a", "o"), Translation("b", "y"))) is None
 
 
+def test_a_word_that_is_a_text_too_is_joined_apart_from_it() -> None:
+    base = catalogue.with_readings(_of(Translation("Dr.", "医師")), {"Dr.": "Doctor"})
+    mine = catalogue.with_readings(base, {"Dr.": "Doktor"})
+    theirs = catalogue.with_entries(base, {"b": Translation("b", "y")})
+    both = join_texts(base, mine, theirs)
+    assert both is not None
+    assert both.used == {"Dr.": "医師", "b": "y"}
+    assert both.readings == {"Dr.": "Doktor"}
+
+
 def test_a_project_is_what_its_files_say_it_is(tmp_path: Path) -> None:
     root = example("reception")
     project, _ = folder.load(root)
@@ -174,6 +184,17 @@ def test_readings_translate_nothing_and_stay() -> None:
     assert texts.read(data, "ja.po") == ({"Dr.": "医師"}, [])
     assert texts.readings(data, "ja.po") == found.readings
     assert catalogue.with_readings(found, {}) == value
+
+
+def test_readings_that_are_not_in_use_are_kept_until_somebody_says_them() -> None:
+    unsure = Translation("St.", "Street", flags=("fuzzy",), context="reading")
+    retired = Translation("Mt.", "Mount", obsolete=True, context="reading")
+    found = catalogue.with_readings(_of(unsure, retired), {"Dr.": "Doctor"})
+    assert {unsure, retired} < set(found.translations)
+    assert found.readings == {"Dr.": "Doctor"}
+    said = catalogue.with_readings(found, {"St.": "Saint"})
+    assert [e.said for e in said.translations if e.text == "St."] == ["Saint"]
+    assert said.readings == {"St.": "Saint"}
 
 
 def test_situ_texts_leaves_readings_as_they_are() -> None:

@@ -44,6 +44,11 @@ class Translation(Struct, frozen=True):
     plurals: tuple[tuple[int, str], ...] = ()
 
     @property
+    def key(self) -> tuple[str, str | None]:
+        """By what it is the same entry in another version of the file."""
+        return self.text, self.context
+
+    @property
     def is_unsure(self) -> bool:
         """Whether somebody has to look at it first (``fuzzy``)."""
         return FUZZY in self.flags
@@ -169,13 +174,17 @@ def with_entries(
 
 
 def with_readings(catalogue: Catalogue, words: Mapping[str, str]) -> Catalogue:
-    """The catalogue with these readings, in their order, in place of those that it has."""
+    """The catalogue with these readings, in their order, in place of those that are in use."""
     old = {e.text: e for e in catalogue.translations if e.context == READING}
     made = [
         translated(old.get(word) or Translation(word, context=READING), said)
         for word, said in words.items()
     ]
-    rest = [e for e in catalogue.translations if e.context != READING]
+    rest = [
+        e
+        for e in catalogue.translations
+        if e.context != READING or not (e.is_used or e.text in words)
+    ]
     end = next((at for at, e in enumerate(rest) if e.obsolete), len(rest))
     return replace(catalogue, translations=(*rest[:end], *made, *rest[end:]))
 

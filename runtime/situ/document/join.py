@@ -23,7 +23,7 @@ _KEYS = {
     "observe": "tag",
     "modules": "name",
     "params": "name",
-    "translations": "text",
+    "translations": "key",
 }
 """By what the members of a list are the same ones, where it is theirs alone."""
 _SPOTS = {f"{{{EDITOR}}}x", f"{{{EDITOR}}}y"}
