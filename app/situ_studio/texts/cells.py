@@ -62,7 +62,8 @@ class TextDelegate(QStyledItemDelegate):
         self.theme, self._tags, self._went = theme, tags, went
         self.hovered: tuple[int, int] | None = None
         self._metrics = QFontMetrics(font(13))
-        self._lines: dict[tuple[str, int], int] = {}
+        self._wide: dict[str, list[int]] = {}
+        """By text, px of each of its lines where none is broken."""
 
     # -- painting ----------------------------------------------------------------
 
@@ -75,10 +76,11 @@ class TextDelegate(QStyledItemDelegate):
         if cell is None:
             return ONE_LINE
         inner = max(1, width - 2 * _ROOM - (20 if cell.standing in MARKS else 0))
-        rows = self._lines.get((cell.text, inner))
-        if rows is None:
-            wide = map(self._metrics.horizontalAdvance, cell.text.split("\n"))
-            rows = self._lines[cell.text, inner] = sum(max(1, -(-one // inner)) for one in wide)
+        wide = self._wide.get(cell.text)
+        if wide is None:
+            lines = cell.text.split("\n")
+            wide = self._wide[cell.text] = [self._metrics.horizontalAdvance(one) for one in lines]
+        rows = sum(max(1, -(-one // inner)) for one in wide)
         caption = CAPTION if self._caption(index, cell) else 0
         return ONE_LINE + (min(rows, LINES) - 1) * LINE + caption
 

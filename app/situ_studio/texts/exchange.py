@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject
 from situ.document import beside, catalogue, folder
 from situ.document.catalogue import Catalogue
 from situ.document.texts_import import Imported, take_in
-from situ.document.texts_table import begun, rows
+from situ.document.texts_table import TextRow, begun, rows
 from situ.document.texts_update import update
 from situ.errors import UsageError
 from situ_studio.language import said
@@ -95,11 +95,14 @@ class Exchange(QObject):
         mine = self._session.value(file)
         if not isinstance(mine, Catalogue):
             mine = catalogue.empty(project.name, language)
-        every = [row for row in rows(project) if row.lang is None]
+        every: dict[str, list[TextRow]] = {}
+        for row in rows(project):
+            if row.lang is None:
+                every.setdefault(row.text, []).append(row)
         known = mine.by_text()
         wanted = {
-            row.text: known[row.text] if row.text in known else begun(row.text, every)
-            for row in every
+            text: known[text] if text in known else begun(text, there)
+            for text, there in every.items()
         }
         found = take_in(mine, theirs, wanted, list(wanted))
         step = self.tr("Import {0} from {1}").format(language_name(language), name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 from msgspec import Struct
 from PySide6.QtCore import (
@@ -61,6 +61,8 @@ class TextsModel(QAbstractTableModel):
     typed = Signal(object)
     """A list of ``Typed``."""
 
+    _NO: ClassVar[QModelIndex] = QModelIndex()
+
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.sheet: Sheet | None = None
@@ -80,15 +82,14 @@ class TextsModel(QAbstractTableModel):
         """Another value of the table; rows that stand where they stood keep their places, and are
         shown until another filter is asked for, though what was to do is done.
         """
-        before, kept, old = self.languages, self.sheet is not None, self.sheet
-        self.sheet = sheet
+        old, self.sheet = self.sheet, sheet
         self._where = {}
         before_shown = {(row.file, row.place) for row in self.shown}
         passing = {(row.file, row.place) for row in self._filtered()}
         wanted = passing | before_shown
         shown = [row for row in sheet.rows if (row.file, row.place) in wanted]
-        if kept and before == sheet.languages and self._same_places(shown):
-            self._tell(old, shown)
+        if old is not None and old.languages == sheet.languages and self._same_places(shown):
+            self._tell(old, sheet, shown)
         else:
             self._reset(shown)
 
@@ -136,17 +137,14 @@ class TextsModel(QAbstractTableModel):
         self.shown = rows
         self.endResetModel()
 
-    def _tell(self, old: Sheet | None, rows: list[TextRow]) -> None:
+    def _tell(self, old: Sheet, new: Sheet, rows: list[TextRow]) -> None:
         """Takes rows that stand where those before stood; only what differs is told."""
         before, self.shown = self.shown, rows
-        assert self.sheet is not None
         last = self.columnCount() - 1
         for at, (was, row) in enumerate(zip(before, rows, strict=True)):
             # Entries that nobody changed are the very same.
-            same = was == row and old is not None
-            if not same or any(
-                old.entry(was, one) is not self.sheet.entry(row, one)  # type: ignore[union-attr]
-                for one in self.languages
+            if was != row or any(
+                old.entry(was, one) is not new.entry(row, one) for one in new.languages
             ):
                 self.dataChanged.emit(self.index(at, 0), self.index(at, last))
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, last)
@@ -172,10 +170,10 @@ class TextsModel(QAbstractTableModel):
 
     # -- what Qt asks ------------------------------------------------------------
 
-    def rowCount(self, parent: AnyIndex = QModelIndex()) -> int:  # noqa: B008
+    def rowCount(self, parent: AnyIndex = _NO) -> int:
         return 0 if parent.isValid() else len(self.shown)
 
-    def columnCount(self, parent: AnyIndex = QModelIndex()) -> int:  # noqa: B008
+    def columnCount(self, parent: AnyIndex = _NO) -> int:
         return 0 if parent.isValid() else WRITTEN + 1 + len(self.languages)
 
     def headerData(

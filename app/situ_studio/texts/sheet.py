@@ -123,6 +123,7 @@ def changed(sheet: Sheet, typed: Sequence[Typed]) -> dict[str, Written]:
     files: dict[str, Written] = {}
     texts = dict(sheet.catalogues)
     renamed = _written(sheet, [one for one in typed if one.language is None], files, texts)
+    known = {language: one.by_text() for language, one in texts.items()}
     entries: dict[str, dict[str, Translation]] = {}
     for one in typed:
         if one.language is None:
@@ -132,8 +133,7 @@ def changed(sheet: Sheet, typed: Sequence[Typed]) -> dict[str, Written]:
                 tr("This speech is always said in {0}: it is not translated.").format(one.row.lang)
             )
         text = renamed.get((one.row.file, one.row.place), one.row.text)
-        mine = texts.get(one.language)
-        entry = mine.entry(text) if mine is not None else None
+        entry = known.get(one.language, {}).get(text)
         made = _typed(sheet, text, entry, one.text.strip())
         if made is not None:
             entries.setdefault(one.language, {})[text] = made
