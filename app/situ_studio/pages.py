@@ -229,9 +229,10 @@ class PagesSide(QObject):
 
     def _on_readings(self, changed: dict[str, dict[str, str]], step: str) -> None:
         project = self._session.project
+        if project is None:
+            return
         files: dict[str, Written] = {}
-        for language, words in changed.items() if project is not None else ():
-            assert project is not None
+        for language, words in changed.items():
             file = beside.texts_file(language)
             mine = self._session.value(file)
             if not isinstance(mine, Catalogue):

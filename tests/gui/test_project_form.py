@@ -83,8 +83,12 @@ def choose(used: Any, field: Any, text: str) -> None:
     used.key(Qt.Key.Key_Return)
 
 
-def rows(used: Any, section: str) -> Any:
-    return form(used).sections[section].rows  # type: ignore[attr-defined]
+def section(used: Any, name: str) -> Any:
+    return form(used).sections[name]
+
+
+def rows(used: Any, name: str) -> Any:
+    return section(used, name).rows
 
 
 def visits(used: Any) -> Any:
@@ -96,7 +100,7 @@ def said(used: Any) -> str:
 
 
 def test_a_name_is_one_line_of_the_file_and_one_step(used: Any, ward: Path) -> None:
-    name = form(used).sections["project"].fields["project", "name"]  # type: ignore[attr-defined]
+    name = section(used, "project").fields["project", "name"]
     fill(used, name, "Ward 3")
     assert used.session.project.name == "Ward 3"
     assert used.session.undo_text == "Change name"
@@ -203,9 +207,8 @@ def test_the_order_of_applications_counts(used: Any) -> None:
 
 
 def test_everything_that_the_file_may_say_can_be_said(used: Any, ward: Path) -> None:
-    made = form(used)
-    for section in ("durable", "private", "places", "mqtt"):
-        press(used, made.sections[section].plus)
+    for name in ("durable", "private", "places", "mqtt"):
+        press(used, section(used, name).plus)
     fill(used, rows(used, "durable").field(0, 0), "medication.*")
     fill(used, rows(used, "private").field(0, 0), "user.**")
     fill(used, rows(used, "private").field(0, 0), "no pattern!")
@@ -214,8 +217,8 @@ def test_everything_that_the_file_may_say_can_be_said(used: Any, ward: Path) -> 
         fill(used, rows(used, "places").field(0, column), number)
     fill(used, rows(used, "mqtt").field(0, 0), "zigbee/+/fall")
     fill(used, rows(used, "mqtt").field(0, 2), "fallDetected")
-    fill(used, made.sections["mqtt"].broker, "mqtt://127.0.0.1:1883")  # type: ignore[attr-defined]
-    fill(used, made.sections["robot"].fields["robot", "adapter"], "sim")  # type: ignore[attr-defined]
+    fill(used, section(used, "mqtt").broker, "mqtt://127.0.0.1:1883")
+    fill(used, section(used, "robot").fields["robot", "adapter"], "sim")
     used.window.actions_.actions["save"].trigger()
     project, problems = folder.load(ward)
     assert project is not None
@@ -270,7 +273,7 @@ def test_one_robot_has_its_own_values(used: Any, ward: Path) -> None:
     made = form(used)
     press(used, made.which.button("robot.local.toml"))
     assert not made.sections["languages"].isVisible()
-    endpoint = made.sections["robot"].fields["robot", "endpoint"]  # type: ignore[attr-defined]
+    endpoint = section(used, "robot").fields["robot", "endpoint"]
     fill(used, endpoint, "tcp://10.0.0.7:5570")
     assert used.session.project.endpoint == "tcp://10.0.0.7:5570"
     assert used.session.dirty == ["robot.local.toml"]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QWidget
 
 from situ.document.project import Project
 from situ_studio.language import tr
@@ -29,7 +28,7 @@ class ReadingsSection(RowsSection):
         columns = (
             Column(
                 title=tr("Language"),
-                make=self._choice,
+                make=Choice,
                 share=2,
                 help=tr("The language in which the word is said so."),
             ),
@@ -57,9 +56,6 @@ class ReadingsSection(RowsSection):
             tr("a word"),
         )
 
-    def _choice(self, theme: Theme, parent: QWidget) -> Choice:
-        return Choice(theme, parent)
-
     def show_project(self, project: Project) -> None:
         self._languages = project.languages
         self._readings = {
@@ -67,7 +63,7 @@ class ReadingsSection(RowsSection):
         }
         every = self._every()
         self.plus.setEnabled(bool(self._languages))
-        while len(self.rows) < len(every):
+        if len(self.rows) < len(every):
             # A choice has to know its languages before it shows one.
             self.rows.show_rows([("", "", "")] * len(every))
         for row in range(len(self.rows)):

@@ -98,8 +98,8 @@ class Rows(QWidget):
             for widget, value in zip(widgets, row, strict=False):
                 if isinstance(widget, QLabel):
                     widget.setText(str(value))
-                else:
-                    widget.show_value(value)  # type: ignore[attr-defined]
+                elif isinstance(widget, AnyField):
+                    widget.show_value(value)
             for button in self.buttons(at)[: 2 if self._movable else 0]:
                 up = button is self.buttons(at)[0]
                 button.setEnabled(at > 0 if up else at < len(values) - 1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -166,36 +166,59 @@ class TableSection(RowsSection):
         return (value,)
 
     def value(self, old: Any, column: int, typed: Any) -> Any:
-        """The value after a column behind the name (from 0) was changed."""
+        """The value after a column behind the name (from 0) was changed; ValueError, in a
+        sentence, where that can not be.
+        """
         return typed
 
     def beginning(self) -> tuple[str, Any]:
         """Name and value of a new row."""
         return "new", ""
 
+    def table(self, tables: Tables) -> Mapping[str, Any]:
+        """The table, of what the file says."""
+        return table_of(tables, self._table)
+
+    def put(self, toml: Toml, name: str, value: Any) -> Toml:
+        """The file with another value of a name; None takes it out."""
+        return writing.put(toml, self._table, name, value)
+
+    def rename(self, toml: Toml, old: str, new: str) -> Toml:
+        """The file with another name of a value."""
+        return writing.rename(toml, self._table, old, new)
+
     def show_tables(self, tables: Tables) -> None:
-        self.values = dict(table_of(tables, self._table))
+        self.values = dict(self.table(tables))
+        self.show_again()
+
+    def show_again(self) -> None:
+        """Shows what the file says, whatever was typed."""
         self.show_values([(name, *self.row(value)) for name, value in self.values.items()])
 
     def on_changed(self, row: int, column: int, value: Any) -> None:
         name, old = list(self.values.items())[row]
         if column == 0:
             words = tr("Rename {0} to {1}").format(name, value)
-            self.tell(lambda toml: writing.rename(toml, self._table, name, value), words)
+            self.tell(lambda toml: self.rename(toml, name, value), words)
             return
-        new = self.value(old, column - 1, value)
+        try:
+            new = self.value(old, column - 1, value)
+        except ValueError as wrong:
+            self.refused.emit(str(wrong))
+            self.show_again()
+            return
         words = tr("Change {0}").format(name)
-        self.tell(lambda toml: writing.put(toml, self._table, name, new), words)
+        self.tell(lambda toml: self.put(toml, name, new), words)
 
     def on_removed(self, row: int) -> None:
         name = list(self.values)[row]
         words = tr("Remove {0}").format(name)
-        self.tell(lambda toml: writing.put(toml, self._table, name, None), words)
+        self.tell(lambda toml: self.put(toml, name, None), words)
 
     def on_added(self) -> None:
         name, value = self.beginning()
         name = free(name, self.values)
-        self.added(lambda toml: writing.put(toml, self._table, name, value))
+        self.added(lambda toml: self.put(toml, name, value))
 
 
 class TagsSection(TableSection):
@@ -312,42 +335,32 @@ class MqttSection(TableSection):
         return tr("The topic whose messages count.")
 
     def show_tables(self, tables: Tables) -> None:
-        found = table_of(tables, "mqtt")
-        url, incoming = found.get("url"), found.get("in")
+        url = table_of(tables, "mqtt").get("url")
         self.broker.show_value(url if isinstance(url, str) else "")
-        self.values = dict(incoming) if isinstance(incoming, dict) else {}
-        self.show_values([(name, *self.row(value)) for name, value in self.values.items()])
+        super().show_tables(tables)
+
+    def table(self, tables: Tables) -> Mapping[str, Any]:
+        return table_of(table_of(tables, "mqtt"), "in")
+
+    def put(self, toml: Toml, name: str, value: Any) -> Toml:
+        return writing.put_in(toml, "mqtt", "in", name, value)
+
+    def rename(self, toml: Toml, old: str, new: str) -> Toml:
+        return writing.rename_in(toml, "mqtt", "in", old, new)
 
     def row(self, value: Any) -> Sequence[Any]:
         kind, _, name = str(value).partition(":")
         return kind, name
 
     def value(self, old: Any, column: int, typed: Any) -> Any:
-        kind, name = self.row(old)
-        return f"{typed}:{name}" if column == 0 else f"{kind}:{typed}"
+        was = self.row(old)
+        kind, name = (typed, was[1]) if column == 0 else (was[0], typed)
+        if kind == "tag" and not names.is_tag(name):
+            raise ValueError(tr("A tag is words of a to z, 0 to 9, _ and - with dots between."))
+        return f"{kind}:{name}"
 
-    def on_changed(self, row: int, column: int, value: Any) -> None:
-        name, old = list(self.values.items())[row]
-        if column == 0:
-            words = tr("Rename {0} to {1}").format(name, value)
-            self.tell(lambda toml: writing.rename_in(toml, "mqtt", "in", name, value), words)
-            return
-        new = self.value(old, column - 1, value)
-        if new.startswith("tag:") and not names.is_tag(new.partition(":")[2]):
-            self.refused.emit(tr("A tag is words of a to z, 0 to 9, _ and - with dots between."))
-            self.show_values([(n, *self.row(v)) for n, v in self.values.items()])
-            return
-        words = tr("Change {0}").format(name)
-        self.tell(lambda toml: writing.put_in(toml, "mqtt", "in", name, new), words)
-
-    def on_removed(self, row: int) -> None:
-        name = list(self.values)[row]
-        words = tr("Remove {0}").format(name)
-        self.tell(lambda toml: writing.put_in(toml, "mqtt", "in", name, None), words)
-
-    def on_added(self) -> None:
-        name = free("room/topic", self.values)
-        self.added(lambda toml: writing.put_in(toml, "mqtt", "in", name, "event:called"))
+    def beginning(self) -> tuple[str, Any]:
+        return "room/topic", "event:called"
 
 
 class SettingsSection(RowsSection):
