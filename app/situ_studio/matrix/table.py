@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, overload
 
 from msgspec import Struct
 from PySide6.QtCore import (
     QEvent,
     QItemSelection,
     QItemSelectionModel,
-    QModelIndex,
     QPoint,
     QRect,
     Qt,
@@ -27,7 +26,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTableView, QWidget
 
 from situ_studio.matrix.cells import Cells, Sentence, outline
 from situ_studio.matrix.headers import ModuleHeader, SituationHeader
-from situ_studio.matrix.model import MatrixModel
+from situ_studio.matrix.model import AnyIndex, MatrixModel
 from situ_studio.theme import Theme
 
 ROW = 28
@@ -170,13 +169,15 @@ class MatrixTable(QTableView):
         if index.isValid():
             self.edit(index)
 
-    def edit(self, index: QModelIndex, *more: Any) -> Any:  # type: ignore[override]
-        if more:
-            self.cells.by_typing = more[0] == QAbstractItemView.EditTrigger.AnyKeyPressed
-            return super().edit(index, *more)
-        self.cells.by_typing = False
-        super().edit(index)
-        return None
+    @overload
+    def edit(self, index: AnyIndex, /) -> None: ...
+    @overload
+    def edit(
+        self, index: AnyIndex, trigger: QAbstractItemView.EditTrigger, event: QEvent, /
+    ) -> bool: ...
+    def edit(self, index: AnyIndex, /, *how: Any) -> bool | None:
+        self.cells.by_typing = how[:1] == (QAbstractItemView.EditTrigger.AnyKeyPressed,)
+        return super().edit(index, *how)
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from html import escape
 from typing import Any
 
 from PySide6.QtCore import QPoint, Qt, Signal
@@ -336,7 +337,7 @@ def holders_words(holdings: dict[str, Holding]) -> str:
         who = tr(" or ").join(several) if several else tr("nobody")
         if held.rivals:
             who = tr("a tie, {0}").format(who)
-        by_holder.setdefault(who, []).append(_escaped(resource))
+        by_holder.setdefault(who, []).append(escape(resource))
     if not by_holder:
         return tr("nobody asks")
     parts = [tr("{0}: {1}").format(listed(resources), who) for who, resources in by_holder.items()]
@@ -344,11 +345,7 @@ def holders_words(holdings: dict[str, Holding]) -> str:
 
 
 def _bold(text: str) -> str:
-    return f"<b>{_escaped(text)}</b>"
-
-
-def _escaped(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;")
+    return f"<b>{escape(text)}</b>"
 
 
 def _plain(text: str) -> str:

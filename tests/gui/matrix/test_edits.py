@@ -10,7 +10,7 @@ from tests.gui.matrix.conftest import read as read_script
 
 from situ.document.spds import Entry, Spds
 from situ_studio.matrix import spreadsheet
-from situ_studio.matrix.edits import put, read, spread
+from situ_studio.matrix.edits import Wanted, put, read, spread
 from situ_studio.matrix.grid import Grid, asking
 
 ASKED, QUIET, ALL = 0, 1, 2
@@ -112,6 +112,7 @@ def test_a_paste_with_a_bad_text_or_without_room_is_refused_as_a_whole() -> None
         spread(grid(), [], 0, 0, 1, 1)
 
 
+Changes = dict[tuple[int, str], Wanted]
 NUMBERS = st.integers(-99, 99)
 CHANGES = st.dictionaries(
     st.tuples(st.integers(0, 2), st.sampled_from(("nod", "chase", "idle"))),
@@ -121,7 +122,7 @@ CHANGES = st.dictionaries(
 
 @given(CHANGES)
 @settings(max_examples=60, deadline=None)
-def test_copying_all_and_pasting_it_back_changes_nothing(changes: dict) -> None:  # type: ignore[type-arg]
+def test_copying_all_and_pasting_it_back_changes_nothing(changes: Changes) -> None:
     script = put(TIED, changes)
     shown = grid(script)
     rows = [[line.cell(m).text for m in shown.modules] for line in shown.lines]
@@ -135,7 +136,7 @@ def test_copying_all_and_pasting_it_back_changes_nothing(changes: dict) -> None:
 
 @given(CHANGES)
 @settings(max_examples=60, deadline=None)
-def test_a_grid_that_takes_over_lines_shows_what_a_new_one_does(changes: dict) -> None:  # type: ignore[type-arg]
+def test_a_grid_that_takes_over_lines_shows_what_a_new_one_does(changes: Changes) -> None:
     before = grid()
     first = [line.cells for line in before.lines]
     script = put(TIED, changes)
