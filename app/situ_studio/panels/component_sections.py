@@ -14,8 +14,8 @@ from situ.document import rbd
 from situ_studio import places, words
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel, ThemedButton
 from situ_studio.kinds import Section
-from situ_studio.language import translated
 from situ_studio.layouts import clear
+from situ_studio.panels.section_head import SectionHead
 from situ_studio.panels.subject import MARGIN, Subject
 from situ_studio.screens import placing
 from situ_studio.screens.devices import USUAL
@@ -38,15 +38,7 @@ class ComponentSection(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(MARGIN, 0, MARGIN, 8)
         column.setSpacing(0)
-        head = QHBoxLayout()
-        head.setSpacing(6)
-        title = QLabel(translated(section.title))
-        title.setProperty("role", "heading")
-        title.setFixedHeight(32)
-        title.setToolTip(translated(section.help))
-        head.addWidget(title)
-        head.addWidget(Elided(translated(section.hint), "hint"), 1)
-        column.addLayout(head)
+        column.addLayout(SectionHead(section))
         self.body = QVBoxLayout()
         self.body.setSpacing(4)
         column.addLayout(self.body)

@@ -6,18 +6,12 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QMenu,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QLabel, QMenu, QVBoxLayout, QWidget
 
 from situ.document import rbd, spds
 from situ_studio import kinds, places, words
 from situ_studio.edit import Place
-from situ_studio.icon_widgets import Elided, IconButton
+from situ_studio.icon_widgets import IconButton
 from situ_studio.kinds import Kind, Section
 from situ_studio.language import translated
 from situ_studio.panels.conditions import AddTest, ConditionEditor
@@ -25,6 +19,7 @@ from situ_studio.panels.pairs import PAIRS, PairsEditor
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.panels.priorities import PrioritiesEditor
 from situ_studio.panels.rows import RowList
+from situ_studio.panels.section_head import SectionHead
 from situ_studio.panels.subject import MARGIN, Subject
 from situ_studio.panels.summaries import action_row, component_row, event_row
 from situ_studio.theme import Theme
@@ -48,15 +43,7 @@ class SectionEditor(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(MARGIN, 0, MARGIN, 8)
         column.setSpacing(0)
-        head = QHBoxLayout()
-        head.setSpacing(6)
-        title = QLabel(translated(section.title))
-        title.setProperty("role", "heading")
-        title.setFixedHeight(32)
-        title.setToolTip(translated(section.help))
-        head.addWidget(title)
-        head.addWidget(Elided(translated(section.hint), "hint"), 1)
-        self._head = head
+        self._head = head = SectionHead(section)
         column.addLayout(head)
         self.rows: RowList | None = None
         self.preview: ScreenPreview | None = None
