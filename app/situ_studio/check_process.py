@@ -5,10 +5,8 @@ Started as ``python -m situ_studio.check_process`` by ``Checker``.
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Callable
 
-from situ.document.analysis import Cancelled
 from situ.document.check import check
 from situ.document.problem import Problem
 from situ.document.project import Project
@@ -20,15 +18,10 @@ def main() -> None:
 
 
 def _problems(project: Project, is_late: Callable[[], bool]) -> list[Problem]:
-    """Raises Cancelled where another project is on its way."""
-    try:
-        return check(project, cancel=is_late)
-    except Cancelled:
-        raise
-    except Exception:
-        # A defect of one check ends no other: the editor hears of it through its log.
-        traceback.print_exc()
-        return []
+    """Raises Cancelled where another project is on its way; a defect of a check ends the process,
+    and what was found before stays: the next project starts another.
+    """
+    return check(project, cancel=is_late)
 
 
 if __name__ == "__main__":
