@@ -7,7 +7,7 @@ from html import escape
 from typing import Any
 
 from PySide6.QtCore import QSettings, QSize, Qt, QUrl
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QTextBrowser, QVBoxLayout, QWidget
 
 from situ_studio.help_topics import Topic, topics
@@ -108,8 +108,9 @@ class HelpWindow(QWidget):
         retheme(self, theme)
         self.pages.reload()
 
-    def keep(self) -> None:
-        """Keeps where it is for the next time."""
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Where it was is kept for the next time."""
+        super().hideEvent(event)
         self._settings.setValue(GEOMETRY, self.saveGeometry())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

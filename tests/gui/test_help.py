@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -142,6 +142,18 @@ def test_the_help_is_searched_and_goes_from_link_to_link_and_back(used: Any) -> 
     assert "Nothing." in shown.pages.toPlainText()
     QTest.keyClick(shown.pages, Qt.Key.Key_Escape)
     assert not shown.isVisible()
+
+
+def test_the_help_is_as_large_the_next_time_as_it_was(studio: Start, project: Copy) -> None:
+    folder = project("reception")
+    first = studio(folder)
+    first.key(Qt.Key.Key_F1)
+    first.window.helping.shown.resize(500, 400)
+    first.settle()
+    QTest.keyClick(first.window.helping.shown.pages, Qt.Key.Key_Escape)
+    again = studio(folder)
+    again.key(Qt.Key.Key_F1)
+    assert again.window.helping.shown.size() == QSize(500, 400)
 
 
 # -- What is this ------------------------------------------------------------------------------
