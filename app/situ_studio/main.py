@@ -20,11 +20,11 @@ from situ.document import folder
 from situ.errors import SituError, UsageError
 from situ.resources import examples, resource
 from situ_studio import picture
+from situ_studio.edit import Document
 from situ_studio.language import LANGUAGES, Speaking
 from situ_studio.log_file import LogFile, on_qt_message, usual_folder
 from situ_studio.panels.project_tree import stem
 from situ_studio.project_pictures import Example
-from situ_studio.session import Session
 from situ_studio.theme import load_fonts
 from situ_studio.unexpected import Hooks, Interrupts, Unexpected
 from situ_studio.views import VIEWS
@@ -251,15 +251,16 @@ def draw_picture(project: str | None, out: str, name: str | None) -> int:
     if project is None:
         raise UsageError("--picture needs a PROJECT")
     picture.format_of(out)
-    session = Session()
-    session.open(project)
-    # Only read, not watched and not checked.
-    session.deleteLater()
-    drawn = {
-        stem(file): document
-        for file in session.files
-        if (document := session.document(file)) is not None and picture.has_picture(document)
+    # Only read, not watched and not checked: a session does both.
+    found, problems = folder.load(project)
+    if found is None:
+        raise UsageError(str(problems[0]) if problems else f"{project}: no project could be read")
+    drawn: dict[str, Document] = {
+        stem(file): application
+        for file, application in (*found.applications.items(), *found.parts.items())
     }
+    if found.spds is not None and found.spds_file is not None:
+        drawn[stem(found.spds_file)] = found.spds
     name = name if name is not None else next(iter(drawn), "")
     if name not in drawn:
         known = ", ".join(drawn) or "none"
