@@ -274,6 +274,28 @@ def test_the_editor_paints_what_the_page_shows(play: Any, media: Path, qt: QAppl
     play(scenario)
 
 
+def test_dates_are_asked_for_as_the_page_asks_for_them(play: Any) -> None:
+    languages = (
+        "en", "en-GB", "en_GB", "de", "de-AT", "fr", "fr-CA", "es", "it", "nl", "pt", "sv", "da",
+        "nb", "fi", "pl", "cs", "tr", "ru", "el", "hu", "ja", "zh", "ko", "th", "xx", "",
+    )  # fmt: skip
+    asked = """async (languages) => {
+        const { datePattern } = await import("/page/dates.js");
+        return languages.map((one) => {
+            document.documentElement.lang = one;
+            return datePattern();
+        });
+    }"""
+
+    async def scenario(stage: Any) -> None:
+        theirs = await stage.page.evaluate(asked, languages)
+        assert {one: input_painting.date("", one) for one in languages} == dict(
+            zip(languages, theirs, strict=True)
+        )
+
+    play(scenario)
+
+
 def test_colours_are_read_as_the_page_reads_them(play: Any, qt: QApplication) -> None:
     written = [
         "#abc", "#a1b2c3", "#abcd", "#a1b2c380", "Teal", "transparent", "rgb(1, 2, 3)",

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLocale, QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen
 
 from situ.decide.screens import Shown
@@ -17,14 +18,13 @@ from situ_studio.screens.measures import measures
 _WIDE = 1e6
 _PIN = Style(500, 1.25, 0.18, True)
 _TYPED = Style(500, 1.25, 0.0, True)
-_ORDERS = {"en": "M/D/Y", "de": "D.M.Y", "fr": "D/M/Y", "es": "D/M/Y", "ja": "Y/M/D"}
 _SIGNS = {
     "en": {"D": "DD", "M": "MM", "Y": "YYYY"},
     "de": {"D": "TT", "M": "MM", "Y": "JJJJ"},
     "fr": {"D": "JJ", "M": "MM", "Y": "AAAA"},
     "es": {"D": "DD", "M": "MM", "Y": "AAAA"},
 }
-"""How a date is typed where the screen has keys of its own (dates.js)."""
+"""The letters that stand for a day, a month and a year that are to be typed (dates.js)."""
 _DATE = re.compile(r"(?P<Y>\d{4})-(?P<M>\d\d)-(?P<D>\d\d)")
 
 
@@ -77,9 +77,21 @@ def date(text: str, language: str) -> str:
     found = _DATE.fullmatch(text)
     if text and found is None:
         return text
-    order = _ORDERS.get(language[:2], _ORDERS["en"])
+    order, between = _order(language)
     signs = found.groupdict() if found else _SIGNS.get(language[:2], _SIGNS["en"])
-    return "".join(signs.get(one, one) for one in order)
+    return between.join(signs[one] for one in order)
+
+
+@lru_cache(maxsize=64)
+def _order(language: str) -> tuple[tuple[str, ...], str]:
+    """The parts of a date as a language orders them, and what stands between them."""
+    locale = QLocale(language.replace("-", "_"))
+    if locale.language() == QLocale.Language.C:
+        locale = QLocale("en")
+    written = locale.dateFormat(QLocale.FormatType.ShortFormat)
+    between = re.search("[^dMy]+", written)
+    order = dict.fromkeys(one for one in written.upper() if one in "DMY")
+    return tuple(order), between[0].strip() if between else "-"
 
 
 def rooms(stage: Stage, one: Shown, text: str) -> tuple[QRectF, QRectF | None]:

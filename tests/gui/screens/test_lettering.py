@@ -160,7 +160,9 @@ def test_what_has_the_id_of_another_is_left_out_as_on_the_robot(qt: QApplication
         ("en", "05/07/1941", "MM/DD/YYYY"),
         ("de", "07.05.1941", "TT.MM.JJJJ"),
         ("ja", "1941/05/07", "YYYY/MM/DD"),
-        ("fi", "05/07/1941", "MM/DD/YYYY"),
+        ("en_GB", "07/05/1941", "DD/MM/YYYY"),
+        ("fi", "07.05.1941", "DD.MM.YYYY"),
+        ("xx", "05/07/1941", "MM/DD/YYYY"),
     ],
 )
 def test_a_date_is_shown_in_the_order_of_the_language(
