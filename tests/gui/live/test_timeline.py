@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -103,7 +103,7 @@ def test_a_recorded_run_is_seen_whole_and_hands_move_the_cursor_through_it(
 
 
 def test_keys_go_through_a_run_event_by_event_and_every_view_follows(
-    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path, until: Any
 ) -> None:
     it, timeline = shown(
         studio, project("reception"), tmp_path / "run.mcap", "reception", "known-user.jsonl"
@@ -140,6 +140,10 @@ def test_keys_go_through_a_run_event_by_event_and_every_view_follows(
     assert sum(canvas.look.live.counts.values()) == 1 < sum(entered.values())
     it.key(Qt.Key.Key_Space)
     assert viewing.follows
+    # At the end of a run that is over nothing is drawn again and again.
+    for timer in chart.findChildren(QTimer):
+        if timer.isActive():
+            until(timer.timeout, lambda timer=timer: not timer.isActive())
     # What is drawn as a curve is chosen.
     timeline.choices.aboutToShow.emit()
     choices = {action.text(): action for action in timeline.choices.actions()}

@@ -128,7 +128,7 @@ class TimelineDrawing(QAbstractScrollArea):
         rows = rows_of(self.viewing.log.lanes, self.chosen)
         if [id(row.lane) for row in rows] != [id(row.lane) for row in self.rows]:
             self._lay_out()
-        if self.viewing.follows or self._pictured != self._wanted():
+        if self._pictured != self._wanted():
             self.viewport().update()
         elif not self.viewing.grows:
             self._frames.stop()
@@ -198,13 +198,13 @@ class TimelineDrawing(QAbstractScrollArea):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         wanted = self._wanted()
         if self._pictured != wanted:
-            self._take_picture(self.verticalScrollBar().value())
+            self._take_picture()
             self._pictured = wanted
         painter.drawPixmap(0, 0, self._picture)
         self._paint_cursor(painter)
         painter.end()
 
-    def _take_picture(self, scrolled: int) -> None:
+    def _take_picture(self) -> None:
         """All but the cursor: that moves much oftener."""
         scale, theme = self.devicePixelRatioF(), self._theme
         size = self.viewport().size()
@@ -217,8 +217,7 @@ class TimelineDrawing(QAbstractScrollArea):
         self._paint_edge(painter)
         end = self.viewing.span[1]
         wide, high = size.width(), size.height()
-        top = EDGE - scrolled
-        for row in self.rows:
+        for row, top in self._tops():
             if EDGE - row.height < top < high:
                 painter.setClipRect(QRectF(GUTTER, EDGE, wide - GUTTER, high - EDGE))
                 self._painter.row(painter, row, top, end)
@@ -226,7 +225,6 @@ class TimelineDrawing(QAbstractScrollArea):
                 self._painter.title(painter, row, top)
                 painter.setPen(theme.color("line"))
                 painter.drawLine(QPointF(0, top + row.height), QPointF(wide, top + row.height))
-            top += row.height
         painter.setClipping(False)
         self._paint_bookmarks(painter)
         painter.setPen(theme.color("line"))

@@ -41,7 +41,7 @@ class RowPainter:
         self.axis = axis
         self.theme = theme
         self.state_name = state_name
-        self._extremes: dict[int, Extremes] = {}
+        self._extremes: dict[str, Extremes] = {}
         self._ranges: dict[str, tuple[float, float] | None] = {}
 
     def forget(self) -> None:
@@ -128,9 +128,10 @@ class RowPainter:
 
     def _strokes(self, row: TimelineRow) -> Strokes:
         series = cast("Series", row.lane)
-        kept = self._extremes.get(id(series))
+        kept = self._extremes.get(row.name)
         if kept is None or kept.series is not series:
-            kept = self._extremes[id(series)] = Extremes(series)
+            # Also where the robot began anew: what is kept of its run before goes.
+            kept = self._extremes[row.name] = Extremes(series)
         axis = self.axis
         return kept.strokes(axis.start, axis.end, axis.pixel)
 

@@ -60,11 +60,12 @@ class Timeline(QWidget):
         self.less.clicked.connect(lambda: self.chart.zoom(ZOOM))
         self.more.clicked.connect(lambda: self.chart.zoom(1 / ZOOM))
         self.whole.clicked.connect(self._show_whole)
-        self.chart.marked.connect(self._tell)
+        self.chart.marked.connect(self._tell_seen)
         viewing.moved.connect(self._tell)
         viewing.exchanged.connect(lambda: self.bookmarks.open(None))
         self.setFocusProxy(self.chart)
         self._tell()
+        self._tell_seen()
 
     def set_theme(self, theme: Theme) -> None:
         retheme(self, theme)
@@ -79,6 +80,8 @@ class Timeline(QWidget):
             self.pause.show_icon("pause", tr("Stay here while the robot goes on (Space)"))
         else:
             self.pause.show_icon("play", tr("To the end, and with it (Space)"))
+
+    def _tell_seen(self) -> None:
         self.seen.setText(_long(self.chart.axis.seen))
 
     def _fill_choices(self) -> None:
