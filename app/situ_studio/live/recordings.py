@@ -48,20 +48,17 @@ class ReadingRecording(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._pieces: Iterator[recorded.Piece] = iter(())
+        self._pieces: Iterator[recorded.Piece]
         self._file: IO[bytes] | None = None
         self._slices = QTimer(self)
         self._slices.setInterval(0)
         self._slices.timeout.connect(self._go_on)
+        self.cancel()
 
     def start(self, path: Path) -> None:
         """Begins; ``read`` or ``refused`` comes from the loop."""
         self.cancel()
         self._path = path
-        self._heading = recorded.Heading()
-        self._files: dict[str, str] = {}
-        self._log = TraceLog()
-        self._torn = False
         try:
             self._file = path.open("rb")
             self._size = max(path.stat().st_size, 1)
@@ -72,11 +69,16 @@ class ReadingRecording(QObject):
         self._slices.start()
 
     def cancel(self) -> None:
-        """Nobody is told of what was begun."""
+        """Nobody is told of what was begun, and none of it is kept."""
         self._slices.stop()
         if self._file is not None:
             self._file.close()
             self._file = None
+        self._pieces = iter(())
+        self._heading = recorded.Heading()
+        self._files: dict[str, str] = {}
+        self._log = TraceLog()
+        self._torn = False
 
     def _go_on(self) -> None:
         end = time.perf_counter() + SLICE
@@ -105,13 +107,12 @@ class ReadingRecording(QObject):
         return bool(pieces)
 
     def _finish(self) -> None:
-        self.cancel()
         heading = self._heading
-        self.read.emit(
-            Recording(
-                self._path, heading.project, heading.masked, self._files, self._log, self._torn
-            )
+        read = Recording(
+            self._path, heading.project, heading.masked, self._files, self._log, self._torn
         )
+        self.cancel()
+        self.read.emit(read)
 
     def _refuse(self, why: str) -> None:
         self.cancel()
@@ -121,8 +122,10 @@ class ReadingRecording(QObject):
 @contextmanager
 def _no_collection() -> Iterator[None]:
     """Python looks for circles meanwhile in none of what comes: it has none."""
+    collecting = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
-        gc.enable()
+        if collecting:
+            gc.enable()

@@ -66,7 +66,7 @@ def test_a_recording_is_read_with_its_documents(qt: Any, tmp_path: Path) -> None
     reading = ReadingRecording()
     went: list[float] = []
     reading.went_on.connect(went.append)
-    reading.start(recording(tmp_path / "run.mcap", events * 1, project))
+    reading.start(recording(tmp_path / "run.mcap", events, project))
     (read,) = came(reading)
     assert [event["seq"] for event in read.log] == [event["seq"] for event in events]
     assert read.files["situ.toml"] == (project / "situ.toml").read_text()
