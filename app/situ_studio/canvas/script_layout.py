@@ -7,13 +7,13 @@ measures of mockups/script-light.png; nothing lies on anything.
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Sequence
-from itertools import product
 
 from PySide6.QtCore import QRectF
 
 from situ.document.spds import Situation
 from situ_studio.canvas.script_faces import LINE, PITCH, TALL, TOP
 from situ_studio.canvas.script_rows import Shape, Shapes
+from situ_studio.canvas.space import Box, Boxes
 
 GAP = 20.0
 """Between one row of situations and the next."""
@@ -91,36 +91,23 @@ def spread(
 class Pills:
     """Where priorities stand on their pipes: on none of the others, as far as there is room."""
 
-    SIZE = 64.0
-
     def __init__(self) -> None:
-        self._areas: dict[Hashable, QRectF] = {}
-        self._near: dict[tuple[int, int], set[Hashable]] = {}
+        self.clear()
 
     def clear(self) -> None:
-        self._areas, self._near = {}, {}
+        self._areas: dict[Hashable, Box] = {}
+        self._ground: Boxes[Hashable] = Boxes()
 
     def remove(self, key: Hashable) -> None:
         area = self._areas.pop(key, None)
-        for cell in self._cells(area) if area is not None else ():
-            self._near[cell].discard(key)
+        if area is not None:
+            self._ground.remove(key, area)
 
     def put(self, key: Hashable, area: QRectF) -> None:
         self.remove(key)
-        self._areas[key] = area
-        for cell in self._cells(area):
-            self._near.setdefault(cell, set()).add(key)
+        box = self._areas[key] = Box(area.left(), area.top(), area.right(), area.bottom())
+        self._ground.add(key, box)
 
     def is_free(self, area: QRectF) -> bool:
         around = area.adjusted(-3, -2, 3, 2)
-        return not any(
-            self._areas[key].intersects(around)
-            for cell in self._cells(around)
-            for key in self._near.get(cell, ())
-        )
-
-    def _cells(self, area: QRectF) -> Iterable[tuple[int, int]]:
-        size = self.SIZE
-        across = range(int(area.left() // size), int(area.right() // size) + 1)
-        down = range(int(area.top() // size), int(area.bottom() // size) + 1)
-        return product(across, down)
+        return not self._ground.near(around.left(), around.top(), around.right(), around.bottom())
