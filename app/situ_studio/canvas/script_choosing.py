@@ -104,13 +104,9 @@ class ScriptChoosing(Canvas):
         return ""
 
     def _tests(self) -> list[Place]:
-        """Tests and groups that are selected; where a whole condition is, all that is in it."""
-        found: list[Place] = []
-        for place in self.selection():
-            value = places.get(self.document, place)
-            if isinstance(value, Test | Group):
-                found.append(place)
-        return found
+        """Tests and groups that are selected."""
+        every = self.selection()
+        return [p for p in every if isinstance(places.get(self.document, p), Test | Group)]
 
     def _stops(self, node: ScriptNode) -> list[Place]:
         """What can be selected of a node, from top to bottom."""

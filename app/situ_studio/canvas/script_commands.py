@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import cast
 
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QKeyEvent, Qt
@@ -95,7 +96,7 @@ class ScriptCommands(ScriptAsking):
         self.ask(
             [Follow(kind, translated(words), "condition") for kind, words in GROUPS],
             self.tr("What shall hold?"),
-            lambda kind: self._regroup(place, kind),  # type: ignore[arg-type]
+            lambda kind: self._regroup(place, cast(GroupName, kind)),
             area.bottomLeft() if area is not None else self._below(key),
         )
 
