@@ -16,8 +16,6 @@ from situ_studio.screens.lettering import Fitted, Style, extent, set_lines
 from situ_studio.screens.measures import measures
 
 _WIDE = 1e6
-_PIN = Style(500, 1.25, 0.18, True)
-_TYPED = Style(500, 1.25, 0.0, True)
 _SIGNS = {
     "en": {"D": "DD", "M": "MM", "Y": "YYYY"},
     "de": {"D": "TT", "M": "MM", "Y": "JJJJ"},
@@ -62,7 +60,8 @@ def paint_input(painter: QPainter, stage: Stage, one: Shown) -> None:
     if not text:
         return
     size = letters(stage, one, room)
-    style = _PIN if one["kind"] == "pin" else _TYPED
+    spacing = known["pin-spacing"] if one["kind"] == "pin" else 0.0
+    style = Style(int(known["input-weight"]), 1.0, spacing, tabular=True)
     painter.save()
     painter.setClipRect(room, Qt.ClipOperation.IntersectClip)
     above, under = extent(style)
