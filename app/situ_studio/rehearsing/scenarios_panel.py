@@ -41,13 +41,12 @@ class ScenariosPanel(QWidget):
         self.paint = QPushButton(self.tr("Paint"))
         self.paint.setProperty("role", "mend")
         self.paint.setCheckable(True)
-        self.paint.setEnabled(False)
         self.paint.setToolTip(
             self.tr("How often they came through each state and transition, on the drawings")
         )
         self.paint.clicked.connect(self.paint_asked)
         line.addWidget(self.paint)
-        self.summary = QLabel(self.tr("Not run yet"))
+        self.summary = QLabel()
         self.summary.setProperty("role", "label")
         line.addWidget(self.summary, 1)
         column.addLayout(line)
@@ -61,6 +60,15 @@ class ScenariosPanel(QWidget):
         )
         self.table.when_chosen(self._on_chosen)
         column.addWidget(self.table, 1)
+        self.clear()
+
+    def clear(self) -> None:
+        """Nothing has been run yet."""
+        self._ran, self._lacking = {}, {}
+        self.table.rows.show([])
+        self.summary.setText(self.tr("Not run yet"))
+        self.paint.setChecked(False)
+        self.paint.setEnabled(False)
 
     def set_theme(self, theme: Theme) -> None:
         self.table.set_theme(theme)

@@ -36,6 +36,7 @@ class ScenariosSide(QObject):
         self.panel.paint_asked.connect(self.paint)
         self.panel.looked.connect(self.look)
         self.panel.gone.connect(window.go_to)
+        window.session.opened.connect(self._forget)
         window.robot.follower.viewing.exchanged.connect(lambda: self.panel.paint.setChecked(False))
 
     def run(self) -> None:
@@ -49,8 +50,7 @@ class ScenariosSide(QObject):
         except UsageError as error:
             window.dialogs.tell(str(error))
             return
-        if self.run_ is not None:
-            self.run_.deleteLater()
+        self._drop()
         run = self.run_ = ScenarioRun(project, files, self)
         self._work = window.status.work.begin(self.tr("Running the scenarios"), run.cancel)
         run.went.connect(self._work.tell)
@@ -62,6 +62,20 @@ class ScenariosSide(QObject):
         """What is played now is ended."""
         if self.run_ is not None:
             self.run_.cancel()
+
+    def _drop(self) -> None:
+        self.cancel()
+        if self.run_ is not None:
+            self.run_.deleteLater()
+            self.run_ = None
+
+    def _forget(self) -> None:
+        """Another project is open: what was run is none of it."""
+        self._drop()
+        if self.panel.paint.isChecked():
+            self.paint(False)
+        self.panel.clear()
+        self._window.bottom.set_count(PANEL, 0)
 
     def look(self, ran: Ran) -> None:
         """All views show that scenario's run: where it failed first, else its end."""

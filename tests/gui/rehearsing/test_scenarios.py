@@ -87,6 +87,25 @@ def test_a_run_is_cancelled_and_what_was_played_stays(studio: Start, project: Co
     assert len(window.scenarios.run_.ran) < len(window.scenarios.run_.files)
 
 
+def test_another_project_that_is_opened_has_not_been_run(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    window = used.window
+    panel = window.scenarios.panel
+    ran(used, panel.run)
+    used.click(panel.paint)
+    window.open_project(project("reception"))
+    used.settle()
+    assert panel.table.rows.rows == []
+    assert not panel.paint.isEnabled()
+    assert not panel.paint.isChecked()
+    # What goes on is ended as well.
+    window.commands.run_scenarios()
+    window.open_project(window.session.root)
+    used.settle()
+    assert not window.status.work.going
+    assert panel.table.rows.rows == []
+
+
 def test_what_is_painted_is_what_the_suite_counted() -> None:
     for name in ("conversation", "reception"):
         found = load_ready(Path(examples()[name]))
@@ -95,6 +114,7 @@ def test_what_is_painted_is_what_the_suite_counted() -> None:
         views = [one for one in drawn.values() if isinstance(one, LiveView)]
         entered = sum(sum(view.counts.values()) for view in views)
         assert entered == sum(seen.times for seen in coverage.states.values())
-        script = drawn.get(found.spds_file or "")
-        if isinstance(script, LiveScript):
+        if found.spds_file is not None:
+            script = drawn[found.spds_file]
+            assert isinstance(script, LiveScript)
             assert script.holds == {n for n, s in coverage.situations.items() if s.covered}
