@@ -39,6 +39,7 @@ LOOP = (
     '<event next="1"><when><data tag="x" above="5"/></when></event>'
     '<event name="e" next="1"/></expectedevents></state>'
 )
+ASKING = '<module name="a" resources="speech"/>'
 BELOW = (
     '<event name="e" next="1"><when><data tag="x" below="2"/></when></event>'
     '<event name="e" next="1"><when><data tag="x" atmost="3"/><data tag="x" atleast="2"/></when>'
@@ -213,26 +214,45 @@ def test_the_second_question_of_a_place_is_not_told_again(
     assert len({p.place for p in problems}) == len(problems)
 
 
-def test_a_module_with_many_resources_above_is_undecided() -> None:
+def test_a_module_with_many_resources_beside_an_application_above_is_undecided() -> None:
     many = " ".join(f"r{at}" for at in range(13))
     situations = (
-        f'<modules><module name="m" resources="{many}"/><module name="n" resources="r1"/></modules>'
-        '<situation name="rest"><module name="m" priority="9"/><module name="n" priority="1"/>'
-        "</situation>"
+        f'<modules><module name="m" resources="{many}"/><module name="n" resources="r1"/>{ASKING}'
+        '</modules><situation name="rest"><module name="m" priority="9"/>'
+        '<module name="n" priority="1"/><module name="a" priority="9"/></situation>'
     )
-    places = [p.place for p in found(project(situations=situations), "undecided", "never-wins")]
+    of = project('<state no="1"/>', situations)
+    places = [p.place for p in found(of, "undecided", "never-wins")]
     assert places == [("situation", "rest", "entry", "1")]
 
 
+@pytest.mark.parametrize("priority", [8, 9])
 def test_whether_a_module_wins_is_undecided_where_too_many_could_ask_before(
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, priority: int
 ) -> None:
     monkeypatch.setattr(analysis_modules, "MOST", 3)
     modules = "".join(f'<module name="m{at}" resources="r{at} s"/>' for at in range(3))
     entries = "".join(f'<module name="m{at}" priority="{9 - at}"/>' for at in range(3))
-    situations = f'<modules>{modules}</modules><situation name="rest">{entries}</situation>'
-    places = [p.place for p in found(project(situations=situations), "undecided", "never-wins")]
+    entries += f'<module name="a" priority="{priority}"/>'
+    situations = f'<modules>{modules}{ASKING}</modules><situation name="rest">{entries}</situation>'
+    of = project('<state no="1"/>', situations)
+    places = [p.place for p in found(of, "undecided", "never-wins")]
     assert places[-1] == ("situation", "rest", "entry", "2")
+
+
+@pytest.mark.parametrize("priority", [0, 5, 9])
+def test_of_however_many_modules_above_it_is_known_whether_one_wins(priority: int) -> None:
+    """An application below them, among them, or above; who only may ask hinders nobody."""
+    names = [f"m{at}" for at in range(40)]
+    modules = "".join(f'<module name="{name}" resources="base"/>' for name in names)
+    entries = "".join(f'<module name="{name}" priority="5"/>' for name in names)
+    situations = (
+        f'<modules>{modules}<module name="last" resources="base"/>{ASKING}</modules>'
+        f'<situation name="rest">{entries}<module name="last" priority="1"/>'
+        f'<module name="a" priority="{priority}"/></situation>'
+    )
+    of = project('<state no="1"/>', situations)
+    assert found(of, "undecided", "never-wins") == []
 
 
 def test_an_application_without_states_asks_for_nothing() -> None:

@@ -156,6 +156,15 @@ def test_a_tie_that_is_taken_over_is_told_once() -> None:
     ]
 
 
+def test_of_two_situations_of_one_name_a_tie_is_told_of_its_own_and_not_mended_elsewhere() -> None:
+    both = '<module name="m" priority="5"/><module name="n" priority="5"/>'
+    one = '<module name="m" priority="5"/>'
+    for first in ("", one):
+        text = MODULES + situation("a", 'is="1"', first) + situation("a", 'is="2"', both) + LAST
+        ties = [p for p in found(script(text)) if p.code == "tie"]
+        assert [(p.place, p.mend) for p in ties] == [(("situation", "a", "entry", "1"), None)]
+
+
 def test_a_module_without_a_priority_never_wins() -> None:
     one = '<module name="m" priority="5"/>'
     assert told(MODULES + situation("z", rest=one)) == [("never-wins", ("module", "n"))]

@@ -12,6 +12,8 @@ for the same resource: who comes first then depends on who held or asked first.
 
 from __future__ import annotations
 
+import math
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Set
 
 from situ.document.analysis_search import Search
@@ -207,9 +209,13 @@ def can_win(priorities: dict[str, int], askers: dict[str, Asker], name: str) -> 
     for module, priority in priorities.items():
         if priority > mine and module in askers:
             above.setdefault(priority, []).append(askers[module])
+    # Who may ask for any part may as well ask for nothing: it matters only where it can keep an
+    # application from what that asks for.
+    lowest = min((p for p, several in above.items() if not _is_free(several)), default=math.inf)
     taken: set[frozenset[str]] = {frozenset()}
     for priority in sorted(above, reverse=True):
-        taken = _after(taken, above[priority])
+        if priority >= lowest:
+            taken = _after(taken, above[priority])
     return any(_granted(askers[name], one) for one in taken)
 
 
@@ -219,8 +225,20 @@ def _granted(asker: Asker, taken: frozenset[str]) -> bool:
     return any(not needs & taken and bool(needs or takes - taken) for needs, takes in asker.asks)
 
 
+def _is_free(several: list[Asker]) -> bool:
+    """Whether each may ask for any part of its resources, and for none."""
+    return all(one.asks is None for one in several)
+
+
 def _after(taken: set[frozenset[str]], several: list[Asker]) -> set[frozenset[str]]:
     """What can be taken after modules of one priority asked, in any order."""
+    if _is_free(several):
+        for resource in frozenset[str]().union(*(one.resources for one in several)):
+            taken = taken | {one | {resource} for one in taken}
+            if len(taken) > MOST:
+                raise _Spent
+        return taken
+    several = _telling(several)
     everyone = frozenset(range(len(several)))
     reached = {(one, everyone) for one in taken}
     waiting = list(reached)
@@ -235,6 +253,20 @@ def _after(taken: set[frozenset[str]], several: list[Asker]) -> set[frozenset[st
                     if len(reached) > MOST:
                         raise _Spent
     return {held for held, left in reached if not left}
+
+
+def _telling(several: list[Asker]) -> list[Asker]:
+    """Without those that change nothing: of modules with the same resources no more than these can
+    take something each.
+    """
+    found: list[Asker] = []
+    count: Counter[frozenset[str]] = Counter()
+    for one in several:
+        if one.asks is None:
+            count[one.resources] += 1
+        if one.asks is not None or count[one.resources] <= len(one.resources):
+            found.append(one)
+    return found
 
 
 def _may_take(asker: Asker, taken: frozenset[str]) -> Iterator[frozenset[str]]:
@@ -265,34 +297,38 @@ def _ties(
     askers: dict[str, Asker],
 ) -> None:
     resources = {name: asker.resources for name, asker in askers.items()}
-    known: dict[str, set[tuple[str, str]]] = {}
-    for situation in script.situations:
-        known[situation.name] = set(tied(script.priorities(situation), resources))
+    every = list(zip(script.situations, script.every_priorities(), strict=True))
+    known = {one.name: set(tied(priorities, resources)) for one, priorities in every}
     names = {situation.name for situation in current}
-    for situation in current:
-        found = known[situation.name]
+    told = {id(situation) for situation in current}
+    for situation, priorities in every:
+        if id(situation) not in told:
+            continue
+        found = set(tied(priorities, resources))
         # Where the situation that it extends is told of already, once is enough.
         if situation.extends in names and situation.extends is not None:
             found = found - known.get(situation.extends, set())
         for one, other in sorted(found):
             shared = sorted(askers[one].resources & askers[other].resources)
-            priority = script.priorities(situation)[one]
+            priority = priorities[one]
             aside, place = _entry(situation, one, other)
             message = (
                 f'"{one}" and "{other}" both have the priority {priority} in "{situation.name}" '
                 f"and can ask for {', '.join(shared)}: who asked first would win; give one of "
                 "them another priority"
             )
-            search.warn(file, "tie", message, aside, place, _apart(search, file, script, place))
+            # Of two of one name the place means the first.
+            is_meant = len(place) == 4 and script.situation(situation.name) is situation
+            mend = _apart(search, file, situation, priorities, place) if is_meant else None
+            search.warn(file, "tie", message, aside, place, mend)
 
 
-def _apart(search: Search, file: str, script: Spds, place: Place) -> Mend | None:
+def _apart(
+    search: Search, file: str, situation: Situation, priorities: Mapping[str, int], place: Place
+) -> Mend | None:
     """To give the entry that ties the next priority, or the one below, that nobody else has."""
-    situation = script.situation(place[1])
-    if situation is None or len(place) < 4:
-        return None
     entry = situation.entries[int(place[3])]
-    taken = set(script.priorities(situation).values())
+    taken = set(priorities.values())
     free = [
         entry.priority + by
         for by in (1, -1)
