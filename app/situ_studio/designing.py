@@ -62,10 +62,12 @@ class DesigningSide(QObject):
         if designer is None:
             self.leave()
             return
+        if stack.currentWidget() is not designer.side:
+            # Beside another document a template may have been kept or removed meanwhile.
+            designer.use_templates(self._templates)
         if stack.indexOf(designer.side) < 0:
             stack.addWidget(designer.side)
             designer.view_asked.connect(self._show)
-            designer.use_templates(self._templates)
             designer.template_asked.connect(partial(self._keep, designer))
             designer.device_changed.connect(self._window.inspector.look_at)
         stack.setCurrentWidget(designer.side)

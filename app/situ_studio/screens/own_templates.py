@@ -7,6 +7,7 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from situ.document import codec, folder, rbd
+from situ.errors import UsageError
 from situ_studio.screens.templates import raised
 
 FILE = "templates.rbd.xml"
@@ -48,6 +49,9 @@ class OwnTemplates:
     def _write(self, states: list[rbd.State]) -> None:
         every = sorted(states, key=lambda one: one.name.casefold())
         numbered = tuple(replace(one, no=str(no)) for no, one in enumerate(every, 1))
-        self._file.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            self._file.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise UsageError(f"{self._file.parent}: {error.strerror or error}") from None
         written = codec.write(rbd.Application(name="templates", states=numbered))
         folder.write(self._file, written)

@@ -324,3 +324,20 @@ def test_a_double_click_on_the_small_picture_of_a_card_opens_its_screen(
     used.key(Qt.Key.Key_4, CONTROL)
     assert designer.shown.place == ("state", "10")
     assert designer.sheet.selected == ("continue",)
+
+
+def test_a_template_that_is_kept_is_offered_beside_every_open_document(desk: Desk) -> None:
+    window = desk.window
+    window.open_file("register.rbd.xml")
+    window.show_mode("screen")
+    desk.used.settle()
+    other = window.current_view.piece("designer").side.templates
+    assert not other.own
+    window.open_file(FILE)
+    desk.go_to("2")
+    desk.used.answers.put("name", "mine")
+    desk.used.click(desk.side.keep)
+    assert list(desk.side.templates.own) == ["mine"]
+    window.open_file("register.rbd.xml")
+    desk.used.settle()
+    assert list(other.own) == ["mine"]

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from msgspec.structs import replace
 
 from situ.document import rbd
 from situ.document.check import check
 from situ.document.project import Project
+from situ.errors import UsageError
 from situ_studio.screens.own_templates import FILE, OwnTemplates
 from situ_studio.screens.templates import applied, raised, read, templates, title, written
 
@@ -67,6 +69,17 @@ def test_one_s_own_are_kept_by_name_in_a_file_that_any_window_reads(tmp_path: Pa
     assert [one.name for one in own.all()] == ["welcome"]
     (tmp_path / "settings" / FILE).write_bytes(b"<broken")
     assert own.all() == ()
+
+
+def test_where_they_can_not_be_written_it_is_said_in_one_line(tmp_path: Path) -> None:
+    shown = templates()["two-answers"].screen
+    assert shown is not None
+    taken = tmp_path / "settings"
+    taken.write_text("a file", encoding="utf-8")
+    with pytest.raises(UsageError) as told:
+        OwnTemplates(taken).keep("welcome", shown)
+    assert "\n" not in str(told.value)
+    assert str(taken) in str(told.value)
 
 
 def test_what_a_drag_carries_is_the_template_and_nothing_else_is_taken_for_one() -> None:
