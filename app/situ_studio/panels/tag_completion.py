@@ -99,7 +99,9 @@ class TagCompletion(QObject):
             shown.hide()
             return
         # A window of its own: it has the looks of the field's only if it is given them.
-        shown.setStyleSheet(self._field.window().styleSheet())
+        looks = self._field.window().styleSheet()
+        if shown.styleSheet() != looks:
+            shown.setStyleSheet(looks)
         shown.setFont(font(FORM))
         at = self._field.cursorRect()
         completer.complete(QRect(at.left(), at.top(), WIDE, at.height()))
