@@ -43,6 +43,11 @@ class DocumentBar(QTabBar):
         self.setMovable(True)
         self.setUsesScrollButtons(True)
 
+    def is_out(self, at: QPoint) -> bool:
+        """Whether a tab that is dragged to this point of the screen leaves the strip."""
+        room = self.rect().adjusted(-OUT, -OUT, OUT, OUT)
+        return not room.contains(self.mapFromGlobal(at))
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.MiddleButton:
             self._pressed = self.tabAt(event.position().toPoint())
@@ -57,9 +62,9 @@ class DocumentBar(QTabBar):
         if not self._dragged:
             super().mouseMoveEvent(event)
             return
-        at = event.position().toPoint()
-        self._out = not self.rect().adjusted(-OUT, -OUT, OUT, OUT).contains(at)
-        self.pulled.emit(event.globalPosition().toPoint())
+        at = event.globalPosition().toPoint()
+        self._out = self.is_out(at)
+        self.pulled.emit(at)
         if not self._out:
             super().mouseMoveEvent(event)
 

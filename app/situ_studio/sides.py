@@ -265,7 +265,7 @@ class Sides(QWidget):
     def _area(self, group: Group, at: QPoint) -> QRect:
         """Where a tab of ``group`` would go that is let go ``at`` a point of the screen."""
         here = self.mapFromGlobal(at)
-        if not self.rect().contains(here):
+        if not self.rect().contains(here) or not group.tabs.bar.is_out(at):
             return QRect()
         for other in self.groups:
             area = QRect(other.mapTo(self, QPoint()), other.size())

@@ -114,6 +114,22 @@ def test_a_tab_is_dragged_to_the_right_half_and_back(studio: Start, project: Cop
     assert used.window.current_view.canvas.viewer.hasFocus()
 
 
+def test_a_tab_that_is_moved_within_its_strip_lands_nowhere_else(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("conversation"))
+    used.window.resize(800, 700)
+    used.settle()
+    sides, bar = used.window.sides, used.window.tabs.bar
+    end = bar.mapToGlobal(QPoint(bar.width() - 5, bar.height() // 2))
+    assert sides.mapFromGlobal(end).x() > sides.width() // 2
+    file = used.window.current_file
+    drag_tab(used, bar, end)
+    assert not used.landing
+    assert not sides._landing.isVisible()
+    assert open_in(used)[0][-1] == file
+
+
 def test_the_left_side_can_be_closed_too_and_tells_what_it_told(
     studio: Start, project: Copy
 ) -> None:
