@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-from msgspec.structs import replace
-
 from situ.document.beside import Toml
 from situ.document.check_application import used_resources
 from situ.document.check_script import DEFAULT
@@ -13,12 +11,11 @@ from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
 from situ.document.spds import Declaration, Entry, Situation, Spds
 from situ_studio.edit import Written
+from situ_studio.project_form.writing import put
 
 END = ".spds.xml"
 USUAL = 1
 """The priority of an application where there is no script (formats.md, *SPDS*)."""
-_TABLE = re.compile(r"^\[project\][^\n]*\n", re.MULTILINE)
-_NAME = re.compile(r'\Aname[ \t]*=[ \t]*"[^"\n]*"[ \t]*\n')
 
 
 def can_begin(project: Project) -> bool:
@@ -44,15 +41,4 @@ def begun(project: Project, toml: Toml, taken: frozenset[str]) -> dict[str, Writ
     )
     entries = tuple(Entry(name, USUAL) for name in every)
     script = Spds(project.name, modules=modules, situations=(Situation(DEFAULT, entries=entries),))
-    return {file: script, PROJECT_FILE: named(toml, file)}
-
-
-def named(toml: Toml, file: str) -> Toml:
-    """``situ.toml`` with that file as its script, all else as it is."""
-    table = _TABLE.search(toml.text)
-    if table is None:
-        return replace(toml, text=f'[project]\nspds = "{file}"\n\n{toml.text}')
-    at = table.end()
-    name = _NAME.match(toml.text[at:])
-    at += name.end() if name is not None else 0
-    return replace(toml, text=f'{toml.text[:at]}spds = "{file}"\n{toml.text[at:]}')
+    return {file: script, PROJECT_FILE: put(toml, "project", "spds", file)}

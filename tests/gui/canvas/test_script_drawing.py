@@ -281,13 +281,18 @@ def test_its_file_is_none_that_is_there() -> None:
     ("before", "after"),
     [
         (
-            '[project]\nname = "x"\nmedia = "m"\n',
-            '[project]\nname = "x"\nspds = "s"\nmedia = "m"\n',
+            '[project]\nname = "x"\nmedia = "m"\n\n[tags]\n',
+            '[project]\nname = "x"\nmedia = "m"\nspds = "ward-3.spds.xml"\n\n[tags]\n',
         ),
-        ('[project]\nmedia = "m"\n', '[project]\nspds = "s"\nmedia = "m"\n'),
-        ('# all\n[project] # it\nmedia = "m"', '# all\n[project] # it\nspds = "s"\nmedia = "m"'),
-        ("[tags]\nx = 1\n", '[project]\nspds = "s"\n\n[tags]\nx = 1\n'),
+        (
+            '# all\n[ project ] # it\nmedia = "m"',
+            '# all\n[ project ] # it\nmedia = "m"\nspds = "ward-3.spds.xml"\n',
+        ),
+        ("[project]", '[project]\nspds = "ward-3.spds.xml"\n'),
+        ('project = {name = "x"}\n', 'project = {name = "x",spds = "ward-3.spds.xml"}\n'),
+        ("[tags]\nx = 1\n", '[tags]\nx = 1\n\n[project]\nspds = "ward-3.spds.xml"\n'),
     ],
 )
 def test_the_project_names_it_and_all_else_stays(before: str, after: str) -> None:
-    assert new_script.named(Toml(before), "s") == Toml(after)
+    changed = new_script.begun(project(), Toml(before), frozenset())
+    assert changed["situ.toml"] == Toml(after)
