@@ -93,7 +93,7 @@ class Actions(QObject):
                 action.setChecked(bool(getattr(self._handlers, command.checked)(command.argument)))
 
     def fill_menus(self, bar: QMenuBar) -> None:
-        """Makes the menus; one without a visible command is not shown."""
+        """Makes the menus."""
         for title in MENUS:
             self._menu(title, bar)
         for command in COMMANDS:
@@ -153,13 +153,6 @@ class Actions(QObject):
         menu.setToolTipsVisible(True)
         self._menus[title] = menu
         return menu
-
-    def show_menus(self) -> None:
-        """Hides the menus in which nothing is visible."""
-        for title, menu in self._menus.items():
-            if "/" not in title:
-                there = any(a.isVisible() and not a.isSeparator() for a in menu.actions())
-                menu.menuAction().setVisible(there)
 
     def fill_toolbar(self, bar: QToolBar, end: Literal["left", "right"]) -> None:
         """Puts the commands of one end into the toolbar; a line between those of two menus."""
