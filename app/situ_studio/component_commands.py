@@ -80,12 +80,19 @@ class ComponentCommands(QObject):
         self._window.say(self.tr("{0} copied").format(self._named(ids)))
 
     def cut(self) -> None:
-        self.copy()
-        self.delete(self.tr("Cut {0}"))
+        """Takes away what ``copy`` copies: of one screen."""
+        found = self._of(self.chosen)
+        if found is not None:
+            within, _, ids = found
+            self.copy()
+            self._delete(tuple((*within, id) for id in ids), self.tr("Cut {0}"))
 
     def delete(self, text: str) -> None:
         """text: the name of the step."""
-        document, chosen = self._window.current_document, self.chosen
+        self._delete(self.chosen, text)
+
+    def _delete(self, chosen: tuple[Place, ...], text: str) -> None:
+        document = self._window.current_document
         if document is None or not chosen:
             return
         for place in chosen:

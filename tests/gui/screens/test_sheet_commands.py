@@ -78,6 +78,17 @@ def test_components_are_copied_cut_pasted_and_duplicated_not_their_state(table: 
     assert ids(table, "1")[-2:] == ["measure3", "goodbye3"]
 
 
+def test_cut_takes_away_only_what_is_copied(table: Table) -> None:
+    elsewhere = ids(table, "1")
+    table.used.window.select_all(
+        (("state", "11", "screen", "measure"), ("state", "1", "screen", elsewhere[0]))
+    )
+    table.used.settle()
+    table.used.window.commands.components.cut()
+    assert ids(table) == ["question", "heart", "robot", "goodbye"]
+    assert ids(table, "1") == elsewhere
+
+
 def test_in_another_project_they_are_the_same_and_missing_pictures_are_named(
     table: Table, studio: Any, project: Any, tmp_path: Path
 ) -> None:
