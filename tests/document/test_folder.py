@@ -622,13 +622,15 @@ def test_the_sources_of_a_project_are_all_its_texts_its_parts_among_them(tmp_pat
 def test_what_killed_writers_left_is_cleared_and_nothing_else(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    gone, other = 4_000_001, 4_000_002
+    gone, other, huge = 4_000_001, 4_000_002, 10**30
 
     def kill(process: int, signal: int) -> None:
         if process == gone:
             raise ProcessLookupError
         if process == other:
             raise PermissionError
+        if process == huge:
+            raise OverflowError
 
     monkeypatch.setattr(os, "kill", kill)
     (tmp_path / "texts").mkdir()
@@ -638,6 +640,8 @@ def test_what_killed_writers_left_is_cleared_and_nothing_else(
         tmp_path / f".a.xml.{os.getpid()}.unfinished-x",
         tmp_path / f".a.xml.{other}.unfinished-x",
         tmp_path / ".a.xml.unfinished-x",
+        tmp_path / ".a.xml.².unfinished-x",
+        tmp_path / f".a.xml.{huge}.unfinished-x",
         tmp_path / f"a/b/.deep.{gone}.unfinished-x",
         tmp_path / "a.xml",
     ]

@@ -170,7 +170,7 @@ def clear_unfinished(folder: str | Path) -> None:
     for pattern in (f".*{UNFINISHED}*", f"*/.*{UNFINISHED}*"):
         for file in root.glob(pattern):
             writer = file.name.rpartition(UNFINISHED)[0].rpartition(".")[2]
-            if writer.isdigit() and not _runs(int(writer)):
+            if writer.isdecimal() and not _runs(int(writer)):
                 with contextlib.suppress(OSError):
                     file.unlink()
 
@@ -180,7 +180,8 @@ def _runs(process: int) -> bool:
         os.kill(process, 0)
     except ProcessLookupError:
         return False
-    except OSError:
+    except (OSError, OverflowError):
+        # It is another user's, or no number that a process can have.
         return True
     return True
 
