@@ -29,13 +29,6 @@ ROOT = {
     "stroke-linecap": "round",
     "stroke-linejoin": "round",
 }
-TO_COME = {
-    "book",
-    *("bookmark", "breakpoint", "deploy", "pause", "record", "step", "why"),
-    *("eye", "landscape", "lock", "portrait"),
-}
-"""Drawn for what the window does not have yet: rehearsals and the live view, the designer of
-screens. Whoever uses one strikes it out here."""
 
 
 def written() -> set[str]:
@@ -111,7 +104,7 @@ def test_no_icon_is_missing_and_none_is_unused() -> None:
     named = asked() | {command.icon for command in actions.COMMANDS if command.icon}
     named |= {kind.icon for kind in kinds.KINDS} | set(actions.SUBMENU_ICONS.values())
     assert named - NAMES == set(), "asked for, but not in resources/icons"
-    assert NAMES - written() - TO_COME == set(), "in resources/icons, but used nowhere"
+    assert NAMES - written() == set(), "in resources/icons, but used nowhere"
 
 
 def test_every_command_of_the_toolbar_has_an_icon_of_its_own() -> None:
