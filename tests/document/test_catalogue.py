@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -144,7 +142,7 @@ def test_a_word_that_is_a_text_too_is_joined_apart_from_it() -> None:
     assert both.readings == {"Dr.": "Doktor"}
 
 
-def test_a_project_is_what_its_files_say_it_is(tmp_path: Path) -> None:
+def test_a_project_is_what_its_files_say_it_is() -> None:
     root = example("reception")
     project, _ = folder.load(root)
     assert project is not None

@@ -197,11 +197,10 @@ def low_contrast(search: Search, file: str, application: Application) -> None:
     """
     for screen, place in screens(application):
         for component in screen.components:
-            best = contrast_of(search.project, file, application, screen, component)
-            if best is None or best >= CONTRAST:
-                continue
             given = colours_of(component)
-            assert given is not None
+            best = contrast_of(search.project, file, application, screen, component)
+            if given is None or best is None or best >= CONTRAST:
+                continue
             ink, behind = given
             message = (
                 f"The color {ink} on {behind[0] if behind else 'the page'} is hard to read: their "
