@@ -230,4 +230,4 @@ def _targets(stage: Stage, one: Shown) -> list[Target]:
 
 def _key(target: Target) -> str:
     """The same for the same thing as long as it is shown."""
-    return f"{target.id} {target.words}"
+    return f"{target.id} {target.words} {target.value}"

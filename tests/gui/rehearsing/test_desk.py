@@ -15,7 +15,10 @@ from situ.decide import inputs
 from situ.decide.step import SECOND
 from situ.rehearse.scenario import load
 from situ.rehearse.suite import play
+from situ_studio.rehearsing.robot_screen import RobotScreen
 from situ_studio.rehearsing.saving import SavingScenario
+from situ_studio.screens.shown import Content
+from situ_studio.theme import LIGHT
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 LEFT = Qt.MouseButton.LeftButton
@@ -186,6 +189,22 @@ def test_it_is_typed_into_the_robots_screen(desk: Any) -> None:
     used.studio.key(Qt.Key.Key_Return)
     course = used.side.running.course
     assert course.look("user.initial.x") == "J"
+
+
+def test_keys_reach_every_row_also_of_two_that_say_the_same(qt: Any) -> None:
+    people = [("Smith", 1), ("Smith", 2), ("Jones", 3)]
+    items = [{"label": label, "value": value} for label, value in people]
+    place = {"x": 5, "y": 5, "width": 60, "height": 80, "size": 6}
+    screen = RobotScreen(LIGHT)
+    screen.resize(400, 300)
+    screen.show_content(Content(({"id": "who", "type": "list", "items": items, **place},)), None)
+    used: list[Any] = []
+    screen.used.connect(lambda _, value: used.append(value))
+    for _ in people:
+        QTest.keyClick(screen, Qt.Key.Key_Down)
+        QTest.keyClick(screen, Qt.Key.Key_Return)
+    assert used == [1, 2, 3]
+    screen.deleteLater()
 
 
 def test_what_a_service_answers_is_given(desk: Any) -> None:
