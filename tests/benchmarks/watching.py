@@ -115,7 +115,7 @@ def _watching() -> Iterator[Mapping[str, Sample]]:
                 "one event a frame": lambda: came(1),
             }
         finally:
-            window.may_leave = lambda: True  # type: ignore[method-assign]
+            window.asked = True
             window.close()
 
 

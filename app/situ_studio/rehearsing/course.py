@@ -46,10 +46,6 @@ class Pending(Struct, frozen=True):
     text: str | None
     until: int | None
 
-    @property
-    def by_itself(self) -> bool:
-        return self.until is not None
-
     def finish(self, ok: bool = True, result: Any = None) -> inputs.Finish:
         """The input that ends it, well or badly. result: what a service answers."""
         if ok:

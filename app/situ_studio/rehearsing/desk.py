@@ -23,6 +23,7 @@ from situ.decide import inputs
 from situ.document.folder import resolve
 from situ.document.project import Project
 from situ.document.values import read
+from situ.rehearse.scenario import WRITER
 from situ_studio import kinds
 from situ_studio.icon_widgets import Elided, retheme
 from situ_studio.language import translated
@@ -38,8 +39,6 @@ from situ_studio.rehearsing.running import Running
 from situ_studio.screens.shown import Content
 from situ_studio.theme import Theme
 
-WRITER = "scenario"
-"""Who writes what somebody turns here: as in a scenario, which it can become."""
 WIDE = 320
 
 

@@ -20,8 +20,7 @@ from situ.decide.situations import Situations
 from situ.decide.step import Step, duration
 from situ.document.condition import Condition, Group, Test
 from situ.document.spds import Spds
-
-WRITER = "scenario"
+from situ.rehearse.scenario import WRITER
 
 
 class Answer(Struct, frozen=True):
