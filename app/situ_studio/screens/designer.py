@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QBuffer, QIODevice, QPoint, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QImage, QKeyEvent
+from PySide6.QtGui import QGuiApplication, QImage, QImageWriter, QKeyEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from situ.document import rbd
@@ -362,6 +362,6 @@ class _BareCrumbs(Breadcrumbs):
 def _brought(project: Project, picture: QImage) -> str:
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    picture.save(buffer, "PNG")  # type: ignore[call-overload]
+    QImageWriter(buffer, b"PNG").write(picture)
     data: Any = buffer.data()
     return media_import.bring_bytes(project, bytes(data.data()), "pasted.png")

@@ -78,10 +78,12 @@ def test_delete_takes_the_component_away_and_leaves_its_state(page: Page) -> Non
 
 
 def test_cut_with_a_component_selected_leaves_its_state(table: Table) -> None:
-    states = len(table.used.window.current_document.states)
-    table.used.click(table.sheet, table.middle(table.components[-1].id))
+    states = len(table.document.states)
+    *others, one = table.components
+    table.used.click(table.sheet, table.middle(one.id))
     table.used.key(Qt.Key.Key_X, Qt.KeyboardModifier.ControlModifier)
-    assert len(table.used.window.current_document.states) == states
+    assert len(table.document.states) == states
+    assert list(table.components) == others
 
 
 def test_shift_adds_to_the_selection_and_they_move_together(page: Page) -> None:
