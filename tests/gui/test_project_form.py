@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from situ.document import folder
 from situ.document.project import Setting
 from situ_studio.project_form.form import ProjectForm
+from situ_studio.project_form.going import field_at
 from situ_studio.project_form.values import as_kind, kind_of
 
 Start = Callable[..., Any]
@@ -217,6 +218,11 @@ def test_everything_that_the_file_may_say_can_be_said(used: Any, ward: Path) -> 
         fill(used, rows(used, "places").field(0, column), number)
     fill(used, rows(used, "mqtt").field(0, 0), "zigbee/+/fall")
     fill(used, rows(used, "mqtt").field(0, 2), "fallDetected")
+    means = rows(used, "mqtt").field(0, 1)
+    means.setFocus()
+    used.key(Qt.Key.Key_Down)
+    assert "A tag is words" in said(used)
+    assert means.currentText() == "an event"
     fill(used, section(used, "mqtt").broker, "mqtt://127.0.0.1:1883")
     fill(used, section(used, "robot").fields["robot", "adapter"], "sim")
     used.window.actions_.actions["save"].trigger()
@@ -295,6 +301,19 @@ def test_problems_of_the_file_stand_above_and_lead_here(used: Any) -> None:
     used.settle()
     assert form(used).isVisible()
     assert used.window.tabs.chosen_file == "situ.toml"
+
+
+def test_a_line_of_the_file_has_its_field(used: Any) -> None:
+    def at(line: str) -> QWidget | None:
+        return field_at(form(used), TOML, TOML.splitlines().index(line) + 1)
+
+    assert at("visits = 3") is rows(used, "tags").field(1, 0)
+    assert at('languages = ["en"]') is section(used, "languages")
+    name = next(line for line in TOML.splitlines() if line.startswith("name"))
+    assert at(name) is section(used, "project").fields["project", "name"]
+    assert at('colour = "blue" # nobody knows this') is section(used, "project")
+    used.window.pages.go_to_line("situ.toml", TOML, TOML.splitlines().index(name) + 1)
+    assert QApplication.focusWidget() is at(name)
 
 
 @pytest.mark.parametrize(

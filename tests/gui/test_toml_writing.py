@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from typing import Any
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -133,3 +134,29 @@ def test_the_file_says_what_was_put_and_keeps_every_comment(
     }
     for comment in ("# Ours", "# as on the door", "# first", "# Who may change what", "# shown"):
         assert comment in toml.text
+
+
+@pytest.mark.parametrize(
+    ("text", "table", "key"),
+    [
+        ("tags = 3\n[robot]\nadapter = 'sim'\n", "tags", "a"),
+        ("mqtt = []\n[robot]\nadapter = 'sim'\n", "mqtt", "url"),
+        ("[tags]\na = 1\n[robot]\nadapter = 'sim'\n[tags.b]\nc = 1\n", "tags", "a"),
+    ],
+)
+def test_a_value_is_put_and_taken_out_also_where_its_table_is_none_or_in_pieces(
+    text: str, table: str, key: str
+) -> None:
+    put = writing.put(Toml(text), table, key, "x")
+    found = tomllib.loads(put.text)
+    assert (found[table][key], found["robot"]) == ("x", {"adapter": "sim"})
+    out = tomllib.loads(writing.put(put, table, key, None).text)
+    assert key not in out.get(table, {})
+
+
+def test_what_stands_in_the_place_of_topics_or_settings_and_is_none_makes_room_for_them() -> None:
+    for text in ("mqtt = 3\n", "[mqtt]\nin = 3\n"):
+        put = writing.put_in(Toml(text), "mqtt", "in", "a/b", "event:x")
+        assert tomllib.loads(put.text) == {"mqtt": {"in": {"a/b": "event:x"}}}
+    added = writing.add_setting(Toml("setting = 3\n"), {"tag": "a"})
+    assert tomllib.loads(added.text) == {"setting": [{"tag": "a"}]}

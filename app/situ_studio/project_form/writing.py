@@ -5,11 +5,11 @@ Values are those of TOML: texts, numbers, true and false, lists and tables of th
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, MutableMapping
 from typing import Any
 
 import tomlkit
-from tomlkit.items import AoT, Array, InlineTable, Table
+from tomlkit.items import AoT, Array
 
 from situ.document.beside import Toml
 
@@ -18,14 +18,19 @@ Values = Mapping[str, Any]
 
 
 def put(toml: Toml, table: str, key: str, value: Any) -> Toml:
-    """The file with ``value`` at ``table.key``; None takes it out."""
+    """The file with ``value`` at ``table.key``; None takes it out.
+
+    What stands in the table's place and is none, an error, makes room for one.
+    """
     document = tomlkit.parse(toml.text)
     found = document.get(table)
     if value is None:
-        if isinstance(found, (Table, InlineTable)) and key in found:
-            found.remove(key)
+        if isinstance(found, MutableMapping) and key in found:
+            del found[key]
         return _made(toml, document)
-    if found is None:
+    if not isinstance(found, MutableMapping):
+        if found is not None:
+            document.remove(table)
         found = tomlkit.table()
         if document.body and not toml.text.endswith("\n\n"):
             document.add(tomlkit.nl())
@@ -48,13 +53,14 @@ def rename(toml: Toml, table: str, old: str, new: str) -> Toml:
 def put_in(toml: Toml, table: str, key: str, inner: str, value: Any) -> Toml:
     """As ``put``, in the table at ``table.key``."""
     document = tomlkit.parse(toml.text)
-    found: Any = document.get(table, {}).get(key)
-    if found is None:
+    outer = document.get(table)
+    found = outer.get(key) if isinstance(outer, MutableMapping) else None
+    if not isinstance(found, MutableMapping):
         return put(toml, table, key, {inner: value}) if value is not None else toml
     if value is not None:
         _put(found, inner, value)
     elif inner in found:
-        found.remove(inner)
+        del found[inner]
     return _made(toml, document)
 
 
@@ -76,6 +82,8 @@ def add_setting(toml: Toml, values: Values) -> Toml:
     if isinstance(found, AoT):
         found.append(made)
     else:
+        if found is not None:
+            document.remove(SETTING)
         if document.body and not toml.text.endswith("\n\n"):
             document.add(tomlkit.nl())
         every = tomlkit.aot()
