@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -26,6 +27,9 @@ from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_plan import Plan
 from situ_studio.panels.fields import Flag
 from situ_studio.theme import Theme
+
+if TYPE_CHECKING:
+    from situ.blackboard.protocol import Turn
 
 MOST = 500
 """Changes that are listed."""
@@ -52,6 +56,7 @@ class DeployDialog(QDialog):
         self._deploying = deploying
         self._planned = planned
         self._plan: Plan | None = None
+        self._shown: tuple[Turn, ...] = ()
         self.setWindowTitle(self.tr("Deploy"))
         self.resize(720, 600)
         column = QVBoxLayout(self)
@@ -205,9 +210,10 @@ class DeployDialog(QDialog):
 
     def _show_versions(self) -> None:
         turns = self._deploying.turns
-        rows = list(turns.turns) if turns is not None else []
-        if self.versions.topLevelItemCount() == len(rows):
+        rows = turns.turns if turns is not None else ()
+        if rows == self._shown:
             return
+        self._shown = rows
         self.versions.clear()
         for one in reversed(rows):
             item = QTreeWidgetItem(deploying_words.turn(one))

@@ -30,10 +30,9 @@ class DeployingSide(QObject):
         self.deploying.ended.connect(self._on_ended)
         self.dialog: DeployDialog | None = None
         self._seen = (False, False)
-        for signal in (link.state_changed, link.documents_came):
+        for signal in (link.state_changed, link.documents_came, window.session.changed):
             signal.connect(self._settle)
-        link.documents_came.connect(self._settle_dialog)
-        window.session.changed.connect(self._on_changed)
+            signal.connect(self._settle_dialog)
         window.session.problems_changed.connect(self._settle_dialog)
 
     @property
@@ -82,17 +81,12 @@ class DeployingSide(QObject):
         unsaved = {file: write(value) for file, value in values.items() if value is not None}
         return plan(session.project, unsaved, files, session.problems)
 
-    def _on_changed(self, _: str) -> None:
-        self._settle()
-        self._settle_dialog()
-
     def _settle(self) -> None:
         """The command is offered where it can be done now."""
         seen = (self.can_deploy, self.differs)
         if seen != self._seen:
             self._seen = seen
             self._window.actions_.refresh()
-            self._settle_dialog()
 
     def _settle_dialog(self) -> None:
         if self.dialog is not None and self.dialog.isVisible():

@@ -8,6 +8,13 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
+
+from situ.blackboard.protocol import Turn, Turns
+from situ_studio.live.deploying import Deploying
+from situ_studio.live.deploying_dialog import DeployDialog
+from situ_studio.live.link import RobotLink
+from situ_studio.theme import LIGHT
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -52,7 +59,11 @@ def test_what_differs_is_told_deployed_and_taken_back(
     until: Any,
     tmp_path: Path,
 ) -> None:
-    there = robot(project("conversation"))
+    where = project("conversation")
+    # The robot still speaks when it is deployed to, however slow this machine is.
+    flow = where / "converse.rbd.xml"
+    flow.write_text(flow.read_text().replace("<speech>Hello.", "<speech>" + "Hello. " * 200))
+    there = robot(where)
     it = studio(there.project)
     link = connect(it, there.endpoint, until)
     side, actions = it.window.deploying, it.window.actions_.actions
@@ -148,6 +159,19 @@ def test_what_is_wrong_is_not_sent(
     it.window.disconnect_robot()
     assert not dialog.deploy.isEnabled()
     dialog.close()
+
+
+def test_a_history_that_is_as_long_as_before_is_shown_as_it_is_now(qt: Any) -> None:
+    # A robot tells no more than so many lines of it.
+    deploying = Deploying(RobotLink())
+    parent = QWidget()
+    dialog = DeployDialog(deploying, lambda: None, LIGHT, parent)
+    for version in (1, 2):
+        turn = Turn(0.0, version, "operator:ann", "deployed")
+        deploying.turns = Turns(id=1, turns=(turn,), version=version, kept=(0, version))
+        deploying.changed.emit()
+        assert versions(dialog) == [f"Version {version} deployed"]
+    parent.deleteLater()
 
 
 def test_a_version_that_fails_in_its_first_minute_is_told_of_though_the_dialog_is_closed(
