@@ -42,7 +42,7 @@ def test_what_can_not_be_shown_is_left_out_and_the_rest_is_shown() -> None:
     page = made.page()
     assert page is not None
     assert [one["id"] for one in page["components"]] == ["a", "e"]
-    said = {"text": "3", "parts": (("3",),)}
+    said = {"parts": (("3",),)}
     assert page["components"][1] == {"id": "e", "type": "text", **PLACE, **said}
 
 

@@ -320,7 +320,7 @@ def test_a_page_is_told_the_latest_and_gets_signs_of_life(
             for number in range(500):
                 door.show(YES | {"text": str(number)})
             shown = await door.shown(socket)
-            assert shown["screen"]["components"][0]["text"] == "499"
+            assert shown["screen"]["components"][0]["parts"] == [["499"]]
             assert json.loads((await socket.receive(20)).data) == {"beat": True}
 
     visit(situation, scenario)

@@ -129,8 +129,7 @@ def _component(raw: Any, shown: dict[str, Shown], log: logging.Logger) -> Shown 
         page["align"] = raw["align"]
     page.update((k, raw[k]) for k in ("color", "fill", "event") if isinstance(raw.get(k), str))
     if kind in ("text", "button"):
-        page["text"] = _text(raw.get("text"))
-        page["parts"] = parts(page["text"])
+        page["parts"] = parts(_text(raw.get("text")))
     elif kind in ("image", "movie"):
         page["src"] = MediaFolder.address(_text(raw.get("src")))
     elif kind == "input":
