@@ -61,7 +61,8 @@ class TraceLog:
         self._lines: list[bytes] = []
         self._open_before = Moment()
         self._times: array[float] = array("d")
-        self._standing: list[tuple[float, str, Any, str | None]] = []
+        # By tag and time: a link that came back tells most of it again.
+        self._standing: dict[tuple[str, float], tuple[Any, str | None]] = {}
         self._seq = 0
         self.gone = 0
         """How many of the first are not kept any more."""
@@ -138,7 +139,7 @@ class TraceLog:
         if self._told is self.now:
             self._told = self.now.copy()
         for tag, (value, writer, t) in entries.items():
-            self._standing.append((t, tag, value, writer))
+            self._standing[tag, t] = (value, writer)
             self.now.stand(tag, value, writer, t)
 
     # -- what there is ---------------------------------------------------------------
@@ -203,11 +204,11 @@ class TraceLog:
 
     def _with_standing(self, then: Moment) -> Moment:
         """With what the trace does not tell but stood there by then."""
-        told = [s for s in self._standing if s[0] <= then.t]
+        told = [(at, s) for at, s in self._standing.items() if at[1] <= then.t]
         if not told:
             return then
         whole = then.copy()
-        for t, tag, value, writer in told:
+        for (tag, t), (value, writer) in told:
             if whole.gone.get(tag, t) <= t:
                 whole.stand(tag, value, writer, t)
         return whole
