@@ -75,7 +75,11 @@ def latest(log: TraceLog, project: Project, thing: Thing, t: float) -> Iterator[
 
 
 def _back(log: TraceLog, fits: Fits, t: float) -> Iterator[int | None]:
+    run = log.lanes
     for place in range(log.count(t) - 1, -1, -1):
+        if log.lanes is not run:
+            # The robot was started again meanwhile: nothing of what was is kept.
+            return
         if fits(log[place]):
             yield place
             return

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QListView, QVBoxLayout, QWidget
 
 from situ_studio.kinds import MODULE_MIME
 from situ_studio.known_modules import Known
+from situ_studio.language import tr
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, PLACE, RowDelegate
 from situ_studio.theme import Theme
 
@@ -21,8 +22,6 @@ HIGH = 44
 
 def words(one: Known) -> str:
     """All that a module tells of itself: what it does, needs and provides."""
-    from situ_studio.language import tr
-
     module = one.module
     lines = [module.description] if module.description else []
     if one.present:

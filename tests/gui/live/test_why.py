@@ -169,6 +169,18 @@ def test_what_is_asked_for_is_the_last_of_it_up_to_the_cursor(thing: Thing, fits
     assert len(answers) > 1, "it happens in the middle of the run"
 
 
+def test_looking_ends_where_the_robot_is_started_again_meanwhile() -> None:
+    project, _, events = played("conversation", "fig5.jsonl")
+    log = TraceLog()
+    many = [{**event, "seq": n, "t": n / 100} for n, event in enumerate(events * 20, 1)]
+    log.add(many)
+    looking = latest(log, project, Thing("transition", "nothing", FLOW, "1"), many[-1]["t"])
+    assert next(looking) is None
+    log.clear()
+    log.add(events[:5])
+    assert list(looking) == []
+
+
 def test_a_state_with_a_part_was_entered_when_the_part_was_begun() -> None:
     project, _, events = played("reception", "new-user.jsonl")
     log = TraceLog()
