@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.document.condition import Test
 from situ.document.datatypes import number, write_number
+from situ.document.names import only_reference
 from situ.document.spds import DataType
 from situ_studio.help_topics import explain
 from situ_studio.icon_widgets import IconButton, IconLabel
@@ -110,8 +111,8 @@ class TestBox(QFrame):
         kind, unit = self._kind, _ = vocabulary.type_of(test.tag)
         asked = test.test in ("is", "isnot") and test.value in ("true", "false")
         answers = asked and kind == "boolean"
-        compared = test.test in ("above", "below", "atleast", "atmost")
-        self.value.numeric = compared or (kind == "number" and test.test in ("is", "isnot"))
+        # Texts are compared by order too, as in 08:00.
+        self.value.numeric = kind == "number" and test.test not in ("in", "exists")
         self.answer.setVisible(answers)
         self.answer.show_value(test.value)
         self.value.setVisible(test.test != "exists" and not answers)
@@ -165,13 +166,13 @@ class TestBox(QFrame):
 
 
 class Value(Line):
-    """What a test compares with, as the file has it; numeric: nothing but a number is taken."""
+    """What a test compares with, as the file has it; numeric: a number, or a reference to one."""
 
     numeric = False
 
     def read(self, text: str) -> Any:
         text = text.strip()
-        if not self.numeric:
+        if not self.numeric or only_reference(text) is not None:
             return text
         try:
             return write_number(number(text.replace(",", ".")))

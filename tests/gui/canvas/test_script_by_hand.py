@@ -18,8 +18,10 @@ from tests.gui.canvas.test_script_canvas import agree, body, middle, out, pipe
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Question
 from situ.document.problem import Problem
-from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
+from situ.document.spds import DataType, Declaration, Entry, Observed, Situation, Spds
 from situ_studio.canvas.script import ScriptCanvas
+from situ_studio.panels.test_box import TestBox
+from situ_studio.vocabulary import Vocabulary
 
 ALT = Qt.KeyboardModifier.AltModifier
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -334,6 +336,31 @@ def test_what_is_typed_into_the_fields_of_a_test_is_kept_from_being_wrong(made: 
     assert made.canvas.test_editor is not None
     QTest.keyClick(box.tag, Qt.Key.Key_Return)
     assert made.canvas.test_editor is None
+
+
+@pytest.mark.parametrize(
+    ("kind", "typed_in", "taken"),
+    [
+        ("number", "7,5", ["7.5"]),
+        ("number", "warm", []),
+        ("number", "{most}", ["{most}"]),
+        ("text", "08:00", ["08:00"]),
+        (None, "08:00", ["08:00"]),
+    ],
+)
+def test_what_an_order_compares_with_is_what_its_data_can_be(
+    made: Any, kind: DataType | None, typed_in: str, taken: list[str]
+) -> None:
+    """Texts have an order too, and where a state tests, one value goes by another."""
+    box = TestBox(made.canvas.look.theme, made.canvas)
+    told: list[str] = []
+    box.changed.connect(lambda test: told.append(test.value))
+    box.show_test(Question("heat", "above", "1"), Vocabulary(data=(("heat", kind, ""),)))
+    box.show()
+    box.value.selectAll()
+    made.hand.type(box.value, typed_in)
+    QTest.keyClick(box.value, Qt.Key.Key_Return)
+    assert told == taken
 
 
 # -- heard --------------------------------------------------------------------------------------
