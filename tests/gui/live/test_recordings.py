@@ -15,6 +15,7 @@ from tests.gui.live.test_log import played
 from situ.document.export import deployable
 from situ.document.ready import load_ready
 from situ.resources import examples
+from situ_studio.live import recordings
 from situ_studio.live.recordings import ReadingRecording
 from situ_studio.live.viewing import Viewing
 
@@ -60,7 +61,12 @@ def came(reading: ReadingRecording) -> list[Any]:
     return told
 
 
-def test_a_recording_is_read_with_its_documents(qt: Any, tmp_path: Path) -> None:
+def test_a_recording_is_read_with_its_documents(
+    qt: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # A turn of the loop for each few pieces.
+    monkeypatch.setattr(recordings, "SLICE", 1e-5)
+    monkeypatch.setattr(recordings, "PIECE", 5)
     _, _, events = played("conversation", "fig5.jsonl")
     project = Path(examples()["conversation"])
     reading = ReadingRecording()
@@ -72,6 +78,7 @@ def test_a_recording_is_read_with_its_documents(qt: Any, tmp_path: Path) -> None
     assert read.files["situ.toml"] == (project / "situ.toml").read_text()
     assert read.project == "conversation"
     assert not read.torn
+    assert len(went) > 1
     assert went == sorted(went)
 
 
