@@ -222,8 +222,9 @@ def test_a_module_with_many_resources_beside_an_application_above_is_undecided()
         '<module name="n" priority="1"/><module name="a" priority="9"/></situation>'
     )
     of = project('<state no="1"/>', situations)
-    places = [p.place for p in found(of, "undecided", "never-wins")]
-    assert places == [("situation", "rest", "entry", "1")]
+    (problem,) = found(of, "undecided", "never-wins")
+    assert problem.place == ("situation", "rest", "entry", "1")
+    assert 'It is not known whether "n" ever holds authority' in problem.message
 
 
 @pytest.mark.parametrize("priority", [8, 9])

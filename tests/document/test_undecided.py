@@ -72,17 +72,3 @@ def test_it_says_what_is_not_known_and_what_to_do(
     assert all(one.endswith("or try it out with situ simulate") for one in said)
     assert any("whether this can ever hold" in one for one in said)
     assert any("whether this situation is ever current" in one for one in said)
-
-
-def test_a_module_that_can_ask_in_too_many_ways_is_told(tmp_path: Path) -> None:
-    (tmp_path / "s.spds.xml").write_text(
-        '<spds name="s"><modules>'
-        f'<module name="m" resources="{" ".join(f"r{n}" for n in range(13))}"/>'
-        '<module name="n" resources="r1"/></modules><situation name="day">'
-        '<module name="m" priority="2"/><module name="n" priority="1"/></situation></spds>'
-    )
-    project, _ = load(tmp_path / "s.spds.xml")
-    assert project is not None
-    (problem,) = [one for one in check(project) if one.code == "undecided"]
-    assert problem.place == ("situation", "day", "entry", "1")
-    assert 'whether "n" ever holds authority' in problem.message
