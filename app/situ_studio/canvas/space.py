@@ -177,10 +177,6 @@ class Cards(Boxes[str]):
                         return False
         return True
 
-    def clear_upright(self, x: float, top: float, bottom: float) -> bool:
-        """Whether a vertical is free of cards."""
-        return not self.near(x - PAD, top, x + PAD, bottom)
-
 
 class Lines:
     """Drawn segments of one direction, found by lane."""

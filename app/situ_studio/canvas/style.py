@@ -20,7 +20,6 @@ Level = Literal["full", "half", "quarter", "tiny"]
 
 FULL, HALF = 0.75, 0.4
 """The zooms from which cards show everything, and picture and name."""
-SELECTED_RING = 0.22
 
 
 def level(zoom: float) -> Level:
@@ -43,10 +42,6 @@ def sized(pixels: int, weight: int, squeezed: bool = False) -> QFont:
 @lru_cache(maxsize=64)
 def metrics(pixels: int, weight: int, squeezed: bool = False) -> QFontMetricsF:
     return QFontMetricsF(sized(pixels, weight, squeezed))
-
-
-def text_width(text: str, pixels: int, weight: int) -> float:
-    return float(metrics(pixels, weight).horizontalAdvance(text))
 
 
 class Label:

@@ -75,28 +75,28 @@ class TwinModel(QAbstractItemModel):
             rows = step.children
         return self.createIndex(found.row, 0, found) if found is not None else QModelIndex()
 
-    def index(self, row: int, column: int, parent: AnyIndex = QModelIndex()) -> QModelIndex:  # noqa: B008
+    def index(self, row: int, column: int, parent: AnyIndex = QModelIndex()) -> QModelIndex:
         node = self.node(parent)
         rows = self._top if node is None else node.children
         if not 0 <= row < len(rows):
             return QModelIndex()
         return self.createIndex(row, column, rows[row])
 
-    def parent(self, index: AnyIndex = QModelIndex()) -> QModelIndex:  # type: ignore[override]  # noqa: B008
+    def parent(self, index: AnyIndex = QModelIndex()) -> QModelIndex:  # type: ignore[override]
         node = self.node(index)
         if node is None or node.parent is None:
             return QModelIndex()
         return self.createIndex(node.parent.row, 0, node.parent)
 
-    def rowCount(self, parent: AnyIndex = QModelIndex()) -> int:  # noqa: B008
+    def rowCount(self, parent: AnyIndex = QModelIndex()) -> int:
         node = self.node(parent)
         return len(self._top) if node is None else len(node.children)
 
-    def hasChildren(self, parent: AnyIndex = QModelIndex()) -> bool:  # noqa: B008
+    def hasChildren(self, parent: AnyIndex = QModelIndex()) -> bool:
         node = self.node(parent)
         return bool(self._top) if node is None else node.has_children
 
-    def columnCount(self, parent: AnyIndex = QModelIndex()) -> int:  # noqa: B008
+    def columnCount(self, parent: AnyIndex = QModelIndex()) -> int:
         return 4
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
