@@ -57,41 +57,50 @@ class CurvedPipe(RoutedPipe):
     def __init__(self, look: Look) -> None:
         super().__init__(look)
         self._part = 0.5
+        self._pill = QRectF()
         self._pill_text: Label | None = None
+        self._stroke = QPainterPath()
 
-    def set_curve(self, start: QPointF, end: QPointF, part: float = 0.5) -> None:
-        self.prepareGeometryChange()
+    def set_curve(self, start: QPointF, end: QPointF) -> None:
+        """Gives it its way; the priority stands in the middle of it."""
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, False)
-        self._part = part
         link = self.link
         self._pill_text = None
         if link.kind == "priority":
             said = tr("none") if link.priority is None else str(link.priority)
             self._pill_text = Label(said, 12, 600)
         self.route = Route(points=((start.x(), start.y()), (end.x(), end.y())))
-        path = self._way = curve(start, end)
+        way = self._way = curve(start, end)
         stroker = QPainterPathStroker()
         stroker.setWidth(HIT)
-        self._hit = stroker.createStroke(path)
-        self._rect = path.boundingRect().adjusted(-8, -8, 8, 8)
+        self._stroke = stroker.createStroke(way)
+        self._put_pill(0.5)
+
+    def _put_pill(self, part: float) -> None:
+        self.prepareGeometryChange()
+        self._part, self._pill = part, self._pill_at(part)
+        self._hit = self._stroke
+        self._rect = self.path().boundingRect().adjusted(-8, -8, 8, 8)
         if self._pill_text is not None:
-            box = self.pill()
-            self._hit.addRect(box)
-            self._rect = self._rect.united(box.adjusted(-3, -3, 3, 3))
+            self._hit = QPainterPath(self._stroke)
+            self._hit.addRect(self._pill)
+            self._rect = self._rect.united(self._pill.adjusted(-3, -3, 3, 3))
         self.update()
 
     def pill(self, part: float | None = None) -> QRectF:
         """Where the priority stands, in the scene, or would stand; empty for pipes without."""
+        return QRectF(self._pill) if part is None else self._pill_at(part)
+
+    def _pill_at(self, part: float) -> QRectF:
         if self._pill_text is None:
             return QRectF()
-        at = self.path().pointAtPercent(self._part if part is None else part)
+        at = self.path().pointAtPercent(part)
         return pill_area(at, self._pill_text, bool(self.link.mark))
 
     def move_pill(self, part: float) -> None:
         """Puts the priority elsewhere on the pipe."""
         if part != self._part:
-            start, end = (QPointF(*point) for point in self.route.points)
-            self.set_curve(start, end, part)
+            self._put_pill(part)
 
     def distance(self, spot: QPointF) -> float:
         if self.pill().contains(spot):
@@ -194,20 +203,22 @@ class InheritedPipe(QGraphicsPathItem):
         self.value = value
         self._text = Label(str(value.priority), 11, 500)
         self._end = QPointF()
-        self._part = 0.4
+        self._pill = self._room = QRectF()
         # Its pill is pressed, not a pipe that passes below.
         self.setZValue(ABOVE)
 
     def set_curve(self, start: QPointF, end: QPointF, part: float) -> None:
         self.prepareGeometryChange()
-        self._end, self._part = end, part
-        self.setPath(curve(start, end))
+        way = curve(start, end)
+        self._end, self._pill = end, pill_area(way.pointAtPercent(part), self._text, False)
+        self._room = way.boundingRect().united(self._pill).adjusted(-8, -8, 8, 8)
+        self.setPath(way)
 
     def pill(self) -> QRectF:
-        return pill_area(self.path().pointAtPercent(self._part), self._text, False)
+        return QRectF(self._pill)
 
     def boundingRect(self) -> QRectF:
-        return self.path().boundingRect().united(self.pill()).adjusted(-8, -8, 8, 8)
+        return self._room
 
     def shape(self) -> QPainterPath:
         path = QPainterPath()

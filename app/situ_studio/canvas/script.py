@@ -58,7 +58,7 @@ class ScriptCanvas(ScriptCopying):
         self._on_way: set[tuple[str, ...]] = set()
         self._groups: tuple[Place, ...] = ()
         self._lines: tuple[Place, ...] = ()
-        self._choosing = False
+        self._choosing = self._rendering = False
         self.minimap.wanted = False
         self.headings = Headings(self.viewer, self.look, self)
         self.viewer.looked.connect(self.headings.update)
@@ -94,7 +94,11 @@ class ScriptCanvas(ScriptCopying):
                 self._fresh.append(id)
         for id in old.links.keys() - new.links.keys():
             self.priorities.forget(id)
-        self._show(new.cards, new.links)
+        self._rendering = True
+        try:
+            self._show(new.cards, new.links)
+        finally:
+            self._rendering = False
         self._on_chosen()
         self._follow_test()
 
@@ -106,7 +110,8 @@ class ScriptCanvas(ScriptCopying):
             links = (id for key in moved for id in self.graph.links_at(key))
             self._curve(dict.fromkeys((*self._fresh, *links)))
         self._fresh = []
-        self._show_taken_over()
+        if not self._rendering:
+            self._show_taken_over()
 
     def _curve(self, ids: Iterable[tuple[str, ...]]) -> None:
         for id in ids:
@@ -130,6 +135,9 @@ class ScriptCanvas(ScriptCopying):
         return QRectF(spot.x() - 28, spot.y() - 13, 56, 26)
 
     def _on_chosen(self, _: Any = None) -> None:
+        if self._rendering:
+            # What is asked for last sees all pipes on their way.
+            return
         self._show_taken_over()
         self._mark_way()
         self._mark_rows()

@@ -19,7 +19,7 @@ from situ.document.project import Project
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ_studio import theme
 from situ_studio.canvas import script_gestures as gestures
-from situ_studio.canvas.curves import CurvedPipe
+from situ_studio.canvas.curves import CurvedPipe, InheritedPipe
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.script import ScriptCanvas
@@ -165,6 +165,23 @@ def test_inherited_priorities_show_for_the_selected_situation_only(made: Any) ->
     assert shown == [("converse", 30)]
     canvas.select([("situation", "invited")])
     assert canvas.priorities.taken_over == []
+
+
+def test_an_edit_makes_what_is_taken_over_anew_once(
+    made: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each is a pipe with a place that has to be found."""
+    canvas = made.canvas
+    canvas.select([("situation", "sound")])
+    (before,) = canvas.priorities.taken_over
+    held: list[Any] = []
+    hold = canvas.viewer.hold_pipe
+    monkeypatch.setattr(canvas.viewer, "hold_pipe", lambda pipe: (held.append(pipe), hold(pipe)))
+    made.hand.settle()
+    canvas._edit(*gestures.prioritise(canvas.document, "conversation", "converse", 31))
+    (after,) = canvas.priorities.taken_over
+    assert [pipe for pipe in held if isinstance(pipe, InheritedPipe)] == [after]
+    assert (before.value.priority, after.value.priority) == (30, 31)
 
 
 def test_the_way_through_the_selected_situation_is_lit(made: Any) -> None:
