@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAccessibleWidget
 
+from situ_studio.accessible_actions import PartActions
 from situ_studio.canvas.spoken import Spoken
 from situ_studio.canvas.viewer import Viewer
 from situ_studio.edit import Place
@@ -318,23 +319,6 @@ class AccessiblePart(QAccessibleInterface):
 
     def foregroundColor(self) -> QColor:
         return QColor()
-
-
-class PartActions(QAccessibleActionInterface):
-    """What an assistive program can do with a part of the drawing."""
-
-    def __init__(self, part: AccessiblePart) -> None:
-        super().__init__()
-        self._part = part
-
-    def actionNames(self) -> list[str]:
-        return [self.pressAction(), self.setFocusAction()]
-
-    def doAction(self, actionName: str) -> None:
-        self._part.do(actionName)
-
-    def keyBindingsForAction(self, actionName: str) -> list[str]:
-        return []
 
 
 def install() -> None:

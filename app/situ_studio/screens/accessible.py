@@ -22,6 +22,7 @@ from PySide6.QtWidgets import QAccessibleWidget
 
 from situ.document import rbd
 from situ_studio import kinds
+from situ_studio.accessible_actions import PartActions
 from situ_studio.language import tr, translated
 from situ_studio.screens import marks
 from situ_studio.screens.placing import box_of
@@ -165,7 +166,7 @@ class AccessibleComponent(QAccessibleInterface):
         super().__init__()
         self._shown = shown
         self.id = id
-        self._actions = ComponentActions(self)
+        self._actions = PartActions(self)
 
     def isValid(self) -> bool:
         return hasattr(self._shown, "sheet") and self._shown.component(self.id) is not None
@@ -253,23 +254,6 @@ class AccessibleComponent(QAccessibleInterface):
 
     def foregroundColor(self) -> QColor:
         return QColor()
-
-
-class ComponentActions(QAccessibleActionInterface):
-    """What an assistive program can do with a component."""
-
-    def __init__(self, component: AccessibleComponent) -> None:
-        super().__init__()
-        self._component = component
-
-    def actionNames(self) -> list[str]:
-        return [self.pressAction(), self.setFocusAction()]
-
-    def doAction(self, actionName: str) -> None:
-        self._component.do(actionName)
-
-    def keyBindingsForAction(self, actionName: str) -> list[str]:
-        return []
 
 
 def install() -> None:
