@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from PySide6.QtCore import QMimeData, QPoint, Qt, Signal
-from PySide6.QtGui import QDrag, QMouseEvent
-from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtCore import QMimeData, Qt, Signal
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QFrame, QGridLayout, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document.modules import Modules
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio import icons
+from situ_studio.dragging import Dragging
 from situ_studio.edit import Document
 from situ_studio.help_topics import HELP
 from situ_studio.icon_widgets import ThemedButton
@@ -55,26 +56,15 @@ class PaletteItem(ThemedButton):
         self.setToolTip(translated(kind.help))
         self.setProperty(HELP, f"kind/{kind.name}")
         self._theme = theme
-        self._press: QPoint | None = None
+        Dragging(self, self._carried, self._picture)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._press = event.position().toPoint()
-        super().mousePressEvent(event)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        at = event.position().toPoint()
-        far = QApplication.startDragDistance()
-        if self._press is None or (at - self._press).manhattanLength() < far:
-            return
-        self._press = None
-        self.setDown(False)
-        drag = QDrag(self)
+    def _carried(self) -> QMimeData:
         data = QMimeData()
         data.setData(MIME, self.kind.name.encode())
-        drag.setMimeData(data)
-        drag.setPixmap(icons.pixmap(self.kind.icon, self._theme.color(self.kind.tint), 24))
-        drag.exec(Qt.DropAction.CopyAction)
+        return data
+
+    def _picture(self) -> QPixmap:
+        return icons.pixmap(self.kind.icon, self._theme.color(self.kind.tint), 24)
 
 
 class PaletteRoom(QScrollArea):

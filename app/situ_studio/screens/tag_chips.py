@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QMimeData, QPoint, QRect, QSize, Qt, Signal
-from PySide6.QtGui import QDrag, QMouseEvent
-from PySide6.QtWidgets import QApplication, QLayout, QLayoutItem, QWidget
+from PySide6.QtCore import QMimeData, QPoint, QRect, QSize, Signal
+from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
 
+from situ_studio.dragging import Dragging
 from situ_studio.icon_widgets import ThemedButton
 from situ_studio.layouts import clear
 from situ_studio.theme import Theme
@@ -78,7 +78,7 @@ class TagChip(ThemedButton):
         super().__init__(theme, "data", tag, "", "data", 13)
         self.tag = tag
         self.setToolTip(self.tr("Drag it into a text, or press it to put it at its end"))
-        self._press: QPoint | None = None
+        Dragging(self, lambda: dragged(self.tag))
 
     def set_theme(self, theme: Theme) -> None:
         super().set_theme(theme)
@@ -89,23 +89,6 @@ class TagChip(ThemedButton):
             f"QPushButton:hover {{ border-color: {theme.data}; }}"
             f"QPushButton:focus {{ border-color: {theme.accent}; }}"
         )
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._press = event.position().toPoint()
-        super().mousePressEvent(event)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        at = event.position().toPoint()
-        far = QApplication.startDragDistance()
-        if self._press is None or (at - self._press).manhattanLength() < far:
-            return
-        self._press = None
-        self.setDown(False)
-        drag = QDrag(self)
-        drag.setMimeData(dragged(self.tag))
-        drag.setPixmap(self.grab())
-        drag.exec(Qt.DropAction.CopyAction)
 
 
 def dragged(tag: str) -> QMimeData:

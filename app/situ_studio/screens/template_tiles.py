@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QMimeData, QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QContextMenuEvent,
-    QDrag,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-)
-from PySide6.QtWidgets import QAbstractButton, QApplication, QGridLayout, QMenu, QWidget
+from PySide6.QtCore import QMimeData, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QAbstractButton, QGridLayout, QMenu, QWidget
 
 from situ.document import rbd
 from situ_studio.canvas import thumbnails
 from situ_studio.canvas.style import Look
+from situ_studio.dragging import Dragging
 from situ_studio.layouts import clear
 from situ_studio.screens.templates import TEMPLATE, templates, title, written
 from situ_studio.theme import CAPTION, Theme, font
@@ -40,7 +33,6 @@ class TemplateTile(QAbstractButton):
         self.template = template
         self.own = own
         self._look = Look(theme)
-        self._press: QPoint | None = None
         screen = template.screen
         self._marks = thumbnails.marks(screen) if screen is not None else ()
         name = template.name if own else title(template.name)
@@ -51,6 +43,7 @@ class TemplateTile(QAbstractButton):
         self.setFixedHeight(HIGH)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        Dragging(self, lambda: dragged(self.template))
 
     def set_theme(self, theme: Theme) -> None:
         self._look = Look(theme)
@@ -58,22 +51,6 @@ class TemplateTile(QAbstractButton):
 
     def sizeHint(self) -> QSize:
         return QSize(88, HIGH)
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._press = event.position().toPoint()
-        super().mousePressEvent(event)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        at, far = event.position().toPoint(), QApplication.startDragDistance()
-        if self._press is None or (at - self._press).manhattanLength() < far:
-            return
-        self._press = None
-        self.setDown(False)
-        drag = QDrag(self)
-        drag.setMimeData(dragged(self.template))
-        drag.setPixmap(self.grab())
-        drag.exec(Qt.DropAction.CopyAction)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self.own and event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
