@@ -35,6 +35,7 @@ GROUPS = (
     "cli_why",
     "cli_replay",
     "cli_report",
+    "cli_compare",
     "cli_run",
     "cli_board",
     "cli_debug",
