@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 
@@ -18,7 +19,7 @@ class Breadcrumbs(QFrame):
         super().__init__(parent)
         self.setProperty("role", "crumbs")
         self.setAccessibleName(self.tr("Way into the part"))
-        self.setFixedHeight(32)
+        self.setFixedHeight(px(32))
         self._names: tuple[str, ...] = ()
         self._line = QHBoxLayout(self)
         self._line.setContentsMargins(8, 0, 8, 0)

@@ -14,6 +14,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ_studio.letters import px
+
 
 class Details(QDialog):
     """words: a sentence that says what to do; details: as many lines as there are.
@@ -26,7 +28,7 @@ class Details(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(title)
-        self.setMinimumWidth(480)
+        self.setMinimumWidth(px(480))
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 16, 16, 16)
         column.setSpacing(12)
@@ -38,7 +40,7 @@ class Details(QDialog):
         self.details = QPlainTextEdit(details)
         self.details.setReadOnly(True)
         self.details.setAccessibleName(self.tr("Details"))
-        self.details.setMinimumHeight(240)
+        self.details.setMinimumHeight(px(240))
         self.details.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         column.addWidget(self.details, 1)
         buttons = QDialogButtonBox()

@@ -23,6 +23,7 @@ from situ_studio import conflict, icons, picture
 from situ_studio.details import Details
 from situ_studio.differing import Differing
 from situ_studio.export_dialog import Export, ExportDialog, What
+from situ_studio.letters import px
 
 if TYPE_CHECKING:
     from situ_studio.frame import Frame
@@ -77,7 +78,7 @@ class Dialogs(QObject):
         if buttons is not None:
             _fill(buttons.button(QDialogButtonBox.StandardButton.Ok))
         for field in (*dialog.findChildren(QLineEdit), *dialog.findChildren(QComboBox)):
-            field.setMinimumWidth(WIDTH)
+            field.setMinimumWidth(px(WIDTH))
         try:
             well = dialog.exec()
             return dialog.textValue().strip() or None if well else None

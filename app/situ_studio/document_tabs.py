@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QTabBar, QWidget
 
 from situ_studio import icons
 from situ_studio.icon_widgets import IconButton
+from situ_studio.letters import px
 from situ_studio.menus import translated
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
@@ -121,7 +122,7 @@ class DocumentTabs(QFrame):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("role", "tabs")
-        self.setFixedHeight(36)
+        self.setFixedHeight(px(36))
         self._theme = theme
         self._looks: dict[str, tuple[str, str]] = {}
         self._words: dict[str, str] = {}
@@ -135,7 +136,7 @@ class DocumentTabs(QFrame):
         self.bar.setAccessibleName(self.tr("Open documents"))
         self.bar.setExpanding(False)
         self.bar.setDrawBase(False)
-        self.bar.setIconSize(QSize(16, 16))
+        self.bar.setIconSize(QSize(px(16), px(16)))
         self.bar.setElideMode(Qt.TextElideMode.ElideRight)
         self.bar.currentChanged.connect(self._on_current)
         self.bar.close_asked.connect(lambda index: self._ask_to_close(self.bar.tabData(index)))
@@ -307,7 +308,7 @@ class DocumentTabs(QFrame):
         file = self.bar.tabData(index)
         if self.bar.tabButton(index, side) is None:
             close = IconButton(self._theme, "close", self.tr("Close"), "text3", 12)
-            close.setFixedSize(22, 18)
+            close.setFixedSize(px(22), px(18))
             close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             close.clicked.connect(lambda: self.closed.emit(file))
             self.bar.setTabButton(index, side, close)

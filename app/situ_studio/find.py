@@ -22,8 +22,9 @@ from PySide6.QtWidgets import (
 from situ.document import rbd, spds
 from situ_studio import icons, kinds, words
 from situ_studio.edit import Document, Place
+from situ_studio.letters import enlarged, px
 from situ_studio.panels.lists import AnyIndex
-from situ_studio.theme import Theme, font
+from situ_studio.theme import Theme, face
 
 FOUND = int(Qt.ItemDataRole.UserRole) + 1
 MOST = 50
@@ -124,13 +125,13 @@ class _Delegate(QStyledItemDelegate):
         self.theme = theme
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
-        return QSize(200, 32)
+        return QSize(px(200), px(32))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
-        found: Find = index.data(FOUND)
-        rect = QRectF(option.rect)
-        state = option.state
-        painter.save()
+        with enlarged(painter, QRectF(option.rect)) as rect:
+            self._paint(painter, rect, option.state, index.data(FOUND))
+
+    def _paint(self, painter: QPainter, rect: QRectF, state: QStyle.StateFlag, found: Find) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if state & QStyle.StateFlag.State_Selected:
             painter.setPen(Qt.PenStyle.NoPen)
@@ -141,7 +142,7 @@ class _Delegate(QStyledItemDelegate):
             token = "text3" if found.why else found.token
             icons.paint(painter, found.icon, box, self.theme.color(token))
         middle = int(Qt.AlignmentFlag.AlignVCenter)
-        painter.setFont(font(12))
+        painter.setFont(face(12))
         detail = painter.fontMetrics().elidedText(
             found.detail, Qt.TextElideMode.ElideRight, int(rect.width() * 0.45)
         )
@@ -150,12 +151,11 @@ class _Delegate(QStyledItemDelegate):
         painter.drawText(
             QRectF(rect.right() - width - 16, rect.y(), width + 2, rect.height()), middle, detail
         )
-        painter.setFont(font(13))
+        painter.setFont(face(13))
         painter.setPen(self.theme.color("text3" if found.why else "text"))
         room = rect.right() - width - 28 - box.right() - 10
         text = painter.fontMetrics().elidedText(found.text, Qt.TextElideMode.ElideRight, int(room))
         painter.drawText(QRectF(box.right() + 10, rect.y(), room, rect.height()), middle, text)
-        painter.restore()
 
 
 class FindAnything(QFrame):

@@ -32,6 +32,7 @@ from situ_studio.help_texts import explained
 from situ_studio.help_topics import HELP
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.keys import Keys
+from situ_studio.letters import px
 from situ_studio.menu_bar import MenuBar
 from situ_studio.menus import Actions
 from situ_studio.panels.fields import Choice, Flag
@@ -207,9 +208,9 @@ class Frame(QMainWindow):
         bar.setMovable(False)
         bar.setFloatable(False)
         bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-        bar.setFixedHeight(40)
+        bar.setFixedHeight(px(40))
         # A toolbar gives its buttons its own size when it is shown; that of the desktop is larger.
-        bar.setIconSize(QSize(18, 18))
+        bar.setIconSize(QSize(px(18), px(18)))
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, bar)
         self.toolbar = bar
         self.actions_.fill_toolbar(bar, "left")
@@ -224,7 +225,7 @@ class Frame(QMainWindow):
         )
         self.search.setToolTip(explained(command("find")))
         self.search.setProperty(HELP, "command/find")
-        self.search.setFixedWidth(304)
+        self.search.setFixedWidth(px(304))
         line = QHBoxLayout(self.search)
         line.setContentsMargins(0, 0, 7, 0)
         line.addStretch(1)
@@ -344,16 +345,16 @@ class Frame(QMainWindow):
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         self.resizeDocks(
             [self.docks["project"], self.docks["inspector"]],
-            [LEFT_SMALL if small else LEFT, RIGHT_SMALL if small else RIGHT],
+            [px(LEFT_SMALL if small else LEFT), px(RIGHT_SMALL if small else RIGHT)],
             horizontal,
         )
-        tree = self.project_tree.height_wanted() + 32
+        tree = self.project_tree.height_wanted() + px(32)
         self.resizeDocks(
             [self.docks["project"], self.docks["outline"], self.docks["palette"]],
-            [tree, 10000, self.palette_.height() + 32],
+            [tree, 10000, self.palette_.height() + px(32)],
             vertical,
         )
-        self.resizeDocks([self.docks["bottom"]], [BOTTOM], vertical)
+        self.resizeDocks([self.docks["bottom"]], [px(BOTTOM)], vertical)
 
     def _on_bottom(self, name: str) -> None:
         """Tables of what a robot tells want more room than problems and what was found do."""

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QTextBrowser, QVBoxLayout,
 
 from situ_studio.help_topics import Topic, topics
 from situ_studio.icon_widgets import IconButton, retheme
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 SCHEME = "topic"
@@ -88,7 +89,7 @@ class HelpWindow(QWidget):
             self.move(right.x() - 420 - 24, right.y() + 96)
 
     def sizeHint(self) -> QSize:
-        return QSize(420, 560)
+        return QSize(px(420), px(560))
 
     @property
     def topic(self) -> str:

@@ -7,6 +7,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
 from situ_studio import icons
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 
@@ -23,7 +24,7 @@ class IconLabel(QWidget):
     ) -> None:
         super().__init__(parent)
         self._theme, self._name, self._token, self._size = theme, name, token, size
-        self.setFixedSize(size, size)
+        self.setFixedSize(px(size), px(size))
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def set_icon(self, name: str, token: str) -> None:
@@ -56,8 +57,8 @@ class IconButton(QToolButton):
         super().__init__(parent)
         self._name, self._token, self._size = name, token, size
         self.setProperty("role", "bare")
-        self.setFixedSize(size + 8, size + 8)
-        self.setIconSize(QSize(size, size))
+        self.setFixedSize(px(size + 8), px(size + 8))
+        self.setIconSize(QSize(px(size), px(size)))
         self.setToolTip(words)
         self.setAccessibleName(words)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -93,7 +94,7 @@ class ThemedButton(QPushButton):
         self._name, self._token, self._size, self._on = name, token, size, on
         if role:
             self.setProperty("role", role)
-        self.setIconSize(QSize(size, size))
+        self.setIconSize(QSize(px(size), px(size)))
         self.setAccessibleName(words)
         self.set_theme(theme)
 

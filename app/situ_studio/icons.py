@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
 from situ.resources import resource
+from situ_studio.letters import px
 
 
 def scales() -> list[float]:
@@ -62,11 +63,12 @@ def pixmap(name: str, color: QColor | str, size: int = 16, scale: float | None =
 def icon(name: str, color: QColor | str, size: int = 16, on: QColor | str | None = None) -> QIcon:
     """The icon in ``color``, not to be changed; sharp on HiDPI; paler where its widget is disabled.
 
+    size: px of the design; it grows with the letters.
     on: the colour where its widget is checked, if it differs.
     """
     plain = QColor(color).name()
     checked = QColor(on).name() if on is not None else plain
-    return _icon(name, plain, checked, size, tuple(scales()))
+    return _icon(name, plain, checked, px(size), tuple(scales()))
 
 
 @lru_cache(maxsize=1024)

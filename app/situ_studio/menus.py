@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 from situ_studio import icons
 from situ_studio.actions import COMMANDS, MENUS, SUBMENU_ICONS, Command
 from situ_studio.help_texts import explained
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 
@@ -169,7 +170,7 @@ class Actions(QObject):
             if isinstance(button, QToolButton):
                 button.setAccessibleName(translated(command.text))
                 size = 16 if command.outlined else 18
-                button.setIconSize(QSize(size, size))
+                button.setIconSize(QSize(px(size), px(size)))
                 button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
                 if command.outlined:
                     button.setProperty("role", "outlined")

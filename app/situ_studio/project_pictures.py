@@ -15,6 +15,7 @@ from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import SituError
 from situ_studio import icons, thumbnail
+from situ_studio.letters import px
 from situ_studio.opening import is_large
 from situ_studio.status import count
 from situ_studio.theme import Theme
@@ -104,7 +105,7 @@ class LargePicture(Picture):
 
     def __init__(self, theme: Theme, document: Application | Spds | None) -> None:
         super().__init__(theme, document)
-        self.setFixedHeight(176)
+        self.setFixedHeight(px(176))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -126,7 +127,7 @@ class SmallPicture(Picture):
     def __init__(self, theme: Theme, icon: str) -> None:
         super().__init__(theme)
         self._icon = icon
-        self.setFixedSize(60, 40)
+        self.setFixedSize(px(60), px(40))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QLineEdit, QTreeWidget, QTreeWidgetItem, 
 
 from situ_studio.actions import COMMANDS
 from situ_studio.keys import headed, written
+from situ_studio.letters import px
 from situ_studio.menus import told, translated
 from situ_studio.screens.keyboard import KEYS
 from situ_studio.theme import font
@@ -74,7 +75,7 @@ class KeyList(QWidget):
         self.tree.setAccessibleName(self.tr("Keys"))
         self.tree.setColumnCount(2)
         self.tree.setHeaderLabels([self.tr("What"), self.tr("Keys")])
-        self.tree.setColumnWidth(0, 360)
+        self.tree.setColumnWidth(0, px(360))
         self.tree.setRootIsDecorated(False)
         column.addWidget(self.tree)
         self._heads: dict[str, QTreeWidgetItem] = {}

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from situ_studio.icon_widgets import IconButton, ThemedButton
 from situ_studio.layouts import rule
+from situ_studio.letters import px
 from situ_studio.panels.header import TitleBar
 from situ_studio.theme import CAPTION, Theme, font
 
@@ -35,7 +36,7 @@ class Segments(QFrame):
         super().__init__(parent)
         self.setProperty("role", "segments")
         self.setAccessibleName(words)
-        self.setFixedHeight(28)
+        self.setFixedHeight(px(28))
         line = QHBoxLayout(self)
         line.setContentsMargins(1, 1, 1, 1)
         line.setSpacing(0)
@@ -102,11 +103,12 @@ class CountButton(QPushButton):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(font(CAPTION, 500))
         text = str(self._count)
-        width = max(16.0, painter.fontMetrics().horizontalAdvance(text) + 10.0)
-        pill = QRectF(self.width() - width - 10, (self.height() - 16) / 2, width, 16)
+        high = px(16)
+        width = max(float(high), painter.fontMetrics().horizontalAdvance(text) + px(10))
+        pill = QRectF(self.width() - width - px(10), (self.height() - high) / 2, width, high)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self._theme.color("hover"))
-        painter.drawRoundedRect(pill, 8, 8)
+        painter.drawRoundedRect(pill, high / 2, high / 2)
         painter.setPen(self._theme.color("text2"))
         painter.drawText(pill, int(Qt.AlignmentFlag.AlignCenter), text)
         painter.end()

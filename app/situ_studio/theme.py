@@ -12,6 +12,7 @@ from msgspec import Struct
 from PySide6.QtGui import QColor, QFont, QFontDatabase
 
 from situ.resources import resource
+from situ_studio.letters import factor
 
 Kind = Literal["state", "start", "part", "data", "condition", "situation", "module", "resource"]
 KINDS: tuple[Kind, ...] = (
@@ -212,6 +213,11 @@ def load_fonts() -> None:
 
 
 def font(size: float = BODY, weight: int = 400) -> QFont:
+    """Inter at ``size`` px of the design, as large as the letters of the windows are now."""
+    return face(size * factor(), weight)
+
+
+def face(size: float = BODY, weight: int = 400) -> QFont:
     """Inter at ``size`` px with tabular figures; weights 400, 500 and 600 are bundled."""
     made = QFont()
     made.setFamilies(FAMILIES)

@@ -6,9 +6,12 @@ widgets themselves from the same tokens.
 
 from __future__ import annotations
 
+import re
+
 import msgspec
 from PySide6.QtGui import QPalette
 
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 # Doubled braces are the style sheet's own. Widgets say what they are by their property `role`.
@@ -258,14 +261,18 @@ QStatusBar QLabel[live="lost"] {{ color: {error}; font-weight: 600; }}
 _PILL = """QLabel[pill="{kind}"] {{ background: {soft}; color: {color}; }}"""
 
 
+_LENGTH = re.compile(r"\b([3-9]|\d{2,})px")
+"""A length that grows with the letters; lines do not."""
+
+
 def qss(theme: Theme) -> str:
-    """The style sheet for ``theme``; set it on the application, or on one window."""
+    """The style sheet for ``theme`` and letters as they are now; set it on a window."""
     tokens = msgspec.structs.asdict(theme)
     pairs = [k.removesuffix("_soft") for k in tokens if k.endswith("_soft")]
     pills = "\n".join(
         _PILL.format(kind=kind, soft=tokens[f"{kind}_soft"], color=tokens[kind]) for kind in pairs
     )
-    return _SHEET.format(**tokens, pills=pills)
+    return _LENGTH.sub(lambda found: f"{px(int(found[1]))}px", _SHEET.format(**tokens, pills=pills))
 
 
 def palette(theme: Theme) -> QPalette:

@@ -28,6 +28,7 @@ from situ_studio import icons, recent
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.language import LANGUAGES
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.project_pictures import (
     Example,
     LargePicture,
@@ -68,7 +69,7 @@ class Mark(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setFixedSize(56, 56)
+        self.setFixedSize(px(56), px(56))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -120,7 +121,7 @@ class Welcome(QScrollArea):
         outer.setContentsMargins(24, 0, 24, 0)
         outer.addStretch(1)
         middle = QWidget()
-        middle.setMaximumWidth(1160)
+        middle.setMaximumWidth(px(1160))
         middle.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         outer.addWidget(middle, 100)
         outer.addStretch(1)
@@ -245,7 +246,7 @@ class Welcome(QScrollArea):
     ) -> Press:
         press = Press(role, title)
         press.setAccessibleDescription(below)
-        press.setFixedSize(324, 64)
+        press.setFixedSize(px(324), px(64))
         press.pressed.connect(pressed)
         line = QHBoxLayout(press)
         line.setContentsMargins(16, 0, 16, 0)
@@ -362,7 +363,7 @@ class Welcome(QScrollArea):
         about = QLabel(one.about)
         about.setProperty("role", "dim")
         about.setWordWrap(True)
-        about.setMinimumHeight(40)
+        about.setMinimumHeight(px(40))
         about.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         words.addWidget(about)
         words.addStretch(1)
@@ -425,7 +426,7 @@ class Welcome(QScrollArea):
                 card.setToolTip(path)
             else:
                 card = self._gone(path)
-            card.setFixedSize(324, 56)
+            card.setFixedSize(px(324), px(56))
             off = IconButton(self._theme, "close", self.tr("Remove from the list"), "text3", 14)
             off.setObjectName(f"forget {path}")
             off.clicked.connect(partial(self.forget_asked.emit, path))
@@ -437,7 +438,7 @@ class Welcome(QScrollArea):
             return
         empty = QFrame()
         empty.setProperty("role", "empty")
-        empty.setFixedSize(324, 56)
+        empty.setFixedSize(px(324), px(56))
         line = QHBoxLayout(empty)
         line.setContentsMargins(16, 0, 16, 0)
         words = QLabel(self.tr("Projects that you open will be listed here."))

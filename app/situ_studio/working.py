@@ -8,6 +8,8 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QTimer, Signal, SignalInstance
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
 
+from situ_studio.letters import px
+
 PATIENCE = 400
 """Milliseconds that a work may take without being shown: what flickers is no help."""
 
@@ -58,7 +60,7 @@ class WorkStrip(QWidget):
         self.words = QLabel()
         line.addWidget(self.words)
         self.bar = QProgressBar()
-        self.bar.setFixedSize(96, 6)
+        self.bar.setFixedSize(px(96), px(6))
         self.bar.setTextVisible(False)
         line.addWidget(self.bar)
         self.stop = QPushButton(self.tr("Cancel"))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFrame, QLineEdit, QListWidget, QListWidgetItem, Q
 
 from situ_studio import icons
 from situ_studio.canvas.gestures import Follow
+from situ_studio.letters import px
 from situ_studio.theme import FORM, Theme, font
 
 
@@ -41,12 +42,12 @@ class FollowMenu(QFrame):
         self.field = QLineEdit()
         self.field.setPlaceholderText(f"{asked} Type to filter")
         self.field.setFont(font(FORM))
-        self.field.setFixedHeight(28)
+        self.field.setFixedHeight(px(28))
         self.field.setAccessibleName(asked)
         self.field.installEventFilter(self)
         self.list = QListWidget()
         self.list.setFont(font(FORM))
-        self.list.setIconSize(QSize(16, 16))
+        self.list.setIconSize(QSize(px(16), px(16)))
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setUniformItemSizes(True)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

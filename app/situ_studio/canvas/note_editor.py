@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from situ_studio.canvas.style import Look
 from situ_studio.language import tr
-from situ_studio.theme import font
+from situ_studio.theme import face
 
 
 class NoteEditor(QPlainTextEdit):
@@ -24,7 +24,7 @@ class NoteEditor(QPlainTextEdit):
         self.key = key
         self._done = False
         self.setAccessibleName(tr("Note"))
-        self.setFont(font(max(11.0, min(24.0, 12 * look.zoom)), 400))
+        self.setFont(face(max(11.0, min(24.0, 12 * look.zoom)), 400))
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         theme = look.theme
         self.setStyleSheet(

@@ -19,7 +19,8 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QToolButto
 
 from situ_studio import icons
 from situ_studio.language import tr
-from situ_studio.theme import BODY, LABEL, Theme, font
+from situ_studio.letters import px
+from situ_studio.theme import BODY, LABEL, Theme, face, font
 
 if TYPE_CHECKING:
     from situ_studio.canvas.style import Look
@@ -47,19 +48,19 @@ class ZoomBar(QFrame):
         self._label = QLabel("100 %")
         self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._label.setFont(font(LABEL))
-        self._label.setFixedWidth(44)
+        self._label.setFixedWidth(px(44))
         self._more = self._button(tr("Zoom in"), 1)
         self._fit = self._button(tr("Show the whole drawing"), 0)
         for widget in (self._less, self._label, self._more, self._fit):
             layout.addWidget(widget)
-        self.setFixedHeight(28)
+        self.setFixedHeight(px(28))
         self.adjustSize()
 
     def _button(self, tip: str, step: int) -> QToolButton:
         button = QToolButton()
         button.setToolTip(tip)
         button.setAccessibleName(tip)
-        button.setFixedSize(28, 26)
+        button.setFixedSize(px(28), px(26))
         button.setAutoRaise(True)
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         if step:
@@ -232,7 +233,7 @@ class InPlace(QLineEdit):
         super().__init__(text, parent)
         self.key = key
         self._done = False
-        self.setFont(font(size, 600))
+        self.setFont(face(size, 600))
         self.selectAll()
 
     def dress(self, theme: Theme, radius: int) -> None:

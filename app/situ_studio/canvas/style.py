@@ -14,7 +14,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QStaticText, Q
 from situ_studio import icons
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.canvas.pictures import Pictures
-from situ_studio.theme import Theme, font
+from situ_studio.theme import Theme, face
 
 Level = Literal["full", "half", "quarter", "tiny"]
 
@@ -33,7 +33,7 @@ def level(zoom: float) -> Level:
 
 @lru_cache(maxsize=64)
 def sized(pixels: int, weight: int, squeezed: bool = False) -> QFont:
-    made = font(pixels, weight)
+    made = face(pixels, weight)
     if squeezed:
         made.setStretch(94)
     return made

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio.language import said
+from situ_studio.letters import px
 from situ_studio.live import deploying_words
 from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_plan import Plan
@@ -88,7 +89,7 @@ class DeployDialog(QDialog):
         column.addWidget(self.stands)
         self.progress = QProgressBar()
         self.progress.setTextVisible(False)
-        self.progress.setFixedHeight(4)
+        self.progress.setFixedHeight(px(4))
         column.addWidget(self.progress)
         column.addLayout(self._buttons())
         deploying.changed.connect(self._on_deploying)

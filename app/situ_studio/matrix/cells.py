@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import icons
+from situ_studio.letters import px
 from situ_studio.matrix.edits import read
 from situ_studio.matrix.model import AnyIndex, MatrixModel
 from situ_studio.theme import BODY, CAPTION, LABEL, Theme, font
@@ -79,22 +80,22 @@ class Cells(QStyledItemDelegate):
         painter.setFont(self._fonts[shown.kind])
         painter.setPen(self._color(shown.mark or token))
         room = area.adjusted(2, 0, -2, 0) if size == CAPTION else area.adjusted(5, 0, -5, 0)
-        text = shown.text
+        text, sign = shown.text, px(MARK)
         if len(text) > SHORT:
-            wide = room.width() - (MARK + 5 if shown.mark else 0)
+            wide = room.width() - (sign + 5 if shown.mark else 0)
             elide = Qt.TextElideMode.ElideRight
             text = painter.fontMetrics().elidedText(text, elide, wide)
         if not shown.mark:
             painter.drawText(room, CENTRE, text)
             return
-        took = painter.fontMetrics().horizontalAdvance(text) + (5 if text else 0) + MARK
+        took = painter.fontMetrics().horizontalAdvance(text) + (5 if text else 0) + sign
         left = room.left() + (room.width() - took) / 2
         painter.drawText(QRectF(left, room.top(), took, room.height()), MIDDLE, text)
-        spot = QRectF(left + took - MARK, room.center().y() - MARK / 2 + 0.5, MARK, MARK)
+        spot = QRectF(left + took - sign, room.center().y() - sign / 2 + 0.5, sign, sign)
         icons.paint(painter, shown.mark, spot, self._color(shown.mark))
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
-        return QSize(74, 28)
+        return QSize(px(74), px(28))
 
     # -- editing --------------------------------------------------------------------
 

@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractButton, QScrollArea, QWidget
 
 from situ_studio import icons
+from situ_studio.letters import px
 from situ_studio.theme import LABEL, Theme, font
 
 HIGH = 26
@@ -73,16 +74,16 @@ class Chip(QAbstractButton):
     def sizeHint(self) -> QSize:
         if not self._size.isEmpty():
             return self._size
-        wide = self.fontMetrics().horizontalAdvance(self.shown) + 22
-        wide += CHECK + 5 if self.isChecked() and not self._folds else 0
-        wide += ARROW - 6 if self._more or self._folds else 0
-        self._size = QSize(min(wide, 260), HIGH)
+        wide = self.fontMetrics().horizontalAdvance(self.shown) + px(22)
+        wide += px(CHECK + 5) if self.isChecked() and not self._folds else 0
+        wide += px(ARROW - 6) if self._more or self._folds else 0
+        self._size = QSize(min(wide, px(260)), px(HIGH))
         return self._size
 
     # -- being used ------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        if self._more and event.position().x() > self.width() - ARROW:
+        if self._more and event.position().x() > self.width() - px(ARROW):
             self.menu_asked.emit()
             return
         super().mousePressEvent(event)
@@ -109,12 +110,13 @@ class Chip(QAbstractButton):
         inset = 1.0 if self.hasFocus() else 0.5
         area = QRectF(self.rect()).adjusted(inset, inset, -inset, -inset)
         painter.drawRoundedRect(area, area.height() / 2, area.height() / 2)
-        left, middle = 11.0, self.height() / 2
+        left, middle = px(11), self.height() / 2
+        check, arrow = px(CHECK), px(10)
         if on:
-            spot = QRectF(left, middle - CHECK / 2, CHECK, CHECK)
+            spot = QRectF(left, middle - check / 2, check, check)
             icons.paint(painter, "check", spot, theme.color("accent"))
-            left += CHECK + 5
-        right = self.width() - (ARROW if self._more or self._folds else 10)
+            left += check + px(5)
+        right = self.width() - px(ARROW if self._more or self._folds else 10)
         painter.setPen(theme.color("accent" if on else "text2"))
         painter.setFont(self.font())
         text = painter.fontMetrics().elidedText(
@@ -123,7 +125,7 @@ class Chip(QAbstractButton):
         where = QRectF(left, 0, right - left + 2, self.height())
         painter.drawText(where, int(Qt.AlignmentFlag.AlignVCenter), text)
         if self._more or self._folds:
-            spot = QRectF(self.width() - ARROW + 2, middle - 5, 10, 10)
+            spot = QRectF(self.width() - px(ARROW - 2), middle - arrow / 2, arrow, arrow)
             icon = "up" if self._folds and self.isChecked() else "down"
             icons.paint(painter, icon, spot, theme.color("accent" if on else "text3"))
         painter.end()
@@ -173,12 +175,12 @@ class Row(QWidget):
         for widget in self._every:
             size = widget.sizeHint()
             if x and x + size.width() > width:
-                x, y = 0, y + HIGH + GAP
+                x, y = 0, y + px(HIGH) + GAP
             if move:
-                top = y + (HIGH - size.height()) // 2
+                top = y + (px(HIGH) - size.height()) // 2
                 widget.setGeometry(QRect(QPoint(x, top), size))
             x += size.width() + GAP
-        return y + HIGH if self._every else 0
+        return y + px(HIGH) if self._every else 0
 
 
 class Rows(QScrollArea):
@@ -202,14 +204,15 @@ class Rows(QScrollArea):
         return QSize(self.row.wide + 2, self.height())
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(120, HIGH)
+        return QSize(px(120), px(HIGH))
 
     def settle(self) -> None:
         """As high as its lines need, within bounds."""
         whole = self.row.high(self.width())
         self.row.setMinimumHeight(whole)
         self.updateGeometry()
-        self.setFixedHeight(max(HIGH, min(whole, self._lines * (HIGH + GAP) - GAP)))
+        high = px(HIGH)
+        self.setFixedHeight(max(high, min(whole, self._lines * (high + GAP) - GAP)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QHeaderView, QWidget
 
 from situ_studio import icons
 from situ_studio.canvas.overlay import InPlace
+from situ_studio.letters import factor, px
 from situ_studio.matrix.model import SHOWN, Head
 from situ_studio.theme import BODY, CAPTION, LABEL, Theme, font
 
@@ -57,7 +58,7 @@ class _Header(QHeaderView):
         return QRect(at, 0, size, self.height())
 
     def name_area(self, section: int) -> QRect:
-        return self.area_of(section).adjusted(18, 1, -2, -2)
+        return self.area_of(section).adjusted(px(18), 1, -2, -2)
 
     def edit_name(self, section: int) -> None:
         head = self.head(section)
@@ -65,7 +66,7 @@ class _Header(QHeaderView):
             return
         if self.editor is not None:
             self.editor.close_editor()
-        editor = InPlace(section, head.text, BODY, self.viewport())
+        editor = InPlace(section, head.text, BODY * factor(), self.viewport())
         editor.setAccessibleName(self.tr("Name"))
         editor.dress(self._theme, 4)
         editor.finished.connect(self._on_name)
@@ -80,6 +81,7 @@ class _Header(QHeaderView):
 
     def _icon(self, painter: QPainter, name: str, left: float, middle: float, size: int) -> None:
         token = name if name in ("warning", "error", "module", "situation", "resource") else "text3"
+        size = px(size)
         spot = QRectF(left, middle - size / 2, size, size)
         icons.paint(painter, name, spot, self._theme.color(token))
 
@@ -90,27 +92,26 @@ class ModuleHeader(_Header):
     def __init__(self, theme: Theme, parent: QWidget) -> None:
         super().__init__(theme, Qt.Orientation.Horizontal, parent)
         self.icons = True
-        self.setFixedHeight(HIGH)
+        self.setFixedHeight(px(HIGH))
         self.setFont(font(CAPTION, 600))
 
     def wide(self, section: int) -> int:
         """The width that a column wants."""
         least, most = MODULE_WIDE
-        return max(least, min(most, self.narrow(section) + 17))
+        return max(px(least), min(px(most), self.narrow(section) + px(17)))
 
     def narrow(self, section: int) -> int:
         """The width with which its name alone can be read, if it is not long."""
         head, metrics = self.head(section), self.fontMetrics()
         if head is None:
-            return NARROW
-        name = metrics.horizontalAdvance(head.text) + 15 + (17 if head.mark else 0)
-        return max(
-            NARROW, min(MODULE_WIDE[1], max(name, metrics.horizontalAdvance(head.below) + 4))
-        )
+            return px(NARROW)
+        name = metrics.horizontalAdvance(head.text) + px(15 + (17 if head.mark else 0))
+        below = metrics.horizontalAdvance(head.below) + 4
+        return max(px(NARROW), min(px(MODULE_WIDE[1]), max(name, below)))
 
     def settle(self, sections: Iterable[int]) -> None:
         """Icons stand before all names of these columns, or before none."""
-        self.icons = all(self.sectionSize(one) >= self.narrow(one) + 17 for one in sections)
+        self.icons = all(self.sectionSize(one) >= self.narrow(one) + px(17) for one in sections)
 
     def paintSection(self, painter: QPainter, rect: QRect, section: int) -> None:
         head = self.head(section)
@@ -125,10 +126,10 @@ class ModuleHeader(_Header):
         quiet = head.icon == "resource"
         painter.setFont(font(CAPTION, 500 if quiet else 600))
         metrics = painter.fontMetrics()
-        room = rect.width() - 10 - (17 if head.mark else 0)
-        icon = 17 if self.icons else 0
+        room = rect.width() - px(10 + (17 if head.mark else 0))
+        icon = px(17) if self.icons else 0
         text = metrics.elidedText(head.text, Qt.TextElideMode.ElideRight, room - icon)
-        took = icon + metrics.horizontalAdvance(text) + (17 if head.mark else 0)
+        took = icon + metrics.horizontalAdvance(text) + px(17 if head.mark else 0)
         left = rect.left() + (rect.width() - took) / 2
         middle = rect.center().y() + 0.5
         if icon:
@@ -137,7 +138,7 @@ class ModuleHeader(_Header):
         where = QRectF(left + icon, rect.top(), rect.width(), rect.height() - 1)
         painter.drawText(where, int(Qt.AlignmentFlag.AlignVCenter), text)
         if head.mark:
-            self._icon(painter, head.mark, left + took - 14, middle, 14)
+            self._icon(painter, head.mark, left + took - px(14), middle, 14)
 
 
 class SituationHeader(_Header):
@@ -160,10 +161,10 @@ class SituationHeader(_Header):
         widest = max((metrics.horizontalAdvance(head.text) for head in heads), default=0)
         least, most = SITUATION_WIDE
         signs = 2 if any(head.mark for head in heads) else 1
-        self.setFixedWidth(max(least, min(most, NAME + widest + signs * SIGN + 16)))
+        self.setFixedWidth(max(px(least), min(px(most), widest + px(NAME + signs * SIGN + 16))))
 
     def name_area(self, section: int) -> QRect:
-        return self.area_of(section).adjusted(NAME - 2, 1, -2, -2)
+        return self.area_of(section).adjusted(px(NAME - 2), 1, -2, -2)
 
     def paintSection(self, painter: QPainter, rect: QRect, section: int) -> None:
         head = self.head(section)
@@ -180,20 +181,20 @@ class SituationHeader(_Header):
         painter.drawLine(rect.topRight(), rect.bottomRight())
         painter.drawLine(rect.bottomLeft(), rect.bottomRight())
         middle = rect.center().y() + 0.5
-        self._icon(painter, "grip", rect.left() + 6, middle, 14)
+        self._icon(painter, "grip", rect.left() + px(6), middle, 14)
         painter.setFont(font(LABEL))
         painter.setPen(theme.color("text2"))
-        number = QRectF(rect.left() + 19, rect.top(), 20, rect.height() - 1)
+        number = QRectF(rect.left() + px(19), rect.top(), px(20), rect.height() - 1)
         painter.drawText(number, int(Qt.AlignmentFlag.AlignCenter), str(head.number))
-        self._icon(painter, "situation", rect.left() + 40, middle, 15)
+        self._icon(painter, "situation", rect.left() + px(40), middle, 15)
         right = rect.right() - 6
         for icon in ("check" if head.holds else "", head.mark):
             if icon:
-                right -= SIGN
+                right -= px(SIGN)
                 self._icon(painter, icon, right, middle, 14)
         painter.setFont(font(BODY, 600 if head.current else 500))
         painter.setPen(theme.color("live" if head.current else "text"))
-        left = rect.left() + NAME
+        left = rect.left() + px(NAME)
         text = painter.fontMetrics().elidedText(
             head.text, Qt.TextElideMode.ElideRight, int(right - left - 2)
         )
@@ -205,7 +206,7 @@ class SituationHeader(_Header):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         at = event.position().toPoint()
         row = self.logicalIndexAt(at)
-        if event.button() == Qt.MouseButton.LeftButton and row >= 0 and at.x() < GRIP:
+        if event.button() == Qt.MouseButton.LeftButton and row >= 0 and at.x() < px(GRIP):
             self._dragged = self._to = row
             self.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
             return
@@ -217,7 +218,7 @@ class SituationHeader(_Header):
             self._to = self._place(at)
             self.viewport().update()
             return
-        over = at.x() < GRIP and self.logicalIndexAt(at) >= 0
+        over = at.x() < px(GRIP) and self.logicalIndexAt(at) >= 0
         shape = Qt.CursorShape.OpenHandCursor if over else Qt.CursorShape.ArrowCursor
         self.viewport().setCursor(shape)
         super().mouseMoveEvent(event)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
+from situ_studio.letters import px
 from situ_studio.matrix.model import MatrixModel
 from situ_studio.matrix.table import MatrixTable
 from situ_studio.theme import Theme
@@ -28,7 +29,7 @@ class Sides(QWidget):
         super().__init__()
         self._model = model
         self.setProperty("role", "panel")
-        self.setMinimumSize(240, 90)
+        self.setMinimumSize(px(240), px(90))
         self.table = MatrixTable(theme, model, self.tr("Priorities"), self)
         self.holders = MatrixTable(theme, model, self.tr("Who holds it when all ask"), self)
         self.holders.rows.hide()

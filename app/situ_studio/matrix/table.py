@@ -24,6 +24,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractItemView, QTableView, QWidget
 
+from situ_studio.letters import px
 from situ_studio.matrix.cells import Cells, Sentence, outline
 from situ_studio.matrix.headers import ModuleHeader, SituationHeader
 from situ_studio.matrix.model import AnyIndex, MatrixModel
@@ -89,7 +90,7 @@ class MatrixTable(QTableView):
         self.setHorizontalHeader(self.heads)
         self.rows = SituationHeader(theme, self)
         self.setVerticalHeader(self.rows)
-        self.rows.setDefaultSectionSize(ROW)
+        self.rows.setDefaultSectionSize(px(ROW))
         self.setModel(model)
         self.setWordWrap(False)
         self.setCornerButtonEnabled(False)

@@ -18,6 +18,7 @@ from situ_studio.canvas.live import LiveScript
 from situ_studio.edit import Place
 from situ_studio.icon_widgets import Elided, ThemedButton, retheme
 from situ_studio.layouts import rule
+from situ_studio.letters import px
 from situ_studio.matrix.grid import Grid, asking
 from situ_studio.matrix.model import MatrixModel
 from situ_studio.matrix.range_edits import RangeEdits
@@ -69,13 +70,13 @@ class MatrixView(QWidget):
         self.what_if.answered.connect(self._on_answer)
         column.addWidget(self.what_if)
         self.setFocusProxy(self.table)
-        self.setMinimumHeight(190)
+        self.setMinimumHeight(px(190))
         self._wire()
 
     def _head(self, theme: Theme) -> QWidget:
         head = QFrame()
         head.setProperty("role", "panel")
-        head.setFixedHeight(32)
+        head.setFixedHeight(px(32))
         line = QHBoxLayout(head)
         line.setContentsMargins(12, 0, 8, 0)
         line.setSpacing(8)

@@ -29,6 +29,7 @@ from situ.rehearse.what_if import Answer, Judged, answer, judge
 from situ_studio.icon_widgets import IconButton, IconLabel, retheme
 from situ_studio.language import tr
 from situ_studio.layouts import rule
+from situ_studio.letters import px
 from situ_studio.matrix.chips import Chip, Rows
 from situ_studio.matrix.grid import Asking
 from situ_studio.matrix.presets import presets, short, typed
@@ -90,7 +91,7 @@ class WhatIf(QWidget):
                 "A right click or the down key gives other values."
             )
         )
-        title.setFixedHeight(26)
+        title.setFixedHeight(px(26))
         line.addWidget(title, 0, Qt.AlignmentFlag.AlignTop)
         self.data = Rows(2)
         self.data.setAccessibleName(self.tr("Supposed values"))
@@ -101,7 +102,7 @@ class WhatIf(QWidget):
         line = QHBoxLayout()
         line.setSpacing(6)
         head = QWidget()
-        head.setFixedHeight(26)
+        head.setFixedHeight(px(26))
         head.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         inside = QHBoxLayout(head)
         inside.setContentsMargins(0, 0, 0, 0)
@@ -117,7 +118,7 @@ class WhatIf(QWidget):
         self.holders = QLabel()
         self.holders.setTextFormat(Qt.TextFormat.RichText)
         self.holders.setWordWrap(True)
-        self.holders.setMinimumHeight(26)
+        self.holders.setMinimumHeight(px(26))
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.holders.setSizePolicy(policy)
         line.addWidget(self.holders, 1)
@@ -218,7 +219,7 @@ class WhatIf(QWidget):
         line = QLineEdit()
         line.setPlaceholderText(self.tr("another value"))
         line.setAccessibleName(self.tr("Another value of {0}").format(name))
-        line.setMinimumWidth(140)
+        line.setMinimumWidth(px(140))
 
         def take() -> None:
             self.suppose(name, typed(line.text(), self._kinds.get(name)))

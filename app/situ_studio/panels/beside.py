@@ -13,6 +13,7 @@ from situ.document.problem import Problem
 from situ_studio import words
 from situ_studio.edit import Place
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.state_screen import StateScreen
 from situ_studio.theme import Theme
@@ -43,7 +44,7 @@ class ScreenBeside(QScrollArea):
         self.setAccessibleName(self.tr("Screen of the selected state"))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setMinimumWidth(280)
+        self.setMinimumWidth(px(280))
         self.viewport().setProperty("role", "panel")
         page = QWidget()
         page.setProperty("role", "panel")

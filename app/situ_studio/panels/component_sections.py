@@ -15,6 +15,7 @@ from situ_studio import places, words
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel, ThemedButton
 from situ_studio.kinds import Section
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.panels.section_head import SectionHead
 from situ_studio.panels.subject import MARGIN, Subject
 from situ_studio.screens import placing
@@ -62,8 +63,8 @@ class EdgeButtons(QWidget):
         for edge, (icon, said) in edges.items():
             button = IconButton(theme, icon, said, "text2", 16)
             button.setProperty("role", "cell")
-            button.setMinimumSize(24, 28)
-            button.setMaximumSize(400, 28)
+            button.setMinimumSize(px(24), px(28))
+            button.setMaximumSize(px(400), px(28))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.clicked.connect(lambda _=False, e=edge: self.pressed.emit(e))
             line.addWidget(button, 1)

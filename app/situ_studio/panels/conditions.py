@@ -14,6 +14,7 @@ from situ_studio.icon_widgets import IconButton, IconLabel
 from situ_studio.kinds import GROUPS
 from situ_studio.language import translated
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.test_box import TestBox
 from situ_studio.theme import Theme
@@ -45,7 +46,7 @@ class GroupBox(QFrame):
         first.addWidget(self.kind, 1)
         first.addWidget(AddTest(theme, self.added.emit))
         remove = IconButton(theme, "close", self.tr("Remove this group"), "text3", 12)
-        remove.setFixedSize(18, 18)
+        remove.setFixedSize(px(18), px(18))
         remove.clicked.connect(self.removed)
         first.addWidget(remove)
         column.addLayout(first)
@@ -77,7 +78,7 @@ class AddTest(IconButton):
         self.setMenu(menu)
         self.setPopupMode(self.ToolButtonPopupMode.InstantPopup)
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        self.setIconSize(QSize(16, 16))
+        self.setIconSize(QSize(px(16), px(16)))
 
 
 class ConditionEditor(QWidget):

@@ -17,9 +17,10 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import icons
+from situ_studio.letters import enlarged, px
 from situ_studio.panels.lists import PLACE, AnyIndex
-from situ_studio.search import Hits
-from situ_studio.theme import Theme, font
+from situ_studio.search import Hit, Hits
+from situ_studio.theme import Theme, face
 
 WHERE = 320
 """Px of width that a place has before its text."""
@@ -33,12 +34,13 @@ class _HitDelegate(QStyledItemDelegate):
         self.theme = theme
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
-        return QSize(200, 26)
+        return QSize(px(200), px(26))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
-        rect, hit = QRectF(option.rect), index.data(PLACE)
-        state = option.state
-        painter.save()
+        with enlarged(painter, QRectF(option.rect)) as rect:
+            self._paint(painter, rect, option.state, index.data(PLACE))
+
+    def _paint(self, painter: QPainter, rect: QRectF, state: QStyle.StateFlag, hit: Hit) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if state & QStyle.StateFlag.State_Selected:
             painter.fillRect(rect, self.theme.color("accent_soft"))
@@ -46,7 +48,7 @@ class _HitDelegate(QStyledItemDelegate):
             painter.fillRect(rect, self.theme.color("hover"))
         box = QRectF(rect.x() + 12, rect.center().y() - 7.5, 15, 15)
         icons.paint(painter, hit.icon, box, self.theme.color(hit.token))
-        painter.setFont(font(13))
+        painter.setFont(face(13))
         middle, right = int(Qt.AlignmentFlag.AlignVCenter), Qt.TextElideMode.ElideRight
         where = QRectF(rect.x() + 36, rect.y(), min(WHERE, rect.width() / 2 - 36), rect.height())
         text = QRectF(where.right() + 12, rect.y(), rect.right() - where.right() - 20, 26)
@@ -54,7 +56,6 @@ class _HitDelegate(QStyledItemDelegate):
             painter.setPen(self.theme.color(token))
             shown = painter.fontMetrics().elidedText(words, right, int(area.width()))
             painter.drawText(area, middle, shown)
-        painter.restore()
 
 
 class Finding(QWidget):
@@ -75,7 +76,7 @@ class Finding(QWidget):
         line.setContentsMargins(12, 6, 12, 6)
         line.setSpacing(12)
         self.field = QLineEdit()
-        self.field.setFixedWidth(320)
+        self.field.setFixedWidth(px(320))
         self.field.setClearButtonEnabled(True)
         self.field.setPlaceholderText(self.tr("States, texts, events, tags"))
         self.field.setAccessibleName(self.tr("Find in the project"))

@@ -25,6 +25,7 @@ from situ_studio.icon_widgets import IconButton
 from situ_studio.kinds import Field, Kind, Section
 from situ_studio.language import translated
 from situ_studio.layouts import rule
+from situ_studio.letters import px
 from situ_studio.panels.component_sections import SECTIONS, ComponentSection
 from situ_studio.panels.fields import (
     FieldWidget,
@@ -193,7 +194,7 @@ class Form(QWidget):
         widget = self._widget(field)
         label = QLabel("" if isinstance(widget, Flag) else translated(field.label))
         label.setProperty("role", "label")
-        label.setFixedWidth(LABEL)
+        label.setFixedWidth(px(LABEL))
         label.setToolTip(translated(field.help))
         label.setProperty(HELP, field_topic(self.kind, field))
         label.setBuddy(widget)
@@ -220,7 +221,7 @@ class Form(QWidget):
         column.setSpacing(0)
         heading = QLabel(translated(section.title))
         heading.setProperty("role", "heading")
-        heading.setFixedHeight(32)
+        heading.setFixedHeight(px(32))
         heading.setContentsMargins(MARGIN, 0, MARGIN, 0)
         heading.setToolTip(translated(section.help))
         column.addWidget(heading)
@@ -237,7 +238,7 @@ class Form(QWidget):
             row, at = index // 2, index % 2 * 2
             label = QLabel(translated(field.label))
             label.setProperty("role", "label")
-            label.setMinimumWidth(14)
+            label.setMinimumWidth(px(14))
             label.setToolTip(translated(field.help))
             label.setProperty(HELP, field_topic(self.kind, field))
             # The second one stands a little away from the first one's field.

@@ -6,6 +6,8 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMenu, QWidget
 
+from situ_studio.letters import px
+
 HEIGHT = 32
 
 
@@ -20,7 +22,7 @@ class TitleBar(QWidget):
         self._height = height
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.setFixedHeight(height)
+        self.setFixedHeight(px(height))
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         dock = self.parentWidget()
@@ -36,10 +38,10 @@ class TitleBar(QWidget):
 
     def sizeHint(self) -> QSize:
         # A dock asks for the hint of its title bar, whatever its fixed height is.
-        return QSize(80, self._height)
+        return QSize(px(80), px(self._height))
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(80, self._height)
+        return QSize(px(80), px(self._height))
 
 
 class PanelHeader(TitleBar):

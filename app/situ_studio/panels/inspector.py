@@ -19,6 +19,7 @@ from situ_studio.edit import Document, Place
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.language import translated
 from situ_studio.layouts import rule
+from situ_studio.letters import px
 from situ_studio.panels.component_sections import AlignSeveral
 from situ_studio.panels.form import Form
 from situ_studio.panels.header import TitleBar
@@ -69,7 +70,7 @@ class Inspector(QWidget):
         whole.addLayout(line, 1)
         whole.addWidget(rule())
         self._back = IconButton(theme, "left", self.tr("Back"), "text2", 14)
-        self._back.setFixedSize(20, 20)
+        self._back.setFixedSize(px(20), px(20))
         self._back.clicked.connect(self._on_back)
         line.addWidget(self._back, 0, Qt.AlignmentFlag.AlignVCenter)
         self._icon = IconLabel(theme, "state", "state", 18)
@@ -80,7 +81,7 @@ class Inspector(QWidget):
         self._pill.setProperty("role", "pill")
         line.addWidget(self._pill, 0, Qt.AlignmentFlag.AlignVCenter)
         self.usages = IconButton(theme, "search", self.tr("Find usages"), "text3", 14)
-        self.usages.setFixedSize(22, 22)
+        self.usages.setFixedSize(px(22), px(22))
         self.usages.clicked.connect(self.usages_asked)
         line.addWidget(self.usages, 0, Qt.AlignmentFlag.AlignVCenter)
         self.told = Told(theme)

@@ -7,7 +7,8 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from situ_studio import icons
-from situ_studio.theme import Theme, font
+from situ_studio.letters import enlarged, px
+from situ_studio.theme import Theme, face
 
 NUMBER = int(Qt.ItemDataRole.UserRole) + 1
 """Shown right-aligned in a narrow column before the name."""
@@ -36,14 +37,17 @@ class RowDelegate(QStyledItemDelegate):
         self._theme = theme
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
-        return QSize(80, 44 if index.data(DETAIL) else self._height)
+        return QSize(px(80), px(44 if index.data(DETAIL) else self._height))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
+        with enlarged(painter, QRectF(option.rect)) as rect:
+            self._paint(painter, rect, option.state, index)
+
+    def _paint(
+        self, painter: QPainter, rect: QRectF, state: QStyle.StateFlag, index: AnyIndex
+    ) -> None:
         theme = self._theme
-        rect = QRectF(option.rect)
-        state = option.state
         full = QRectF(0, rect.y(), rect.right() + 1, rect.height())
-        painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         selected = bool(state & QStyle.StateFlag.State_Selected)
         if selected:
@@ -59,7 +63,7 @@ class RowDelegate(QStyledItemDelegate):
         x = line.x() + 4
         number = index.data(NUMBER)
         if number is not None:
-            painter.setFont(font(12))
+            painter.setFont(face(12))
             painter.setPen(theme.color("text3"))
             width = max(18.0, painter.fontMetrics().horizontalAdvance(number) + 2.0)
             painter.drawText(
@@ -82,7 +86,7 @@ class RowDelegate(QStyledItemDelegate):
             right -= 18
         count = index.data(COUNT)
         if count:
-            painter.setFont(font(11))
+            painter.setFont(face(11))
             painter.setPen(theme.color("text3"))
             width = painter.fontMetrics().horizontalAdvance(count)
             painter.drawText(
@@ -92,7 +96,7 @@ class RowDelegate(QStyledItemDelegate):
             )
             right -= width + 6
         weight = index.data(Qt.ItemDataRole.FontRole) or 400
-        painter.setFont(font(13 if self._height >= 24 else 12.5, weight))
+        painter.setFont(face(13 if self._height >= 24 else 12.5, weight))
         painter.setPen(theme.color("text"))
         name = painter.fontMetrics().elidedText(
             index.data(Qt.ItemDataRole.DisplayRole) or "",
@@ -105,7 +109,7 @@ class RowDelegate(QStyledItemDelegate):
             name,
         )
         if detail:
-            painter.setFont(font(11))
+            painter.setFont(face(11))
             painter.setPen(theme.color("text2"))
             below = QRectF(x, line.bottom() - 4, rect.right() - x - 8, 16)
             shown = painter.fontMetrics().elidedText(
@@ -114,4 +118,3 @@ class RowDelegate(QStyledItemDelegate):
             painter.drawText(below, int(Qt.AlignmentFlag.AlignVCenter), shown)
             painter.setPen(theme.color("line"))
             painter.drawLine(rect.bottomLeft(), rect.bottomRight())
-        painter.restore()

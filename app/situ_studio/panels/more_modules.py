@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QLabel, QListView, QVBoxLayout, QWidget
 from situ_studio.kinds import MODULE_MIME
 from situ_studio.known_modules import Known
 from situ_studio.language import tr
+from situ_studio.letters import px
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, PLACE, RowDelegate
 from situ_studio.theme import Theme
 
@@ -107,7 +108,7 @@ class MoreModules(QWidget):
         for one in shown:
             self._model.appendRow(self._row(one))
         self.list.setMaximumHeight(HIGH * min(ROWS, len(shown)))
-        self.list.setMinimumHeight(HIGH)
+        self.list.setMinimumHeight(px(HIGH))
         self.setVisible(bool(shown))
 
     def _row(self, one: Known) -> QStandardItem:

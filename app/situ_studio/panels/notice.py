@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio.icon_widgets import IconLabel
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 Answer = tuple[str, Callable[[], object]]
@@ -33,7 +34,7 @@ class Notice(QFrame):
         self.words = QLabel()
         self.words.setTextFormat(Qt.TextFormat.PlainText)
         self.words.setWordWrap(True)
-        self.words.setMinimumHeight(28)
+        self.words.setMinimumHeight(px(28))
         self.words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._line.addWidget(self.words, 1)
         self.buttons: list[QPushButton] = []

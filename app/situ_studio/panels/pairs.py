@@ -14,6 +14,7 @@ from situ.document import modules, rbd
 from situ_studio.icon_widgets import IconButton
 from situ_studio.kinds import TYPES
 from situ_studio.language import translated
+from situ_studio.letters import px
 from situ_studio.panels.fields import Choice, Line
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
@@ -151,7 +152,7 @@ class PairsEditor(QWidget):
                     field.setPlaceholderText(translated(column.words))
                 field.setAccessibleName(translated(column.words))
                 field.setToolTip(translated(column.words))
-                field.setMinimumWidth(30)
+                field.setMinimumWidth(px(30))
                 field.committed.connect(
                     lambda v, i=index, c=column: self._change(i, c.attribute, v)
                 )
@@ -160,7 +161,7 @@ class PairsEditor(QWidget):
                 row.append(field)
                 at += 1
             remove = IconButton(self._theme, "close", self.tr("Remove"), "text3", 12)
-            remove.setFixedSize(18, 18)
+            remove.setFixedSize(px(18), px(18))
             remove.clicked.connect(lambda _=False, i=index: self._remove(i))
             self._grid.addWidget(remove, index, at)
             self._extra.append(remove)

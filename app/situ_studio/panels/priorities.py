@@ -12,6 +12,7 @@ from situ.document.spds import Entry, Situation, Spds
 from situ_studio.help_topics import explain
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import clear, rule
+from situ_studio.letters import px
 from situ_studio.panels.fields import Choice, Number
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
@@ -77,11 +78,11 @@ class PrioritiesEditor(QFrame):
             priority.setAccessibleName(self.tr("Priority"))
             explain(module, "entry", "module")
             explain(priority, "entry", "priority")
-            priority.setFixedWidth(56)
+            priority.setFixedWidth(px(56))
             priority.committed.connect(lambda v, i=index: self._change(i, priority=v))
             line.addWidget(priority)
             remove = IconButton(theme, "close", self.tr("Remove"), "text3", 12)
-            remove.setFixedSize(18, 18)
+            remove.setFixedSize(px(18), px(18))
             remove.clicked.connect(lambda _=False, i=index: self._remove(i))
             line.addWidget(remove)
             self._layout.addWidget(holder)
@@ -94,7 +95,7 @@ class PrioritiesEditor(QFrame):
             line.addWidget(words)
             value = QLabel(str(number))
             value.setProperty("role", "dim")
-            value.setFixedWidth(32)
+            value.setFixedWidth(px(32))
             value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             line.addWidget(value)
             line.addSpacing(4)
@@ -104,7 +105,7 @@ class PrioritiesEditor(QFrame):
         if self._layout.count():
             self._layout.addWidget(rule())
         holder = QWidget()
-        holder.setFixedHeight(34)
+        holder.setFixedHeight(px(34))
         line = QHBoxLayout(holder)
         line.setContentsMargins(7, 0, 6, 0)
         line.setSpacing(7)

@@ -34,6 +34,7 @@ from PySide6.QtWidgets import (
 from situ.document.problem import Problem
 from situ_studio import icons
 from situ_studio.language import said
+from situ_studio.letters import px
 from situ_studio.panels.lists import PLACE, AnyIndex
 from situ_studio.theme import Theme, font
 
@@ -53,9 +54,9 @@ def mend_box(rect: QRect, problem: Problem | None) -> QRect:
     """Where the mend's button stands in a row; empty where there is none."""
     if problem is None or problem.mend is None:
         return QRect()
-    width = QFontMetrics(font(12, 500)).horizontalAdvance(said(problem.mend.words)) + 40
-    width = min(width, MEND_MOST, rect.width() // 2)
-    return QRect(rect.right() - width - 8, rect.y() + 3, width, 22)
+    width = QFontMetrics(font(12, 500)).horizontalAdvance(said(problem.mend.words)) + px(40)
+    width = min(width, px(MEND_MOST), rect.width() // 2)
+    return QRect(rect.right() - width - px(8), rect.y() + px(3), width, px(22))
 
 
 class ProblemDelegate(QStyledItemDelegate):
@@ -69,7 +70,7 @@ class ProblemDelegate(QStyledItemDelegate):
         self._theme = theme
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
-        return QSize(200, 28)
+        return QSize(px(200), px(28))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
         theme = self._theme
@@ -82,18 +83,19 @@ class ProblemDelegate(QStyledItemDelegate):
             painter.fillRect(rect, theme.color("accent_soft"))
         elif state & QStyle.StateFlag.State_MouseOver:
             painter.fillRect(rect, theme.color("hover"))
-        box = QRectF(rect.x() + 12, rect.center().y() - 7.5, 15, 15)
+        high = px(15)
+        box = QRectF(rect.x() + px(12), rect.center().y() - high / 2, high, high)
         if problem is None:
             painter.setFont(font(12, 500))
             painter.setPen(theme.color("accent"))
-            room = rect.adjusted(36, 0, 0, 0)
+            room = rect.adjusted(px(36), 0, 0, 0)
             painter.drawText(room, int(Qt.AlignmentFlag.AlignVCenter), index.data())
             painter.restore()
             return
         icons.paint(painter, problem.severity, box, theme.color(problem.severity))
         painter.setFont(font(13))
         painter.setPen(theme.color("text2"))
-        where = QRectF(rect.x() + 36, rect.y(), 168, rect.height())
+        where = QRectF(rect.x() + px(36), rect.y(), px(168), rect.height())
         middle = int(Qt.AlignmentFlag.AlignVCenter)
         cut = painter.fontMetrics().elidedText
         right = Qt.TextElideMode.ElideRight
@@ -101,18 +103,19 @@ class ProblemDelegate(QStyledItemDelegate):
         painter.setPen(theme.color("text"))
         button = QRectF(mend_box(option.rect, problem))
         end = button.x() if button.width() else rect.right()
-        words = QRectF(where.right() + 8, rect.y(), end - where.right() - 20, 28)
+        words = QRectF(where.right() + 8, rect.y(), end - where.right() - 20, rect.height())
         painter.drawText(words, middle, cut(said(problem.message), right, int(words.width())))
         if problem.mend is not None:
             painter.setPen(QPen(theme.color("line_strong")))
             painter.setBrush(theme.color("panel"))
             painter.drawRoundedRect(button.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
             accent = theme.color("accent")
-            wand = QRectF(button.x() + 9, button.center().y() - 7, 14, 14)
+            high = px(14)
+            wand = QRectF(button.x() + px(9), button.center().y() - high / 2, high, high)
             icons.paint(painter, "wand", wand, accent)
             painter.setPen(accent)
             painter.setFont(font(12, 500))
-            room = button.adjusted(28, 0, -10, 0)
+            room = button.adjusted(px(28), 0, -px(10), 0)
             mend = said(problem.mend.words)
             text = painter.fontMetrics().elidedText(mend, right, int(room.width()))
             painter.drawText(room, middle, text)

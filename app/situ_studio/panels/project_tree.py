@@ -15,6 +15,7 @@ from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio import icons
 from situ_studio.edit import Document
+from situ_studio.letters import px
 from situ_studio.panels.lists import COUNT, ICON, MARKS, PLACE, RowDelegate
 from situ_studio.theme import Theme
 
@@ -45,7 +46,7 @@ class Tree(QTreeView):
         super().__init__(parent)
         self._theme = theme
         self.setHeaderHidden(True)
-        self.setIndentation(14)
+        self.setIndentation(px(14))
         self.setMouseTracking(True)
         self.setUniformRowHeights(True)
         self.setEditTriggers(QTreeView.EditTrigger.NoEditTriggers)

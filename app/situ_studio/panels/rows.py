@@ -31,6 +31,7 @@ from PySide6.QtWidgets import (
 
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import clear, rule
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 
@@ -89,7 +90,7 @@ class RowWidget(QFrame):
             target.setMinimumWidth(min(80, target.sizeHint().width()))
             line.addWidget(target)
         self._remove = IconButton(theme, "close", self.tr("Remove"), "text3", 12)
-        self._remove.setFixedSize(18, 18)
+        self._remove.setFixedSize(px(18), px(18))
         self._remove.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._remove.clicked.connect(self.removed)
         # Over the end of the row, so that it takes no room while nobody points there.
@@ -103,7 +104,7 @@ class RowWidget(QFrame):
             under.setContentsMargins(42, 0, 0, 0)
             under.setSpacing(8)
             label = Elided(name, "label")
-            label.setFixedWidth(56)
+            label.setFixedWidth(px(56))
             under.addWidget(label)
             under.addWidget(Elided(value, "under"), 1)
             column.addLayout(under)

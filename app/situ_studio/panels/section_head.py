@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel
 from situ_studio.icon_widgets import Elided
 from situ_studio.kinds import Section
 from situ_studio.language import translated
+from situ_studio.letters import px
 
 
 class SectionHead(QHBoxLayout):
@@ -17,7 +18,7 @@ class SectionHead(QHBoxLayout):
         self.setSpacing(6)
         title = QLabel(translated(section.title))
         title.setProperty("role", "heading")
-        title.setFixedHeight(32)
+        title.setFixedHeight(px(32))
         title.setToolTip(translated(section.help))
         self.addWidget(title)
         self.addWidget(Elided(translated(section.hint), "hint"), 1)

@@ -6,9 +6,11 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from msgspec import Struct
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
+from situ_studio.letters import px
 from situ_studio.theme import Theme, font
 
 ROW = 24
@@ -113,6 +115,9 @@ class RowsModel(QAbstractTableModel):
 class RowsTable(QTableView):
     """widths: px of all columns but the last, which takes the rest."""
 
+    chosen = Signal(QModelIndex)
+    """A row that a person clicks, or presses Enter on; once also where it is clicked twice."""
+
     def __init__(
         self,
         name: str,
@@ -132,12 +137,13 @@ class RowsTable(QTableView):
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setTabKeyNavigation(False)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(ROW)
-        self.verticalHeader().setMinimumSectionSize(ROW)
+        self.verticalHeader().setDefaultSectionSize(px(ROW))
+        self.verticalHeader().setMinimumSectionSize(px(ROW))
+        self.clicked.connect(self.chosen)
         header = self.horizontalHeader()
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setHighlightSections(False)
-        header.setFixedHeight(ROW)
+        header.setFixedHeight(px(ROW))
         for column, width in enumerate(widths):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
             header.resizeSection(column, width)
@@ -147,6 +153,16 @@ class RowsTable(QTableView):
         self.rows.set_theme(theme)
 
     def when_chosen(self, told: Callable[[str], None]) -> None:
-        """``told`` gets the key of a row that a person clicks or presses Enter on."""
-        self.clicked.connect(lambda index: told(self.rows.rows[index.row()].key))
-        self.activated.connect(lambda index: told(self.rows.rows[index.row()].key))
+        """``told`` gets the key of a row that is ``chosen``."""
+        self.chosen.connect(lambda index: told(self.rows.rows[index.row()].key))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        index = self.currentIndex()
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and index.isValid():
+            self.chosen.emit(index)
+        else:
+            super().keyPressEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        # Its first press has chosen the row already.
+        event.accept()

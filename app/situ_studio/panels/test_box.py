@@ -17,6 +17,7 @@ from situ_studio.help_topics import explain
 from situ_studio.icon_widgets import IconButton, IconLabel
 from situ_studio.kinds import TESTS
 from situ_studio.language import translated
+from situ_studio.letters import px
 from situ_studio.panels.fields import Choice, Line, Number
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
@@ -52,7 +53,7 @@ class TestBox(QFrame):
         self.tag.setAccessibleName(self.tr("Tag"))
         first.addWidget(self.tag, 1)
         self.remove = IconButton(theme, "close", self.tr("Remove this test"), "text3", 12)
-        self.remove.setFixedSize(18, 18)
+        self.remove.setFixedSize(px(18), px(18))
         self.remove.clicked.connect(self.removed)
         first.addWidget(self.remove)
         column.addLayout(first)
@@ -61,7 +62,7 @@ class TestBox(QFrame):
         self.test = Choice(theme)
         self.test.setAccessibleName(self.tr("Test"))
         self.test.offer(tuple((test, translated(words)) for test, words in CHOICES))
-        self.test.setFixedWidth(98)
+        self.test.setFixedWidth(px(98))
         second.addWidget(self.test)
         self.value = Value()
         self.value.setAccessibleName(self.tr("Value"))

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 from situ.document import rbd
 from situ_studio.help_topics import explain
 from situ_studio.language import translated
+from situ_studio.letters import px
 from situ_studio.panels.fields import (
     Choice,
     Flag,
@@ -40,7 +41,7 @@ class TimeoutRows(QWidget):
         grid.setColumnMinimumWidth(0, LABEL)
         label = QLabel(self.tr("Timeout"))
         label.setProperty("role", "label")
-        label.setFixedWidth(LABEL)
+        label.setFixedWidth(px(LABEL))
         grid.addWidget(label, 0, 0)
         self.seconds = Number(unit=translated("s"), above=True)
         self.seconds.setPlaceholderText(self.tr("none"))

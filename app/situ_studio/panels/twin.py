@@ -18,6 +18,7 @@ from situ.document.problem import Problem
 from situ_studio import changes, kinds, places, words
 from situ_studio.copying import Copying
 from situ_studio.edit import Document, Place
+from situ_studio.letters import px
 from situ_studio.panels.twin_model import TwinModel, read
 from situ_studio.panels.twin_rows import Node
 from situ_studio.panels.twin_tree import TwinDelegate, TwinTree
@@ -44,13 +45,13 @@ class Twin(QWidget, Copying):
         self.tree = TwinTree(theme)
         self.tree.setAccessibleName(self.tr("Outline of the document"))
         self.tree.setHeaderHidden(False)
-        self.tree.setIndentation(20)
+        self.tree.setIndentation(px(20))
         self.tree.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.tree.setEditTriggers(
             QAbstractItemView.EditTrigger.DoubleClicked
             | QAbstractItemView.EditTrigger.EditKeyPressed
         )
-        self.tree.setIconSize(QSize(16, 16))
+        self.tree.setIconSize(QSize(px(16), px(16)))
         self.model = TwinModel(theme, self)
         self.model.cell_edited.connect(self._on_cell)
         self.tree.setModel(self.model)

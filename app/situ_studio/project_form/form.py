@@ -13,6 +13,7 @@ from situ.document.beside import Toml
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE
 from situ.document.problem import Problem
 from situ.document.project import Project
+from situ_studio.letters import px
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.told import Told
 from situ_studio.project_form.boxes import Change, FieldsSection, Section
@@ -61,7 +62,7 @@ class ProjectForm(QWidget):
         middle = QHBoxLayout(inner)
         middle.setContentsMargins(24, 16, 24, 24)
         page = QWidget()
-        page.setMaximumWidth(WIDTH)
+        page.setMaximumWidth(px(WIDTH))
         middle.addStretch(1)
         middle.addWidget(page, 100)
         middle.addStretch(1)

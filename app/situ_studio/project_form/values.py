@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
 
+from situ_studio.letters import px
 from situ_studio.panels.fields import Choice, Line, Number
 from situ_studio.theme import Theme
 
@@ -98,7 +99,7 @@ class ValueField(QWidget):
             )
         )
         self.kind.setAccessibleName(self.tr("Kind"))
-        self.kind.setFixedWidth(104)
+        self.kind.setFixedWidth(px(104))
         self.kind.committed.connect(self._on_kind)
         line.addWidget(self.kind)
         self.flag = Choice(theme)
@@ -116,9 +117,9 @@ class ValueField(QWidget):
             if isinstance(field, Line):
                 field.refused.connect(self.refused)
             self._stack.addWidget(field)
-        self._stack.setFixedHeight(28)
+        self._stack.setFixedHeight(px(28))
         line.addWidget(self._stack, 1)
-        self.setFixedHeight(28)
+        self.setFixedHeight(px(28))
         self.kind.setToolTip(self.tr("What sort of value it is."))
 
     def set_help(self, words: str) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
 from situ.decide.values import in_text
 from situ.document.values import is_number, read
 from situ_studio.icon_widgets import Elided
+from situ_studio.letters import px
 from situ_studio.panels.fields import Flag
 from situ_studio.rehearsing.dials import Dial
 from situ_studio.theme import Theme
@@ -31,7 +32,7 @@ class DialRow(QWidget):
         line.setContentsMargins(0, 0, 0, 0)
         line.setSpacing(6)
         title = Elided(dial.tag, "label")
-        title.setFixedWidth(TITLE)
+        title.setFixedWidth(px(TITLE))
         line.addWidget(title)
         self.flag: Flag | None = None
         self.slider: QSlider | None = None
@@ -49,7 +50,7 @@ class DialRow(QWidget):
             self.slider.setPageStep(STEPS // 10)
             self.slider.valueChanged.connect(self._on_slid)
             line.addWidget(self.slider, 1)
-            self.value.setFixedWidth(58)
+            self.value.setFixedWidth(px(58))
             self.value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.value.setProperty("role", "label")
             line.addWidget(self.value)

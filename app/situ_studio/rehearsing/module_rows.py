@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QMenu, QPushButton, QWidge
 from situ.decide import inputs
 from situ.document.values import read
 from situ_studio.icon_widgets import Elided, IconButton
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 
@@ -72,7 +73,7 @@ class ModuleRow(QWidget):
         line = QLineEdit()
         line.setPlaceholderText(self.tr("{0}: a value").format(resource))
         line.setAccessibleName(self.tr("What {0} shall do").format(resource))
-        line.setMinimumWidth(160)
+        line.setMinimumWidth(px(160))
 
         def take() -> None:
             self.done.emit(inputs.Command(self.name, resource, read(line.text())))

@@ -7,6 +7,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSizePolicy, QWidget
 
 from situ_studio.icon_widgets import IconButton, ThemedButton
+from situ_studio.letters import px
 from situ_studio.panels.fields import Choice
 from situ_studio.screens.devices import DEVICES, USUAL, Device
 from situ_studio.tabs import Segments
@@ -30,7 +31,7 @@ class DesignerBar(QFrame):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("role", "panel")
-        self.setFixedHeight(44)
+        self.setFixedHeight(px(44))
         self._device = USUAL
         self._sample = ""
         line = QHBoxLayout(self)
@@ -39,8 +40,8 @@ class DesignerBar(QFrame):
         self.devices = Choice(theme, self)
         self.devices.setAccessibleName(self.tr("Screen"))
         self.devices.setToolTip(self.tr("The screen on which you look at what you draw"))
-        self.devices.setMinimumWidth(96)
-        self.devices.setMaximumWidth(176)
+        self.devices.setMinimumWidth(px(96))
+        self.devices.setMaximumWidth(px(176))
         self.devices.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.devices.committed.connect(self._on_device)
         line.addWidget(self.devices, 4)
@@ -61,12 +62,12 @@ class DesignerBar(QFrame):
         self.samples = ThemedButton(theme, "down", self.tr("Sample"), "", "text3", 12)
         self.samples.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
         self.samples.setToolTip(self.tr("The values that texts stand for while you draw"))
-        self.samples.setMinimumWidth(88)
+        self.samples.setMinimumWidth(px(88))
         self.samples.clicked.connect(self.samples_asked)
         line.addWidget(self.samples)
         self.always = IconButton(theme, "always", self.tr("Show what is in every state"), "text2")
         self.always.setProperty("role", "cell")
-        self.always.setFixedSize(28, 28)
+        self.always.setFixedSize(px(28), px(28))
         self.always.setCheckable(True)
         self.always.setChecked(True)
         self.always.toggled.connect(self.always_shown)

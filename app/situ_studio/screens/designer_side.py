@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
 
 from situ_studio.icon_widgets import IconButton
 from situ_studio.layouts import rule
+from situ_studio.letters import px
 from situ_studio.panels.header import PanelHeader
 from situ_studio.panels.over_scroll import OverScroll
 from situ_studio.screens.component_tiles import ComponentTiles
@@ -27,7 +28,7 @@ class DesignerSide(OverScroll):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.viewport().setProperty("role", "panel")
-        self.setMinimumWidth(200)
+        self.setMinimumWidth(px(200))
         page = QWidget()
         page.setProperty("role", "panel")
         self._column = QVBoxLayout(page)

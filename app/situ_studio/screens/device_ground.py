@@ -6,6 +6,7 @@ from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
+from situ_studio.letters import px
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.measures import measures
 from situ_studio.screens.painting import layer
@@ -38,7 +39,7 @@ class DeviceGround(QWidget):
         self._dots: QPixmap | None = None
         self._lit = QRect()
         sheet.setParent(self)
-        self.setMinimumSize(200, 160)
+        self.setMinimumSize(px(200), px(160))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._zoom = QLabel(self)
         self._zoom.setProperty("role", "hint")

@@ -21,6 +21,7 @@ from situ.decide.values import in_text
 from situ.document.values import read
 from situ_studio.icon_widgets import Elided
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.panels.fields import Flag
 from situ_studio.screens import samples
 from situ_studio.screens.sample_table import SampleTable
@@ -43,7 +44,7 @@ class SamplePopup(QFrame):
         super().__init__(parent, Qt.WindowType.Popup)
         self.setProperty("role", "popup")
         self.setAccessibleName(self.tr("Sample values"))
-        self.setFixedWidth(WIDE)
+        self.setFixedWidth(px(WIDE))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 8, 12, 12)
@@ -86,7 +87,7 @@ class SamplePopup(QFrame):
                 self._add_table(row, name, columns[name], samples.value_of(values, name))
                 continue
             label = Elided(name, "label")
-            label.setFixedWidth(112)
+            label.setFixedWidth(px(112))
             field = QComboBox()
             field.setEditable(True)
             field.setItemDelegate(QStyledItemDelegate(field))
@@ -116,7 +117,7 @@ class SamplePopup(QFrame):
 
     def _add_table(self, row: int, name: str, fields: tuple[str, ...], value: Any) -> None:
         label = Elided(name, "label")
-        label.setFixedWidth(112)
+        label.setFixedWidth(px(112))
         table = SampleTable(name, fields, value if isinstance(value, list) else [])
         table.edited.connect(lambda entries: self.picked.emit(name, entries))
         self._grid.addWidget(label, row, 0, Qt.AlignmentFlag.AlignTop)

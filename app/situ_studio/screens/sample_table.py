@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from situ.decide.values import in_text
 from situ.document.values import read
+from situ_studio.letters import px
 
 ROW = 26
 MOST = 6
@@ -40,7 +41,7 @@ class SampleTable(QTableWidget):
         self.setHorizontalHeaderLabels(list(fields) or [self.tr("Entry")])
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(ROW)
+        self.verticalHeader().setDefaultSectionSize(px(ROW))
         self.setEditTriggers(QAbstractItemView.EditTrigger.AllEditTriggers)
         self.setTabKeyNavigation(False)
         for row, entry in enumerate(entries):
@@ -48,7 +49,7 @@ class SampleTable(QTableWidget):
                 value = entry.get(field) if isinstance(entry, Mapping) and field else entry
                 text = "" if value is None else in_text(value)
                 self.setItem(row, column, QTableWidgetItem(text))
-        self.horizontalHeader().setFixedHeight(ROW)
+        self.horizontalHeader().setFixedHeight(px(ROW))
         self.setFixedHeight(ROW * (min(len(entries) + 1, MOST) + 1) + 6)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
         self.cellChanged.connect(self._on_changed)

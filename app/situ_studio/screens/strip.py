@@ -37,6 +37,7 @@ from PySide6.QtWidgets import (
 from situ.document import rbd
 from situ_studio import places, words
 from situ_studio.edit import Place
+from situ_studio.letters import px
 from situ_studio.screens.media_pictures import picture
 from situ_studio.screens.painting import paint_screen
 from situ_studio.screens.templates import TEMPLATE, read
@@ -99,7 +100,7 @@ class _Pictures(QStyledItemDelegate):
         self._painted: dict[tuple[int, int, float], tuple[tuple[Any, ...], QPixmap]] = {}
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
-        return QSize(WIDE, HIGH)
+        return QSize(px(WIDE), px(HIGH))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
         painter.save()
@@ -176,7 +177,7 @@ class StateStrip(QListView):
         self.setWrapping(False)
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
-        self.setFixedHeight(HIGH + 12)
+        self.setFixedHeight(px(HIGH) + 12)
         self.setHorizontalScrollMode(QListView.ScrollMode.ScrollPerPixel)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAcceptDrops(True)

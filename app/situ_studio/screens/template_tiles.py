@@ -11,6 +11,7 @@ from situ_studio.canvas import thumbnails
 from situ_studio.canvas.style import Look
 from situ_studio.dragging import Dragging
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.screens.templates import TEMPLATE, templates, title, written
 from situ_studio.theme import CAPTION, Theme, font
 
@@ -40,7 +41,7 @@ class TemplateTile(QAbstractButton):
         self.setAccessibleName(self.tr("Template: {0}").format(name))
         tip = self.tr("The state gets this screen; undo brings back the one before")
         self.setToolTip(f"{tip}\n{self.tr('Delete removes this template')}" if own else tip)
-        self.setFixedHeight(HIGH)
+        self.setFixedHeight(px(HIGH))
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         Dragging(self, lambda: dragged(self.template))
@@ -50,7 +51,7 @@ class TemplateTile(QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(88, HIGH)
+        return QSize(px(88), px(HIGH))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self.own and event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
@@ -69,7 +70,7 @@ class TemplateTile(QAbstractButton):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         theme = self._look.theme
-        area = QRectF(1.5, 1.5, self.width() - 3, PICTURE)
+        area = QRectF(1.5, 1.5, self.width() - 3, px(PICTURE))
         thumbnails.paint(painter, self._marks, area, self._look)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self.hasFocus() or self.isDown():
@@ -80,7 +81,7 @@ class TemplateTile(QAbstractButton):
             painter.drawRoundedRect(area, 3, 3)
         painter.setFont(font(CAPTION))
         painter.setPen(theme.color("text2"))
-        below = QRectF(0, area.bottom() + 1, self.width(), HIGH - area.bottom() - 1)
+        below = QRectF(0, area.bottom() + 1, self.width(), self.height() - area.bottom() - 1)
         cut, wide = painter.fontMetrics().elidedText, int(below.width())
         text = cut(self.text(), Qt.TextElideMode.ElideRight, wide)
         painter.drawText(below, int(Qt.AlignmentFlag.AlignCenter), text)

@@ -15,10 +15,11 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import icons
+from situ_studio.letters import enlarged, factor, px
 from situ_studio.panels.tag_completion import TagCompletion
 from situ_studio.texts.model import CELL, ICONS, ROW, STATE, WHAT, AnyIndex, TextsModel
 from situ_studio.texts.sheet import Cell, Standing
-from situ_studio.theme import Theme, font
+from situ_studio.theme import Theme, face, font
 
 LINE = 18
 ONE_LINE = 30
@@ -61,28 +62,28 @@ class TextDelegate(QStyledItemDelegate):
         super().__init__(parent)
         self.theme, self._tags, self._went = theme, tags, went
         self.hovered: tuple[int, int] | None = None
-        self._metrics = QFontMetrics(font(13))
+        self._metrics = QFontMetrics(face(13))
         self._wide: dict[str, list[int]] = {}
         """By text, px of each of its lines where none is broken."""
 
     # -- painting ----------------------------------------------------------------
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
-        return QSize(160, ONE_LINE)
+        return QSize(px(160), px(ONE_LINE))
 
     def height(self, index: AnyIndex, width: int) -> int:
         """Px that a cell of this width wants."""
         cell: Cell | None = index.data(CELL)
         if cell is None:
-            return ONE_LINE
-        inner = max(1, width - 2 * _ROOM - (20 if cell.standing in MARKS else 0))
+            return px(ONE_LINE)
+        inner = max(1, int(width / factor()) - 2 * _ROOM - (20 if cell.standing in MARKS else 0))
         wide = self._wide.get(cell.text)
         if wide is None:
             lines = cell.text.split("\n")
             wide = self._wide[cell.text] = [self._metrics.horizontalAdvance(one) for one in lines]
         rows = sum(max(1, -(-one // inner)) for one in wide)
         caption = CAPTION if self._caption(index, cell) else 0
-        return ONE_LINE + (min(rows, LINES) - 1) * LINE + caption
+        return px(ONE_LINE + (min(rows, LINES) - 1) * LINE + caption)
 
     def _caption(self, index: AnyIndex, cell: Cell) -> str:
         model = index.model()
@@ -92,9 +93,13 @@ class TextDelegate(QStyledItemDelegate):
         return model.standing_words(index.data(ROW), cell)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
-        theme, rect = self.theme, QRectF(option.rect)
-        state = option.state
-        painter.save()
+        with enlarged(painter, QRectF(option.rect)) as rect:
+            self._paint(painter, rect, option.state, index)
+
+    def _paint(
+        self, painter: QPainter, rect: QRectF, state: QStyle.StateFlag, index: AnyIndex
+    ) -> None:
+        theme = self.theme
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if state & QStyle.StateFlag.State_Selected:
             painter.fillRect(rect, theme.color("accent_soft"))
@@ -108,7 +113,6 @@ class TextDelegate(QStyledItemDelegate):
         if state & QStyle.StateFlag.State_HasFocus:
             painter.setPen(QPen(theme.color("accent"), 2))
             painter.drawRect(rect.adjusted(1, 1, -2, -2))
-        painter.restore()
 
     def _paint_place(self, painter: QPainter, rect: QRectF, index: AnyIndex) -> None:
         theme = self.theme
@@ -118,7 +122,7 @@ class TextDelegate(QStyledItemDelegate):
             icons.paint(painter, ICONS[index.data(ROW).kind], box, theme.color("text2"))
             x += 23
         linked = self.hovered == (index.row(), index.column()) and index.column() == STATE
-        made = font(13)
+        made = face(13)
         made.setUnderline(linked)
         painter.setFont(made)
         painter.setPen(theme.color("accent" if index.column() == STATE else "text2"))
@@ -143,10 +147,10 @@ class TextDelegate(QStyledItemDelegate):
         told = cell.text
         if cell.standing in ("missing", "as_is", "own"):
             told = told or model.standing_words(index.data(ROW), cell)
-            painter.setFont(font(12))
+            painter.setFont(face(12))
             painter.setPen(theme.color(mark[1] if mark is not None else "text3"))
         else:
-            painter.setFont(font(13))
+            painter.setFont(face(13))
             painter.setPen(theme.color("text"))
         if caption:
             area.setBottom(area.bottom() - CAPTION)
@@ -157,7 +161,7 @@ class TextDelegate(QStyledItemDelegate):
         painter.drawText(area, told, wrapped)
         painter.restore()
         if caption:
-            painter.setFont(font(11))
+            painter.setFont(face(11))
             painter.setPen(theme.color(mark[1] if mark is not None else "text2"))
             below = QRectF(area.x(), area.bottom() + 1, area.width(), CAPTION)
             shown = painter.fontMetrics().elidedText(
@@ -193,7 +197,7 @@ class TextDelegate(QStyledItemDelegate):
     ) -> None:
         # What is written needs room, more than its cell may have.
         rect = option.rect
-        high = max(rect.height(), 3 * LINE + 12)
+        high = max(rect.height(), px(3 * LINE + 12))
         parent = editor.parentWidget()
         below = parent.height() - rect.y() if parent is not None else high
         top = rect.y() if below >= high else max(0, rect.bottom() - high)

@@ -14,6 +14,7 @@ from situ.document.project import Project
 from situ_studio.edit import Written
 from situ_studio.icon_widgets import IconButton
 from situ_studio.layouts import rule
+from situ_studio.letters import px
 from situ_studio.panels.fields import Flag
 from situ_studio.tabs import Segments
 from situ_studio.texts.model import CELL, ROW, WRITTEN, Filter, language_name
@@ -78,8 +79,8 @@ class TextsPage(QWidget):
         self.search.setAccessibleName(self.tr("Find a text"))
         self.search.setToolTip(self.tr("Only texts with these letters, in any language."))
         self.search.setClearButtonEnabled(True)
-        self.search.setMinimumWidth(96)
-        self.search.setMaximumWidth(240)
+        self.search.setMinimumWidth(px(96))
+        self.search.setMaximumWidth(px(240))
         self.search.textChanged.connect(self._on_filter)
         line.addWidget(self.search, 1)
         self.kinds = Segments(

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QModelIndex, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
 
+from situ_studio.letters import px
 from situ_studio.matrix import clipboard
 from situ_studio.texts.cells import ONE_LINE, TextDelegate
 from situ_studio.texts.model import ROW, STATE, WRITTEN, TextsModel
@@ -51,12 +52,12 @@ class TextsTable(QTableView):
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.verticalHeader().hide()
-        self.verticalHeader().setMinimumSectionSize(ONE_LINE)
-        self.verticalHeader().setDefaultSectionSize(ONE_LINE)
+        self.verticalHeader().setMinimumSectionSize(px(ONE_LINE))
+        self.verticalHeader().setDefaultSectionSize(px(ONE_LINE))
         header = self.horizontalHeader()
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setHighlightSections(False)
-        header.setMinimumSectionSize(80)
+        header.setMinimumSectionSize(px(80))
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)

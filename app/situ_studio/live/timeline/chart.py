@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QToolTip
 
+from situ_studio.letters import px
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.drawing import EDGE, TimelineDrawing
 from situ_studio.live.timeline.painting import GUTTER, StateName
@@ -51,10 +52,10 @@ class TimelineChart(TimelineDrawing):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         at = event.position()
-        if event.button() != Qt.MouseButton.LeftButton or at.x() < GUTTER:
+        if event.button() != Qt.MouseButton.LeftButton or at.x() < px(GUTTER):
             return
-        on_cursor = abs(self.axis.x(self.viewing.t) + GUTTER - at.x()) <= NEAR
-        self._hand, self._held = "scrub" if at.y() < EDGE or on_cursor else "press", True
+        on_cursor = abs(self.axis.x(self.viewing.t) + px(GUTTER) - at.x()) <= NEAR
+        self._hand, self._held = "scrub" if at.y() < px(EDGE) or on_cursor else "press", True
         self._from = at
         marked = next((mark for mark, flag in self._flags() if flag.contains(at)), None)
         if marked is not None:
@@ -62,12 +63,12 @@ class TimelineChart(TimelineDrawing):
             self._hand, self._held = "", False
             self.viewing.seek(marked.t)
         elif self._hand == "scrub" and not on_cursor:
-            self.viewing.seek(self.axis.t(at.x() - GUTTER))
+            self.viewing.seek(self.axis.t(at.x() - px(GUTTER)))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         at = event.position()
         if self._hand == "scrub":
-            x = min(max(at.x() - GUTTER, 0.0), self.axis.width)
+            x = min(max(at.x() - px(GUTTER), 0.0), self.axis.width)
             self.viewing.seek(self.axis.t(x))
         elif self._hand == "press" and abs(at.x() - self._from.x()) >= NEAR:
             self._hand = "pan"
@@ -77,8 +78,8 @@ class TimelineChart(TimelineDrawing):
             self._from = at
             self.marked.emit()
             self.viewport().update()
-        on_edge = at.x() >= GUTTER and at.y() < EDGE
-        near = abs(self.axis.x(self.viewing.t) + GUTTER - at.x()) <= NEAR
+        on_edge = at.x() >= px(GUTTER) and at.y() < px(EDGE)
+        near = abs(self.axis.x(self.viewing.t) + px(GUTTER) - at.x()) <= NEAR
         shape = Qt.CursorShape.SplitHCursor if near or on_edge else Qt.CursorShape.ArrowCursor
         if self._hand == "pan":
             shape = Qt.CursorShape.ClosedHandCursor
@@ -87,11 +88,11 @@ class TimelineChart(TimelineDrawing):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         hand, self._hand, self._held = self._hand, "", False
         if hand == "press":
-            self.viewing.seek(self.axis.t(event.position().x() - GUTTER))
+            self.viewing.seek(self.axis.t(event.position().x() - px(GUTTER)))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         turned, at = event.angleDelta(), event.position()
-        if at.x() < GUTTER:
+        if at.x() < px(GUTTER):
             super().wheelEvent(event)
         elif abs(turned.x()) > abs(turned.y()):
             self.viewing.pause()
@@ -99,7 +100,7 @@ class TimelineChart(TimelineDrawing):
             self._changed()
         elif turned.y():
             follows = self.viewing.follows
-            about = self.viewing.t if follows else self.axis.t(at.x() - GUTTER)
+            about = self.viewing.t if follows else self.axis.t(at.x() - px(GUTTER))
             self.axis.zoom(ZOOM ** (-turned.y() / 120), about)
             self._changed()
         event.accept()

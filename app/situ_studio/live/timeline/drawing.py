@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from datetime import datetime, timedelta
+from datetime import timedelta
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QAbstractScrollArea
 
 from situ_studio import icons
 from situ_studio.language import tr
+from situ_studio.letters import px
 from situ_studio.live.lanes import Lane, Series
 from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks
@@ -61,7 +62,6 @@ class TimelineDrawing(QAbstractScrollArea):
         self._painter = RowPainter(self.axis, theme, state_name)
         self._picture = QPixmap()
         self._pictured: tuple[object, ...] = ()
-        self._begun: tuple[object, datetime | None] = (None, None)
         self._held = False
         """Whether a hand moves what is seen, which then must not move by itself."""
         self.setAccessibleName(tr("Timeline"))
@@ -141,15 +141,15 @@ class TimelineDrawing(QAbstractScrollArea):
 
     def _lay_out(self) -> None:
         self.rows = rows_of(self.viewing.log.lanes, self.chosen)
-        room = self.viewport().height() - EDGE
-        high = sum(row.height for row in self.rows)
+        room = self.viewport().height() - px(EDGE)
+        high = sum(px(row.height) for row in self.rows)
         bar = self.verticalScrollBar()
         bar.setRange(0, max(0, high - room))
         bar.setPageStep(max(room, 1))
         bar.setSingleStep(26)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        self.axis.width = max(self.viewport().width() - GUTTER, 1.0)
+        self.axis.width = max(self.viewport().width() - px(GUTTER), 1.0)
         self._changed()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -162,22 +162,9 @@ class TimelineDrawing(QAbstractScrollArea):
 
     # -- the clock ---------------------------------------------------------------------
 
-    def wall(self) -> datetime | None:
-        """What the clock on the wall said at 0 of the trace; None where it does not tell."""
-        log = self.viewing.log
-        if not len(log):
-            return None
-        if self._begun[0] is not log.lanes:
-            written = log[0].get("time")
-            at = None
-            if isinstance(written, str):
-                at = datetime.fromisoformat(written).astimezone() - timedelta(seconds=log.time(0))
-            self._begun = (log.lanes, at)
-        return self._begun[1]
-
     def clock(self, t: float, finest: bool = True) -> str:
         """How that moment is written: by the clock on the wall, or in seconds of the trace."""
-        begun = self.wall()
+        begun = self.viewing.wall()
         if begun is None:
             return f"{t:.3f} s" if finest else f"{t:.10g} s"
         at = (begun + timedelta(seconds=t)).strftime("%H:%M:%S.%f")
@@ -216,23 +203,24 @@ class TimelineDrawing(QAbstractScrollArea):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_edge(painter)
         end = self.viewing.span[1]
-        wide, high = size.width(), size.height()
+        wide, high, edge, left = size.width(), size.height(), px(EDGE), px(GUTTER)
         for row, top in self._tops():
-            if EDGE - row.height < top < high:
-                painter.setClipRect(QRectF(GUTTER, EDGE, wide - GUTTER, high - EDGE))
+            below = top + px(row.height)
+            if edge < below and top < high:
+                painter.setClipRect(QRectF(left, edge, wide - left, high - edge))
                 self._painter.row(painter, row, top, end)
-                painter.setClipRect(QRectF(0, EDGE, wide, high - EDGE))
+                painter.setClipRect(QRectF(0, edge, wide, high - edge))
                 self._painter.title(painter, row, top)
                 painter.setPen(theme.color("line"))
-                painter.drawLine(QPointF(0, top + row.height), QPointF(wide, top + row.height))
+                painter.drawLine(QPointF(0, below), QPointF(wide, below))
         painter.setClipping(False)
         self._paint_bookmarks(painter)
         painter.setPen(theme.color("line"))
-        painter.drawLine(QPointF(GUTTER - 0.5, EDGE), QPointF(GUTTER - 0.5, high))
+        painter.drawLine(QPointF(px(GUTTER) - 0.5, px(EDGE)), QPointF(px(GUTTER) - 0.5, high))
         if not self.rows:
             painter.setFont(font(LABEL))
             painter.setPen(theme.color("text3"))
-            room = QRectF(0, EDGE, wide, high - EDGE)
+            room = QRectF(0, px(EDGE), wide, high - px(EDGE))
             painter.drawText(room, Qt.AlignmentFlag.AlignCenter, tr("Nothing has happened yet."))
         painter.end()
 
@@ -242,34 +230,34 @@ class TimelineDrawing(QAbstractScrollArea):
         painter.setFont(font(CAPTION))
         metrics = QFontMetricsF(painter.font())
         for t in axis.marks(metrics.horizontalAdvance("00:00:00.000") + 28, self._midnight()):
-            x = axis.x(t) + GUTTER
+            x = axis.x(t) + px(GUTTER)
             painter.setPen(theme.color("line"))
-            painter.drawLine(QPointF(x, EDGE - 6), QPointF(x, high))
+            painter.drawLine(QPointF(x, px(EDGE) - 6), QPointF(x, high))
             words = self.clock(t, finest=False)
             wide = metrics.horizontalAdvance(words)
-            if x - wide / 2 > GUTTER and x + wide / 2 < axis.width + GUTTER:
+            if x - wide / 2 > px(GUTTER) and x + wide / 2 < axis.width + px(GUTTER):
                 painter.setPen(theme.color("text3"))
-                painter.drawText(QPointF(x - wide / 2, EDGE - 9), words)
+                painter.drawText(QPointF(x - wide / 2, px(EDGE - 9)), words)
         painter.setPen(theme.color("line"))
-        painter.drawLine(QPointF(0, EDGE), QPointF(self.viewport().width(), EDGE))
+        painter.drawLine(QPointF(0, px(EDGE)), QPointF(self.viewport().width(), px(EDGE)))
 
     def _paint_bookmarks(self, painter: QPainter) -> None:
         theme, high = self._theme, self.viewport().height()
         painter.setFont(font(CAPTION, 500))
         for mark, flag in self._flags():
-            x = self.axis.x(mark.t) + GUTTER
+            x = self.axis.x(mark.t) + px(GUTTER)
             painter.setPen(QPen(theme.color("accent_line"), 1, Qt.PenStyle.DashLine))
-            painter.drawLine(QPointF(x, EDGE), QPointF(x, high))
+            painter.drawLine(QPointF(x, px(EDGE)), QPointF(x, high))
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.color("accent_soft"))
             painter.drawRoundedRect(flag, 3, 3)
-            sign = QRectF(flag.left() + 4, flag.top() + 3, 11, 11)
+            sign = QRectF(flag.left() + px(4), flag.top() + px(3), px(11), px(11))
             icons.paint(painter, "bookmark", sign, theme.color("accent"))
             painter.setPen(theme.color("text"))
             words = painter.fontMetrics().elidedText(
-                mark.name, Qt.TextElideMode.ElideRight, int(flag.width()) - 22
+                mark.name, Qt.TextElideMode.ElideRight, int(flag.width()) - px(22)
             )
-            room = flag.adjusted(18, 0, -4, 0)
+            room = flag.adjusted(px(18), 0, -px(4), 0)
             painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, words)
 
     def _flags(self) -> list[tuple[Bookmark, QRectF]]:
@@ -277,15 +265,15 @@ class TimelineDrawing(QAbstractScrollArea):
         metrics = QFontMetricsF(font(CAPTION, 500))
         found = []
         for mark in self.bookmarks.every:
-            x = self.axis.x(mark.t) + GUTTER
-            if GUTTER <= x <= self.axis.width + GUTTER:
-                wide = min(metrics.horizontalAdvance(mark.name) + 24, FLAG)
-                found.append((mark, QRectF(x, 3, wide, EDGE - 7)))
+            x = self.axis.x(mark.t) + px(GUTTER)
+            if px(GUTTER) <= x <= self.axis.width + px(GUTTER):
+                wide = min(metrics.horizontalAdvance(mark.name) + px(24), px(FLAG))
+                found.append((mark, QRectF(x, 3, wide, px(EDGE - 7))))
         return found
 
     def _midnight(self) -> float:
         """A moment at which the clock on the wall stands at 0, so that marks are whole times."""
-        begun = self.wall()
+        begun = self.viewing.wall()
         if begun is None:
             return 0.0
         day = begun.replace(hour=0, minute=0, second=0, microsecond=0)
@@ -296,15 +284,15 @@ class TimelineDrawing(QAbstractScrollArea):
         x = axis.x(t)
         if not -0.5 <= x <= axis.width + 0.5:
             return
-        x += GUTTER
+        x += px(GUTTER)
         color = theme.color("live" if self.viewing.follows else "accent")
         painter.setPen(QPen(color, 1.5))
-        painter.drawLine(QPointF(x, EDGE - 4), QPointF(x, self.viewport().height()))
+        painter.drawLine(QPointF(x, px(EDGE) - 4), QPointF(x, self.viewport().height()))
         painter.setFont(font(CAPTION, 600))
         words = self.clock(t)
         wide = QFontMetricsF(painter.font()).horizontalAdvance(words) + 12
-        left = min(max(x - wide / 2, GUTTER), self.viewport().width() - wide - 2)
-        flag = QRectF(left, 3, wide, EDGE - 7)
+        left = min(max(x - wide / 2, px(GUTTER)), self.viewport().width() - wide - 2)
+        flag = QRectF(left, 3, wide, px(EDGE - 7))
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(color)
         painter.drawRoundedRect(flag, 3, 3)
@@ -317,14 +305,14 @@ class TimelineDrawing(QAbstractScrollArea):
         theme = self._theme
         painter.setFont(font(CAPTION, 500))
         metrics = QFontMetricsF(painter.font())
-        painter.setClipRect(QRectF(0, EDGE, self.viewport().width(), self.viewport().height()))
+        painter.setClipRect(QRectF(0, px(EDGE), self.viewport().width(), self.viewport().height()))
         for row, top in self._tops():
             if not isinstance(row.lane, Series) or (value := row.lane.at(t)) != value:
                 continue
             words = _told(row.lane, value)
             wide = metrics.horizontalAdvance(words) + 8
             left = x + 5 if x + 5 + wide < self.viewport().width() else x - 5 - wide
-            box = QRectF(left, top + row.height - 21, wide, 16)
+            box = QRectF(left, top + px(row.height - 21), wide, px(16))
             painter.setPen(QPen(theme.color("card_border"), 1))
             painter.setBrush(theme.color("card"))
             painter.drawRoundedRect(box, 3, 3)
@@ -333,32 +321,32 @@ class TimelineDrawing(QAbstractScrollArea):
         painter.setClipping(False)
 
     def _tops(self) -> list[tuple[TimelineRow, float]]:
-        top = float(EDGE - self.verticalScrollBar().value())
+        top = float(px(EDGE) - self.verticalScrollBar().value())
         found = []
         for row in self.rows:
             found.append((row, top))
-            top += row.height
+            top += px(row.height)
         return found
 
     # -- words --------------------------------------------------------------------------
 
     def row_at(self, at: QPoint) -> TimelineRow | None:
         """The row of a place on the drawing; None where there is none."""
-        found = [row for row, top in self._tops() if top <= at.y() < top + row.height]
-        return found[0] if found and at.y() >= EDGE else None
+        found = [row for row, top in self._tops() if top <= at.y() < top + px(row.height)]
+        return found[0] if found and at.y() >= px(EDGE) else None
 
     def moment_at(self, at: QPoint) -> float | None:
         """The time of a place on the drawing; None beside it, where the names are."""
-        return self.axis.t(at.x() - GUTTER) if at.x() >= GUTTER else None
+        return self.axis.t(at.x() - px(GUTTER)) if at.x() >= px(GUTTER) else None
 
     def told_at(self, at: QPoint) -> str:
         """What a place on the drawing says: what, from when, how long; "" where nothing is."""
         row = self.row_at(at)
         if row is None:
             return ""
-        if at.x() < GUTTER:
+        if at.x() < px(GUTTER):
             return row.name
-        t = self.axis.t(at.x() - GUTTER)
+        t = self.axis.t(at.x() - px(GUTTER))
         if isinstance(row.lane, Series):
             value = row.lane.at(t)
             return "" if value != value else f"{row.name} = {_told(row.lane, value)}"

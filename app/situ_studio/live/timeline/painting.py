@@ -10,6 +10,7 @@ from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 
 from situ_studio import icons
 from situ_studio.language import tr
+from situ_studio.letters import px
 from situ_studio.live.lanes import NAN, Lane, Series
 from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.drawn import Block, Extremes, Strokes, blocks
@@ -50,21 +51,22 @@ class RowPainter:
 
     def title(self, painter: QPainter, row: TimelineRow, top: float) -> None:
         """The row's icon and name, and of numbers between what they were drawn."""
-        theme, high = self.theme, row.height
-        icons.paint(painter, ICONS[row.kind], QRectF(12, top + 6, 14, 14), theme.color(row.kind))
+        theme, high = self.theme, px(row.height)
+        sign = QRectF(px(12), top + px(6), px(14), px(14))
+        icons.paint(painter, ICONS[row.kind], sign, theme.color(row.kind))
         painter.setFont(font(LABEL))
         painter.setPen(theme.color("text"))
         name = row.name or tr("Situation")
         metrics = QFontMetricsF(painter.font())
-        shown = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, GUTTER - 40)
-        painter.drawText(QPointF(34, top + 13 + metrics.ascent() / 2 - 1), shown)
+        shown = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, px(GUTTER - 40))
+        painter.drawText(QPointF(px(34), top + px(13) + metrics.ascent() / 2 - 1), shown)
         if row.kind == "data":
             between = self._ranges.get(row.name)
             if between is not None:
                 painter.setFont(font(CAPTION))
                 painter.setPen(theme.color("text3"))
                 words = tr("{0} to {1}").format(number(between[0]), number(between[1]))
-                painter.drawText(QPointF(34, top + high - 9), words)
+                painter.drawText(QPointF(px(34), top + high - px(9)), words)
 
     def row(self, painter: QPainter, row: TimelineRow, top: float, end: float) -> None:
         """The row's blocks or curve, up to ``end``."""
@@ -83,9 +85,9 @@ class RowPainter:
         self, painter: QPainter, row: TimelineRow, block: Block, top: float, goes_on: bool
     ) -> None:
         axis, theme = self.axis, self.theme
-        left = max(axis.x(block.start), -4.0) + GUTTER
-        right = min(axis.x(block.end), axis.width + 4.0) + GUTTER
-        rect = QRectF(left, top + 3, max(right - left, 1.0), row.height - 6)
+        left = max(axis.x(block.start), -4.0) + px(GUTTER)
+        right = min(axis.x(block.end), axis.width + 4.0) + px(GUTTER)
+        rect = QRectF(left, top + 3, max(right - left, 1.0), px(row.height) - 6)
         token = "module" if row.kind == "resource" else row.kind
         lively = goes_on and row.kind == "state"
         edge = theme.color("live" if lively else token)
@@ -110,7 +112,7 @@ class RowPainter:
             painter.setFont(font(LABEL))
             painter.setPen(theme.color("text"))
             # A block that began before the left edge is named where it is seen.
-            begin = max(left, GUTTER - 4.0)
+            begin = max(left, px(GUTTER) - 4.0)
             room = rect.right() - begin - 14
             text = painter.fontMetrics().elidedText(
                 self.words(row, block), Qt.TextElideMode.ElideRight, int(max(room, 0))
@@ -147,10 +149,11 @@ class RowPainter:
             least, most = least - 1, most + 1
         # Some thousand strokes in each of 30 frames a second: no calls but for the lines.
         axis = self.axis
-        tall = (row.height - 12) / (most - least)
-        floor = top + row.height - 6 + least * tall
-        per, left, right = 1 / axis.pixel, GUTTER - axis.start / axis.pixel, GUTTER + axis.width
-        starts = [max(t * per + left, GUTTER) for t in strokes.t]
+        gutter, whole = px(GUTTER), px(row.height)
+        tall = (whole - 12) / (most - least)
+        floor = top + whole - 6 + least * tall
+        per, left, right = 1 / axis.pixel, gutter - axis.start / axis.pixel, gutter + axis.width
+        starts = [max(t * per + left, gutter) for t in strokes.t]
         stops = [*starts[1:], min(end * per + left, right)]
         lines: list[QLineF] = []
         add, before = lines.append, NAN

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayo
 
 from situ_studio.icon_widgets import IconButton, retheme
 from situ_studio.language import tr
+from situ_studio.letters import px
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.chart import ZOOM, TimelineChart
 from situ_studio.live.timeline.marking import Ask, Marking
@@ -32,7 +33,7 @@ class Timeline(QWidget):
         self.whole = IconButton(theme, "fit", tr("Everything, from the beginning to the end"))
         self.seen = QLabel()
         self.seen.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.seen.setMinimumWidth(56)
+        self.seen.setMinimumWidth(px(56))
         self.choices = QMenu(self)
         self.choices.aboutToShow.connect(self._fill_choices)
         self.data = _opens(self.choices, tr("Data"), tr("Which data are drawn as curves"))
