@@ -1,4 +1,4 @@
-"""Buttons that can be dragged: pressed and moved, they carry something; a press alone is a click."""
+"""Buttons that are dragged: pressed and moved, they carry something; a press alone is a click."""
 
 from __future__ import annotations
 

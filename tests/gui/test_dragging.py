@@ -1,4 +1,4 @@
-"""Buttons that are dragged: a press and a move carry something, a click or another button nothing."""
+"""Buttons that are dragged: a press and a move carry something, a click carries nothing."""
 
 from __future__ import annotations
 

@@ -6,11 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFrame, QScrollBar
 
 from situ_studio import places
+from situ_studio.vocabulary import Vocabulary
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -212,6 +214,33 @@ def test_missing_is_a_test_of_its_own(studio: Start, project: Copy) -> None:
     test = value(used, "situation", "sound", "condition", "0", file=SCRIPT)
     assert (test.test, test.value) == ("exists", "false")
     assert not box.value.isVisible()
+
+
+def test_what_a_test_or_a_priority_can_not_be_is_said_in_one_line(
+    studio: Start, project: Copy
+) -> None:
+    """Below, where a person looks who typed it, and what was there comes back."""
+    used = studio(project("conversation"))
+    used.window.open_file(SCRIPT)
+    used.select("situation", "sound")
+    said = used.window.status.said
+    before = used.session.document(SCRIPT)
+    box = form(used).section("condition").condition.box(0)
+    for field, typed, why in (
+        (box.within, "0", "Write a number above 0."),
+        (box.hold, "long", "Write a number."),
+        (form(used).section("entries").priorities.row(0)[1], "high", "Write a whole number."),
+    ):
+        used.window.say("")
+        used.fill(field, typed)
+        assert said.text() == why
+    value_of = used.session.document(SCRIPT).situation("sound").condition.children[0]
+    heat = replace(value_of, test="above", value="3")
+    box.show_test(heat, Vocabulary(data=((heat.tag, "number", ""),)))
+    used.window.say("")
+    used.fill(box.value, "warm")
+    assert said.text() == "Write a number."
+    assert used.session.document(SCRIPT) is before
 
 
 def test_priorities_are_edited_and_added(studio: Start, project: Copy) -> None:

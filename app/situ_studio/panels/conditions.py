@@ -85,6 +85,8 @@ class ConditionEditor(QWidget):
     """All of a condition; tells the new one (None: no test is left) with words for the step."""
 
     changed = Signal(object, str)
+    refused = Signal(str)
+    """Why what was typed into a test is not taken."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -137,6 +139,7 @@ class ConditionEditor(QWidget):
                 box = TestBox(self._theme)
                 box.changed.connect(lambda v, p=at: self._put(p, v, self.tr("Change a test")))
                 box.removed.connect(lambda p=at: self._put(p, None, self.tr("Remove a test")))
+                box.refused.connect(self.refused)
                 self._boxes[at] = box
                 layout.addWidget(box)
             else:

@@ -103,6 +103,7 @@ class Form(QWidget):
                 made.place_asked.connect(self.place_asked)
                 made.screen_asked.connect(self.screen_asked)
                 made.added.connect(self.added)
+                made.refused.connect(self.refused)
                 self._sections.append(made)
                 editor = made
             column.addWidget(editor)

@@ -22,6 +22,8 @@ class PrioritiesEditor(QFrame):
     """One row a module; tells the entries anew, with words for the step."""
 
     changed = Signal(object, str)
+    refused = Signal(str)
+    """Why what was typed is not taken."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -80,6 +82,7 @@ class PrioritiesEditor(QFrame):
             explain(priority, "entry", "priority")
             priority.setFixedWidth(px(56))
             priority.committed.connect(lambda v, i=index: self._change(i, priority=v))
+            priority.refused.connect(self.refused)
             line.addWidget(priority)
             remove = IconButton(theme, "close", self.tr("Remove"), "text3", 12)
             remove.setFixedSize(px(18), px(18))

@@ -29,6 +29,8 @@ class SectionEditor(QWidget):
     """A section with a list: its heading, the button that adds, and the members."""
 
     changed = Signal(str, object, str)
+    refused = Signal(str)
+    """Why what was typed is not taken."""
     place_asked = Signal(tuple)
     screen_asked = Signal(tuple)
     """The place of a screen that is to be drawn, in the view made for it."""
@@ -72,10 +74,12 @@ class SectionEditor(QWidget):
         elif section.editor == "condition":
             self.condition = self._body = ConditionEditor(theme)
             self.condition.changed.connect(self._tell)
+            self.condition.refused.connect(self.refused)
             head.addWidget(AddTest(theme, self.condition.add))
         elif section.editor == "entries":
             self.priorities = self._body = PrioritiesEditor(theme)
             self.priorities.changed.connect(self._tell)
+            self.priorities.refused.connect(self.refused)
             self._plus(self.tr("Add a priority"), self.priorities.add)
         elif section.editor == "words":
             self._words = QLabel()

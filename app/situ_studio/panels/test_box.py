@@ -88,7 +88,8 @@ class TestBox(QFrame):
         self.tag.committed.connect(lambda v: self._change(tag=v))
         self.test.committed.connect(self._on_test)
         self.value.committed.connect(self._on_value)
-        self.value.refused.connect(self.refused)
+        for line in (self.tag, self.value, self.within, self.hold):
+            line.refused.connect(self.refused)
         self.answer.committed.connect(lambda v: self._change(value=v))
         self.within.committed.connect(lambda v: self._change(within=v))
         self.hold.committed.connect(lambda v: self._change(hold=v))
@@ -152,9 +153,12 @@ class TestBox(QFrame):
 
     def _fitting(self, test: str, value: str) -> str:
         """The value, or where it is none for that test of such data, one to begin with."""
-        equal = test in ("is", "isnot")
+        equal, answer = test in ("is", "isnot"), value in ("true", "false")
         if equal and self._kind == "boolean":
-            return value if value in ("true", "false") else "true"
+            return value if answer else "true"
+        if answer and (not equal or self._kind == "number"):
+            # Yes and no have no order.
+            return "0"
         return value or ("true" if equal and self._kind != "number" else "0")
 
     def _on_value(self, text: str) -> None:

@@ -363,6 +363,23 @@ def test_what_an_order_compares_with_is_what_its_data_can_be(
     assert told == taken
 
 
+@pytest.mark.parametrize("kind", ["boolean", "number", "text", None])
+@pytest.mark.parametrize(("value", "wanted"), [("true", "0"), ("false", "0"), ("{most}", "{most}")])
+def test_an_order_of_yes_and_no_is_never_written(
+    made: Any, kind: DataType | None, value: str, wanted: str
+) -> None:
+    """Who asks whether a yes is above something gets a value that has an order."""
+    box = TestBox(made.canvas.look.theme, made.canvas)
+    told: list[Question] = []
+    box.changed.connect(told.append)
+    box.show_test(Question("heat", "is", value), Vocabulary(data=(("heat", kind, ""),)))
+    box.show()
+    box.test.setFocus()
+    while box.test.currentText() != "above":
+        QTest.keyClick(box.test, Qt.Key.Key_Down)
+    assert (told[-1].test, told[-1].value) == ("above", wanted)
+
+
 # -- heard --------------------------------------------------------------------------------------
 
 
