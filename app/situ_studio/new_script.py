@@ -10,8 +10,8 @@ from situ.document.check_script import DEFAULT
 from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
 from situ.document.spds import Declaration, Entry, Situation, Spds
+from situ.document.toml_writing import put
 from situ_studio.edit import Written
-from situ_studio.project_form.writing import put
 
 END = ".spds.xml"
 USUAL = 1

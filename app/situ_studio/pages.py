@@ -8,13 +8,13 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from situ.document import beside, catalogue
+from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 from situ.document.catalogue import Catalogue
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER
+from situ.document.projectfile import CODE
 from situ.document.texts import read_out
 from situ_studio.edit import Written
-from situ_studio.project_form import writing
-from situ_studio.project_form.checks import LANGUAGE
 from situ_studio.project_form.form import ProjectForm
 from situ_studio.project_form.going import go_to_line
 from situ_studio.sides import Group
@@ -205,7 +205,7 @@ class PagesSide(QObject):
         )
         if code is None or project is None or not isinstance(toml, Toml):
             return
-        if not LANGUAGE.fullmatch(code):
+        if not CODE.fullmatch(code):
             window.say(
                 self.tr("{0} is no language: write a code such as ja or pt-BR.").format(code)
             )

@@ -10,35 +10,35 @@ import pytest
 from msgspec.structs import replace
 from tests.document.test_docs_problems import EXAMPLES, NUMBERED, Example, checked, sections
 from tests.document.test_mends import TABLE, project_of
+from tests.document.test_mends_toml import TABLE as MENDED
 
 from situ.document import codec
 from situ.document.accepting import accepting
-from situ.document.check import check
-from situ.document.folder import called
+from situ.document.beside import Toml
+from situ.document.check import check, merge
+from situ.document.folder import called, load
 from situ.document.mend import mends, of, put
 from situ.document.mend_alike import mend_alike
+from situ.document.mend_toml import FILES as SETTINGS
+from situ.document.mend_toml import apply
 from situ.document.problem import Problem
 from situ.document.project import Project
 
 UNREAD = "what can not be read is in no document that could be changed"
 MEANT = "only its author knows what is meant"
-TOML = "it stands in situ.toml, whose form has the field"
 MISSING = "something must be made that is not there"
 
 WITHOUT = {
     "bad-name": "the name is used elsewhere too: it is renamed there",
     "bad-requires": MEANT,
-    "bad-tag": "the tag is used elsewhere too: it is renamed there",
     "bad-time": MEANT,
     "bad-url": MEANT,
     "circular-parts": MEANT,
     "doctype": UNREAD,
     "double-application": MEANT,
     "duplicate-element": UNREAD,
-    "duplicate-file": TOML,
     "event-without-next": MEANT,
     "flow-with-content": "what it holds belongs before the part or after it",
-    "language-without-texts": TOML,
     "language-without-voice": MISSING,
     "livelock": MEANT,
     "malformed-po": UNREAD,
@@ -46,7 +46,6 @@ WITHOUT = {
     "malformed-xml": UNREAD,
     "misplaced-element": UNREAD,
     "missing-attribute": UNREAD,
-    "missing-file": MISSING,
     "missing-media": MISSING,
     "missing-text": MISSING,
     "missing-texts": MISSING,
@@ -54,12 +53,10 @@ WITHOUT = {
     "never-wins": MEANT,
     "not-utf-8": UNREAD,
     "one-test": UNREAD,
-    "path-outside": MISSING,
     "private-shown": "what is private is the author's to move",
     "private-spoken": "what is private is the author's to move",
     "reference-in-script": MEANT,
     "say-without-name": MEANT,
-    "setting-not-durable": TOML,
     "spds-needed": MISSING,
     "suspended-call": "it takes another application",
     "too-deep": UNREAD,
@@ -70,22 +67,27 @@ WITHOUT = {
     "unexpected-text": UNREAD,
     "unknown-attribute": UNREAD,
     "unknown-element": UNREAD,
-    "unknown-key": TOML,
     "unknown-namespace": UNREAD,
     "unprovided-module": MISSING,
     "unreachable-state": "a way to it, or away with it: nobody knows",
     "unreadable-file": UNREAD,
-    "wrong-document": TOML,
 }
 """By code, why no mend can be had."""
 
-ELSEWHERE = {"bad-value", "undeclared-module"}
-"""Codes with a mend in some cases, of which the page shows none: ``test_mends`` does."""
+ELSEWHERE = {"bad-tag", "bad-value", "missing-file", "path-outside", "undeclared-module"}
+"""Codes with a mend in some cases, of which the page shows none: ``test_mends`` and
+``test_mends_toml`` do."""
 
 
 def found_in(folder: Path, example: Example) -> tuple[Project | None, list[Problem]]:
     project, found = checked(folder, example.failing)
     return project, [one for one in found if one.code == example.code]
+
+
+def found_everywhere(folder: Path) -> list[Problem]:
+    project, read = load(folder)
+    assert project is not None
+    return merge(read, check(project))
 
 
 def errors(problems: list[Problem]) -> set[tuple[str, tuple[str, ...]]]:
@@ -99,7 +101,7 @@ def test_every_code_has_a_mend_or_a_reason_for_none(tmp_path: Path) -> None:
         folder.mkdir()
         _, found = found_in(folder, example)
         with_one |= {one.code for one in found if one.mend is not None}
-    assert {code for code, *_ in TABLE} >= ELSEWHERE
+    assert {code for code, *_ in (*TABLE, *MENDED)} >= ELSEWHERE
     assert sorted(with_one & set(WITHOUT)) == [], "they have a mend"
     assert sorted(set(sections()) - with_one - set(WITHOUT)) == [], "no mend, and no reason"
     assert sorted(set(WITHOUT) - set(sections())) == [], "no such codes"
@@ -113,6 +115,14 @@ def test_a_mend_takes_its_problem_away_and_brings_no_error(
     for problem in [one for one in found if one.mend is not None]:
         assert project is not None
         assert problem.mend is not None
+        if problem.mend.file in SETTINGS:
+            before = errors(found_everywhere(tmp_path))
+            file = tmp_path / problem.mend.file
+            file.write_text(apply(Toml(file.read_text()), problem.mend).text)
+            left = found_everywhere(tmp_path)
+            assert (problem.code, problem.place) not in {(p.code, p.place) for p in left}
+            assert errors(left) <= before, problem.mend.words
+            continue
         ((words, document),) = mends(project, problem)
         after = check(put(project, problem.mend.file, document))
         assert (problem.code, problem.place) not in {(p.code, p.place) for p in after}, words
@@ -124,7 +134,8 @@ def test_a_mend_takes_its_problem_away_and_brings_no_error(
 @pytest.mark.parametrize("example", EXAMPLES, ids=NUMBERED)
 def test_all_of_a_kind_go_at_once_and_bring_no_error(tmp_path: Path, example: Example) -> None:
     project, found = found_in(tmp_path, example)
-    if project is None or not any(one.mend is not None for one in found):
+    documents = [one for one in found if one.mend and one.mend.file not in SETTINGS]
+    if project is None or not documents:
         return
     before = check(project)
     after, left = mend_alike(project, before, example.code)

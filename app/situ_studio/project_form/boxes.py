@@ -8,10 +8,10 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLayout
 
+from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 from situ_studio.icon_widgets import IconButton
 from situ_studio.language import tr
-from situ_studio.project_form import writing
 from situ_studio.project_form.rows import Checked, Column, Rows
 from situ_studio.theme import Theme
 

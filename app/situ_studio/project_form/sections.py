@@ -9,11 +9,11 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from situ.document import names
+from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 from situ.document.project import SETTING_TYPES
 from situ_studio.language import tr
 from situ_studio.panels.fields import Choice, Line, Number
-from situ_studio.project_form import writing
 from situ_studio.project_form.boxes import (
     RowsSection,
     Tables,

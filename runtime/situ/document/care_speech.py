@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from situ.document import names, words
+from situ.document import projectfile_mends as mends
 from situ.document.analysis_data import actions, placed_actions, screens
 from situ.document.analysis_search import Search
 from situ.document.care_every import repeat
 from situ.document.care_mend import puts
 from situ.document.care_ways import expected, few, may_be_part, serves
 from situ.document.datatypes import shown
+from situ.document.projectfile import CODE
 from situ.document.rbd import (
     AGAIN,
     TIMED_OUT,
@@ -201,4 +203,8 @@ def _known(
         f"There are no texts in {shown(value)}, all stay as they are written: add it to the "
         f"languages of situ.toml, or choose {words.listed(listed, 'or')}"
     )
-    search.warn(file, "language-without-texts", message, holder.aside, place)
+    mend = None
+    if search.project.toml is not None and CODE.fullmatch(value):
+        end = ("project", "languages", len(listed))
+        mend = mends.add(search.project.toml, end, value, f"Add {value} to the languages")
+    search.warn(file, "language-without-texts", message, holder.aside, place, mend)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 from itertools import takewhile
 
 from situ.document import names, projectfile
+from situ.document import projectfile_mends as mends
 from situ.document.accept import ACCEPT
 from situ.document.check_application import check_application, used_resources
 from situ.document.check_script import check_modules, check_script
@@ -261,32 +262,39 @@ def _project(
     """
     if project.toml is None:
         return []
-    told: list[tuple[Severity, str, str, str, str, str]] = [("warning", *one) for one in settings]
+    told: list[tuple[Severity, str, str, Path, Mend | None]] = [
+        ("warning", code, message, _listed(project, *where), None)
+        for code, message, *where in settings
+    ]
     if len(project.applications) > 1 and project.spds_file is None:
         said = (
             "Several applications need a script that says which of them comes first: "
             'add spds = "….spds.xml" to [project]'
         )
-        told.append(("error", "spds-needed", said, "project", "applications", ""))
-    for language in project.languages[1:]:
-        if language not in project.texts:
+        told.append(("error", "spds-needed", said, ("project", "applications"), None))
+    for at, language in enumerate(project.languages):
+        if at and language not in project.texts:
             said = (
                 f"There is no texts/{language}.po, so texts stay as they are written: make it with "
                 "situ texts, or take the language out"
             )
-            told.append(("warning", "missing-texts", said, "project", "languages", language))
+            told.append(("warning", "missing-texts", said, ("project", "languages", at), None))
     durable = [pattern for pattern in project.durable if names.is_pattern(pattern)]
-    for setting in project.settings:
-        if not any(names.matches(pattern, setting.tag) for pattern in durable):
-            said = f"The setting {shown(setting.tag)} is lost at a restart: add it to [durable]"
-            told.append(("warning", "setting-not-durable", said, "setting", "tag", setting.tag))
+    for at, setting in enumerate(project.settings):
+        tag = setting.tag
+        if not any(names.matches(pattern, tag) for pattern in durable):
+            said = f"The setting {shown(tag)} is lost at a restart: add it to [durable]"
+            words = f"Keep {shown(tag)} when the robot restarts"
+            end = ("durable", "tags", len(project.durable))
+            keep = mends.add(project.toml, end, tag, words, safe=True)
+            told.append(("warning", "setting-not-durable", said, ("setting", at, "tag"), keep))
     if not told:
         return []
     text = (files.read(project.toml) or b"").decode(errors="replace")
     file = called(project.root, project.toml)
     made = []
-    for severity, code, message, *where in told:
-        line, column = projectfile.place(text, *where)
+    for severity, code, message, path, mend in told:
+        line, column = projectfile.place(text, *_written_at(project, path))
         made.append(
             Problem(
                 file=file,
@@ -295,6 +303,25 @@ def _project(
                 severity=severity,
                 code=code,
                 message=message,
+                place=tuple(map(str, path)),
+                mend=mend,
             )
         )
     return made
+
+
+def _listed(project: Project, table: str, key: str, value: str) -> Path:
+    """The path of a value that stands in a list."""
+    every = project.languages if key == "languages" else ()
+    return (table, key, every.index(value)) if value in every else (table, key)
+
+
+def _written_at(project: Project, path: Path) -> tuple[str, str, str]:
+    """The table, the key and the value that stand at a path."""
+    match path:
+        case ("setting", int(at), str(key)):
+            return "setting", key, project.settings[at].tag
+        case (str(table), str(key), int(at)):
+            return table, key, project.languages[at]
+        case _:
+            return str(path[0]), str(path[1]), ""

@@ -1,7 +1,8 @@
 """``situ check --fix``: all that a machine may mend unasked is mended, and written.
 
-Only files that change are written, canonically and whole. A file with errors of reading stays
-as it is: its document lacks what could not be read.
+Only files that change are written, documents canonically and whole. A document with errors of
+reading stays as it is: it lacks what could not be read. Of ``situ.toml`` all else stays as it is
+written, with errors too.
 """
 
 from __future__ import annotations
@@ -10,9 +11,11 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from situ.document import codec, folder, mend
+from situ.document import beside, codec, folder, mend, mend_toml
+from situ.document.beside import Toml
 from situ.document.check import check, merge
 from situ.document.codec import Document
+from situ.document.mend_toml import FILES as SETTINGS
 from situ.document.problem import Mend, Problem
 from situ.document.project import Project
 from situ.errors import UsageError
@@ -34,15 +37,26 @@ class Fixed(Struct, frozen=True):
 def fix(path: str | Path) -> Fixed:
     """Mends the project or document at ``path`` on disk. UsageError where it cannot be read."""
     project, read = folder.load(path)
+    found = merge(read, check(project)) if project is not None else read
+    first: list[Problem] = []
+    refused: list[str] = []
+    for _ in range(ROUNDS):
+        # Before the documents: what is said there decides by what they are judged.
+        mended = _mend_settings(project, found, refused) if project is not None else []
+        if not mended:
+            break
+        first += mended
+        project, read = folder.load(path)
+        found = merge(read, check(project)) if project is not None else read
     if project is None:
-        return Fixed([], read, [])
+        return Fixed(first, read, refused)
     before = project
     unread = {problem.file for problem in read}
     done: list[tuple[Problem, Mend]] = []
     for _ in range(ROUNDS):
         wanted = [
             problem
-            for problem in merge(read, check(project))
+            for problem in found
             if problem.mend is not None
             and folder.called(project.root, problem.mend.file) not in unread
         ]
@@ -50,9 +64,9 @@ def fix(path: str | Path) -> Fixed:
         if not mended:
             break
         done += [(problem, problem.mend) for problem in mended if problem.mend is not None]
+        found = merge(read, check(project))
     if not done:
-        return Fixed([], merge(read, check(project)), [])
-    refused: list[str] = []
+        return Fixed(first, found, refused)
     kept: set[str] = set()
     for file in dict.fromkeys(made.file for _, made in done):
         try:
@@ -62,7 +76,24 @@ def fix(path: str | Path) -> Fixed:
             kept.add(file)
     now, read = folder.load(path)
     left = merge(read, check(now)) if now is not None else read
-    return Fixed([problem for problem, made in done if made.file not in kept], left, refused)
+    mended = [problem for problem, made in done if made.file not in kept]
+    return Fixed([*first, *mended], left, refused)
+
+
+def _mend_settings(project: Project, found: list[Problem], refused: list[str]) -> list[Problem]:
+    """What was mended in the files of the settings; ``refused`` gets why nothing could be."""
+    wanted = [p for p in found if p.mend is not None and p.mend.safe and p.mend.file in SETTINGS]
+    files = {p.mend.file for p in wanted if p.mend is not None}
+    names = {file: folder.called(project.root, file) for file in sorted(files)}
+    before = {file: Toml(Path(name).read_text("utf-8")) for file, name in names.items()}
+    after, mended = mend_toml.every(before, wanted)
+    try:
+        for file, toml in after.items():
+            folder.write(names[file], beside.write(toml))
+    except UsageError as error:
+        refused.append(str(error))
+        return []
+    return mended
 
 
 def _write(before: Project, after: Project, file: str) -> None:

@@ -290,7 +290,7 @@ class _Loading:
         for file in toml.get("project", "applications") or ():
             if file in applications:
                 said = f"{file} stands here twice: name each application once"
-                toml.problem("duplicate-file", said, "project", "applications", file)
+                toml.listed("duplicate-file", said, "applications", file)
                 continue
             document = self.document(toml, "applications", file)
             if document is not None:
@@ -344,13 +344,13 @@ class _Loading:
             return None
         if not self.files.inside(file):
             said = f"{file} leads out of the project: its files lie inside its folder"
-            toml.problem("path-outside", said, "project", key, file)
+            toml.listed("path-outside", said, key, file)
             return None
         try:
             data = self.files.read(file)
         except (FileNotFoundError, IsADirectoryError, NotADirectoryError):
             said = f"There is no file {file}: add it, or take it out here"
-            toml.problem("missing-file", said, "project", key, file)
+            toml.listed("missing-file", said, key, file)
             return None
         except OSError as error:
             self.unreadable(file, error)
@@ -360,7 +360,7 @@ class _Loading:
         kind, words = _KINDS[key]
         if document is not None and not isinstance(document, kind):
             said = f"{file} is not {words}: name another file here"
-            toml.problem("wrong-document", said, "project", key, file)
+            toml.listed("wrong-document", said, key, file)
             return None
         return document
 
@@ -370,7 +370,7 @@ class _Loading:
             return None
         if not self.files.inside(path):
             said = f"{path} leads out of the project: its files lie inside its folder"
-            toml.problem("path-outside", said, "project", key, path)
+            toml.listed("path-outside", said, key, path)
             return None
         return path
 
@@ -385,7 +385,7 @@ class _Loading:
             is_code = language.replace("-", "").replace("_", "").isalnum()
             if not is_code or not self.files.inside(file):
                 said = f"{shown(language)} is no language: write a code such as ja or pt-BR"
-                toml.problem("bad-value", said, "project", "languages", language)
+                toml.listed("bad-value", said, "languages", language)
                 continue
             try:
                 data = self.files.read(file)

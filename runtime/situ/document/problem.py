@@ -10,19 +10,21 @@ Severity = Literal["error", "warning"]
 
 
 class Change(Struct, frozen=True):
-    """One change to a document, as data (``situ.document.mend`` applies it).
+    """One change to a document, as data (``situ.document.mend`` applies it, ``mend_toml`` those of
+    ``situ.toml``).
 
     path: fields and positions from the document down, ending in what is changed:
     ``("states", 4, "timeout", "idle")``; ``ed:accept`` at its end is that attribute.
     do: ``set`` gives a field the value ``to``; ``insert`` puts ``to`` in at the position in
     which the path ends; ``remove`` takes out what stands there; ``move`` brings it to the
-    position ``to``.
+    position ``to``; ``rename``, in ``situ.toml`` only, gives the key in which the path ends the
+    name ``to``.
     to: JSON text; a Struct is an object with its class as ``struct``.
     was: what stood there when the mend was made, as JSON; nothing for ``insert``.
     """
 
     path: tuple[str | int, ...]
-    do: Literal["set", "insert", "remove", "move"] = "set"
+    do: Literal["set", "insert", "remove", "move", "rename"] = "set"
     to: str = "null"
     was: str = "null"
 
@@ -47,7 +49,8 @@ class Problem(Struct, frozen=True, kw_only=True):
     file: path as the user gave it. line, column: from 1; 0 where there is no place.
     code: stable, ``kebab-case`` (docs/problems.md has them all). place: the value it is
     about, from the outside in, as the editor's selection names it:
-    ``("state", "5", "event", "0")``; empty for the file.
+    ``("state", "5", "event", "0")``; in ``situ.toml`` its table, key and position:
+    ``("setting", "1", "type")``; empty for the file.
     """
 
     file: str

@@ -10,11 +10,14 @@ import math
 import re
 import tomllib
 from difflib import get_close_matches
+from pathlib import PurePosixPath
 from typing import Any
 
 from situ.document import names
+from situ.document import projectfile_mends as mends
 from situ.document.datatypes import shown
-from situ.document.problem import Problem
+from situ.document.place import Path
+from situ.document.problem import Mend, Problem
 from situ.document.project import SETTING_TYPES, Mqtt, Setting
 
 MAX_BYTES = 1_000_000
@@ -49,6 +52,9 @@ KEYS: dict[str, dict[str, str]] = {
 LOCAL = ("robot", "tags", "places", "mqtt")
 """The tables that ``robot.local.toml`` may lay over those of ``situ.toml``."""
 
+CODE = re.compile(r"[A-Za-z]{2,3}([-_][A-Za-z0-9]{2,8})*")
+"""A language as it is written, such as ``ja`` or ``pt-BR``."""
+
 _AT = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 
@@ -60,6 +66,7 @@ class ProjectFile:
 
     def __init__(self, data: bytes, file: str, *, local: bool = False) -> None:
         self.file = file
+        self.name = PurePosixPath(file).name
         self.problems: list[Problem] = []
         self._text = ""
         self.tables: dict[str, Any] | None = self._parse(data)
@@ -71,13 +78,43 @@ class ProjectFile:
         return (self.tables or {}).get(table, {}).get(key)
 
     def problem(
-        self, code: str, message: str, table: str = "", key: str = "", value: str = ""
+        self,
+        code: str,
+        message: str,
+        table: str = "",
+        key: str = "",
+        value: str = "",
+        at: Path = (),
+        mend: Mend | None = None,
     ) -> None:
-        """Notes a problem at the place where ``key`` (and in it ``value``) is written."""
+        """Notes a problem at the place where ``key`` (and in it ``value``) is written.
+
+        at: its place; ``table`` and ``key`` unless given.
+        """
         line, column = place(self._text, table, key, value)
+        where = tuple(map(str, at)) or tuple(filter(None, (table, key)))
         self.problems.append(
-            Problem(file=self.file, line=line, column=column, code=code, message=message)
+            Problem(
+                file=self.file,
+                line=line,
+                column=column,
+                code=code,
+                message=message,
+                place=where,
+                mend=mend,
+            )
         )
+
+    def listed(self, code: str, message: str, key: str, value: str) -> None:
+        """Notes a problem of the last such entry of a list of ``[project]``, or of a key there;
+        its mend takes that out.
+        """
+        held = self.get("project", key)
+        path: Path = ("project", key)
+        if isinstance(held, list):
+            path = (*path, len(held) - 1 - held[::-1].index(value))
+        mend = mends.take_out(self.name, path, value)
+        self.problem(code, message, "project", key, value, path, mend)
 
     def mqtt(self) -> Mqtt | None:
         url, incoming = self.get("mqtt", "url"), self.get("mqtt", "in")
@@ -138,6 +175,7 @@ class ProjectFile:
                     f"{shown(table)} is not known here; did you mean [{near}]?",
                     where,
                     "" if where else table,
+                    mend=self._other_table(table, content, known, tables),
                 )
             elif table == "setting":
                 self.tables[table] = self._setting(content, keys)
@@ -147,7 +185,7 @@ class ProjectFile:
                 self.tables[table] = {
                     key: value
                     for key, value in content.items()
-                    if self._fits(table, keys, key, value)
+                    if self._fits((table, key), keys, value, content)
                 }
         self._tags()
         self._places()
@@ -155,23 +193,40 @@ class ProjectFile:
         self._patterns("privacy", "private")
         self._mqtt()
 
+    def _other_table(
+        self, table: str, content: Any, known: dict[str, dict[str, str]], there: dict[str, Any]
+    ) -> Mend:
+        """A table takes another's name only where that is one of its kind."""
+        kind = list if isinstance(content, list) else dict if isinstance(content, dict) else None
+        fitting = [one for one in known if kind is (list if one == "setting" else dict)]
+        return mends.key(self.name, (table,), content, fitting, there)
+
     def _setting(self, content: Any, keys: dict[str, str]) -> list[dict[str, Any]]:
         if not isinstance(content, list) or not all(isinstance(one, dict) for one in content):
             self.problem("bad-value", "setting must be a table: [[setting]]", "setting")
             return []
         kept = []
-        for one in content:
-            found = {k: v for k, v in one.items() if self._fits("setting", keys, k, v)}
+        for at, one in enumerate(content):
+            found = {
+                key: value
+                for key, value in one.items()
+                if self._fits(("setting", at, key), keys, value, one)
+            }
             if not names.is_tag(found.get("tag", "")):
                 said = f"needs a tag, not {shown(str(one.get('tag', '')))}"
-                self.problem("bad-tag", f"A [[setting]] {said}", "setting", "tag")
+                where: Path = ("setting", at, "tag")
+                self.problem("bad-tag", f"A [[setting]] {said}", "setting", "tag", at=where)
             elif (wrong := _wrong_form(found)) is not None:
-                self.problem("bad-value", wrong, "setting", "type", found.get("type", ""))
+                mend = mends.setting(self.name, at, found, SETTING_TYPES)
+                named, where = found.get("type", ""), ("setting", at, "type")
+                self.problem("bad-value", wrong, "setting", "type", named, where, mend)
             else:
                 kept.append(found)
         return kept
 
-    def _fits(self, table: str, keys: dict[str, str], key: str, value: Any) -> bool:
+    def _fits(self, path: Path, keys: dict[str, str], value: Any, there: dict[str, Any]) -> bool:
+        """Whether a key, in which the path ends, is known and its value of the right kind."""
+        table, key = str(path[0]), str(path[-1])
         kind = keys.get(key, keys.get("*"))
         if kind is None:
             near = get_close_matches(key[:40], keys, n=1, cutoff=0.0)[0]
@@ -180,6 +235,8 @@ class ProjectFile:
                 f"[{table}] has no key {shown(key)}; did you mean {near}?",
                 table,
                 key,
+                at=path,
+                mend=mends.key(self.name, path, value, list(keys), there),
             )
             return False
         fits = (
@@ -193,22 +250,28 @@ class ProjectFile:
             )
         )
         if not fits:
-            self.problem("bad-value", f"{key} must be {_WORDS[kind]}", table, key)
+            mend = mends.kind(self.name, path, value, kind)
+            said = f"{key} must be {_WORDS[kind]}"
+            self.problem("bad-value", said, table, key, at=path, mend=mend)
         return fits
 
     # -- what the values may be --------------------------------------------------
 
-    def _drop(self, table: str, key: str, code: str, message: str) -> None:
-        self.problem(code, message, table, key)
+    def _drop(
+        self, table: str, key: str, code: str, message: str, mend: Mend | None = None
+    ) -> None:
+        self.problem(code, message, table, key, mend=mend)
         assert self.tables is not None
         del self.tables[table][key]
 
     def _tags(self) -> None:
         assert self.tables is not None
-        for tag, value in list(self.tables.get("tags", {}).items()):
+        every = self.tables.get("tags", {})
+        for tag, value in list(every.items()):
             if not names.is_tag(tag):
                 said = "a tag is words of a-z, 0-9, _ and - joined by dots"
-                self._drop("tags", tag, "bad-tag", f"{shown(tag)} is no tag: {said}")
+                mend = mends.tag(self.name, ("tags", tag), value, every)
+                self._drop("tags", tag, "bad-tag", f"{shown(tag)} is no tag: {said}", mend)
             elif names.is_reserved(tag):
                 said = f"{shown(tag)} is written by the robot itself only: choose another tag"
                 self._drop("tags", tag, "reserved-tag", said)
@@ -229,10 +292,13 @@ class ProjectFile:
                 self._drop("places", place, "bad-value", f"The place {shown(place)} {said}")
 
     def _patterns(self, table: str, key: str) -> None:
-        for pattern in self.get(table, key) or ():
+        every = self.get(table, key) or ()
+        for index, pattern in enumerate(every):
             if not names.is_pattern(pattern):
                 said = f"{shown(pattern)} is no tag or pattern: use words, dots, * and **"
-                self.problem("bad-tag", said, table, key, pattern)
+                at = (table, key, index)
+                mend = mends.pattern(self.name, at, pattern, every)
+                self.problem("bad-tag", said, table, key, pattern, at, mend)
 
     def _mqtt(self) -> None:
         url = self.get("mqtt", "url")
@@ -246,13 +312,17 @@ class ProjectFile:
         for topic, target in list(incoming.items()):
             if not topic or not FILTER.fullmatch(topic):
                 said = "is no topic filter: + is one whole level, # the rest of them"
-                self.problem("bad-value", f"{shown(topic)} {said}", "mqtt", "in", topic)
+                at = ("mqtt", "in", topic)
+                self.problem("bad-value", f"{shown(topic)} {said}", "mqtt", "in", topic, at)
                 del incoming[topic]
                 continue
             kind, _, name = target.partition(":") if isinstance(target, str) else ("", "", "")
             if not ((kind == "event" and name) or (kind == "tag" and names.is_tag(name))):
                 said = 'must be given as "event:NAME" or "tag:NAME"'
-                self.problem("bad-value", f"What {shown(topic)} means {said}", "mqtt", "in", topic)
+                at = ("mqtt", "in", topic)
+                told = f"What {shown(topic)} means {said}"
+                mend = mends.meaning(self.name, at, target)
+                self.problem("bad-value", told, "mqtt", "in", topic, at, mend)
                 del incoming[topic]
 
 

@@ -5,11 +5,15 @@ Values are those of TOML: texts, numbers, true and false, lists and tables of th
 
 from __future__ import annotations
 
-from collections.abc import Mapping, MutableMapping
+import tomllib
+from collections.abc import Mapping, MutableMapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 import tomlkit
-from tomlkit.items import AoT, Array
+from tomlkit.container import Container, OutOfOrderTableProxy
+from tomlkit.exceptions import NonExistentKey
+from tomlkit.items import AoT, Array, Table
 
 from situ.document.beside import Toml
 
@@ -40,14 +44,16 @@ def put(toml: Toml, table: str, key: str, value: Any) -> Toml:
     return _made(toml, document)
 
 
-def rename(toml: Toml, table: str, old: str, new: str) -> Toml:
-    """The file with another name for a key of ``table``; what stands behind it stays."""
+def take_out(toml: Toml, table: str) -> Toml:
+    """The file without a table, or a key that stands in none."""
     document = tomlkit.parse(toml.text)
-    found: Any = document[table]
-    # Of tomlkit's own, which has no public way to a key's place.
-    container = found.value
-    container._replace(old, new, found[old])
+    document.remove(table)
     return _made(toml, document)
+
+
+def rename(toml: Toml, table: str, old: str, new: str) -> Toml:
+    """The file with another name for a key of ``table``; what stands behind it stays, and where."""
+    return _renamed(toml, (table,), old, new)
 
 
 def put_in(toml: Toml, table: str, key: str, inner: str, value: Any) -> Toml:
@@ -66,10 +72,12 @@ def put_in(toml: Toml, table: str, key: str, inner: str, value: Any) -> Toml:
 
 def rename_in(toml: Toml, table: str, key: str, old: str, new: str) -> Toml:
     """As ``rename``, in the table at ``table.key``."""
-    document = tomlkit.parse(toml.text)
-    found: Any = document[table][key]
-    found.value._replace(old, new, found[old])
-    return _made(toml, document)
+    return _renamed(toml, (table, key), old, new)
+
+
+def rename_at(toml: Toml, way: Sequence[str | int], new: str) -> Toml:
+    """As ``rename``, of the key in which a way of keys and positions ends: a table's own too."""
+    return _renamed(toml, way[:-1], str(way[-1]), new)
 
 
 def add_setting(toml: Toml, values: Values) -> Toml:
@@ -114,6 +122,49 @@ def remove_setting(toml: Toml, index: int) -> Toml:
     return _made(toml, document)
 
 
+def _renamed(toml: Toml, way: Sequence[str | int], old: str, new: str) -> Toml:
+    document = tomlkit.parse(toml.text)
+    wanted: Any = tomllib.loads(toml.text)
+    inner = wanted
+    for step in way:
+        inner = inner[step]
+    pairs = [(new if key == old else key, value) for key, value in inner.items()]
+    inner.clear()
+    inner.update(pairs)
+    for piece in _pieces(document, way):
+        # Of tomlkit's own, which has no public way to a key's place.
+        container = piece if isinstance(piece, Container) else getattr(piece, "value", None)
+        if isinstance(container, Container) and old in container:
+            with suppress(NonExistentKey, IndexError):
+                container._replace(old, new, container[old])
+                if isinstance(container[new], Table):
+                    # What its header was written as.
+                    container[new].display_name = None
+    with suppress(IndexError):
+        if tomllib.loads(tomlkit.dumps(document)) == wanted:
+            return _made(toml, document)
+    # A key such as a.b = 1, or a table of its own after others, has no place in its table: that
+    # is written anew.
+    document = tomlkit.parse(toml.text)
+    whole = str(way[0]) if way else new
+    document.remove(str(way[0]) if way else old)
+    document.add(whole, wanted[whole])
+    return _made(toml, document)
+
+
+def _pieces(document: tomlkit.TOMLDocument, way: Sequence[str | int]) -> list[Any]:
+    """The table at the end of a way: several where others stand between its parts."""
+    found: list[Any] = [document]
+    for step in way:
+        inner: list[Any] = []
+        for one in found:
+            if isinstance(step, int) or step in one:
+                part = one[step]
+                inner += part._tables if isinstance(part, OutOfOrderTableProxy) else [part]
+        found = inner
+    return found
+
+
 def _put(table: Any, key: str, value: Any) -> None:
     old = table.get(key)
     if isinstance(old, Array) and isinstance(value, (list, tuple)):
@@ -124,6 +175,10 @@ def _put(table: Any, key: str, value: Any) -> None:
 
 def _settle(array: Array, wanted: list[Any]) -> None:
     """Makes a list another one; entries that stay keep their lines and comments."""
+    if len(array) == len(wanted):
+        for index, one in enumerate(wanted):
+            if array[index] != one and one not in array:
+                array[index] = one
     for index in reversed(range(len(array))):
         if array[index] not in wanted:
             array.pop(index)

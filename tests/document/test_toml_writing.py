@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from situ.document import toml_writing as writing
 from situ.document.beside import Toml
-from situ_studio.project_form import writing
 
 TEXT = """# Ours
 [project]
@@ -160,3 +160,36 @@ def test_what_stands_in_the_place_of_topics_or_settings_and_is_none_makes_room_f
         assert tomllib.loads(put.text) == {"mqtt": {"in": {"a/b": "event:x"}}}
     added = writing.add_setting(Toml("setting = 3\n"), {"tag": "a"})
     assert tomllib.loads(added.text) == {"setting": [{"tag": "a"}]}
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("[tags]\na = 1 # one\n[robot]\nadapter = 'sim'\n[tags.b]\nc = 1\n", "a"),
+        ("[tags]\na = 1 # one\n[robot]\nadapter = 'sim'\n[tags.b]\nc = 1\n", "b"),
+        ("[tags.a]\nx = 1\n[robot]\nadapter = 'sim'\n[tags.b]\nc = 1 # one\n", "b"),
+        ("[tags]\nb.x = 1\nb.y = 2\na = 3\n[robot]\nadapter = 'sim'\n", "b"),
+        ("tags.a = 1 # one\ntags.b = 2\n[robot]\nadapter = 'sim'\n", "b"),
+        ("tags = { a = 1, b = 2 } # one\n", "a"),
+    ],
+)
+def test_another_name_is_given_also_in_a_table_in_pieces_or_of_dotted_keys(
+    text: str, name: str
+) -> None:
+    before, after = tomllib.loads(text), writing.rename(Toml(text), "tags", name, "new")
+    found = tomllib.loads(after.text)
+    assert found == before | {
+        "tags": {("new" if key == name else key): v for key, v in before["tags"].items()}
+    }
+    assert after.text.count("# one") == text.count("# one")
+
+
+def test_a_table_itself_is_given_another_name_where_it_stands() -> None:
+    text = "[project]\n[tgs] # ours\na = 1\n[robot]\nadapter = 'sim'\n"
+    named = writing.rename_at(Toml(text), ("tgs",), "tags").text
+    assert named.replace("\n\n", "\n") == text.replace("tgs", "tags")
+    many = "[[settings]]\ntag = 'a'\n[robot]\n[[settings]]\ntag = 'b'\n"
+    with_two = "[[settings]]\ntag = 'a'\n[[settings]]\ntag = 'b'\n"
+    for one in (many, with_two):
+        after = tomllib.loads(writing.rename_at(Toml(one), ("settings",), "setting").text)
+        assert after["setting"] == [{"tag": "a"}, {"tag": "b"}]
