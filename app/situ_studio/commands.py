@@ -476,6 +476,12 @@ class Commands(FileCommands):
     def has_recording(self) -> bool:
         return self._window.robot.recording is not None
 
+    def follow_robot(self) -> None:
+        self._window.robot.following.toggle()
+
+    def follows_robot(self, _: object) -> bool:
+        return self._window.robot.following.on
+
     def ask_why(self) -> None:
         self._window.why.ask()
 

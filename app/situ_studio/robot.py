@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.errors import SituError, UsageError
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.live.follower import Follower
+from situ_studio.live.following import FollowMode
 from situ_studio.live.link import RobotLink
 from situ_studio.live.recordings import ReadingRecording, Recording
 from situ_studio.live.timeline.bookmarks import beside
@@ -35,6 +37,7 @@ class RobotSide(QObject):
     def __init__(self, window: MainWindow, link: RobotLink | None = None) -> None:
         super().__init__(window)
         self._window = window
+        self.following = FollowMode(window)
         self.link = link or RobotLink()
         self.link.setParent(self)
         theme = window.theme
@@ -163,6 +166,9 @@ class RobotSide(QObject):
         found = {file: session.document(file) for file in session.files}
         return {file: document for file, document in found.items() if document is not None}
 
+    def live_project(self) -> Project | None:
+        return self._window.session.project
+
     def state_name(self, application: str, state: str) -> str:
         """What a designer calls it: its number and name, as the open documents have it."""
         for document in self.live_documents().values():
@@ -176,6 +182,7 @@ class RobotSide(QObject):
     def show_live(self, file: str, live: LiveView | LiveScript | None) -> None:
         for view in self._window.sides.views_of(file):
             view.set_live(live)
+            self.following.bring(view, live)
 
     def show_link(self, kind: str, words: str) -> None:
         live = {"live": "true", "lost": "lost", "refused": "lost"}.get(kind, "")

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QWidget
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places
-from situ_studio.canvas import gestures, layout, spoken
+from situ_studio.canvas import counted, gestures, layout, spoken
 from situ_studio.canvas.arranging import Arranging
 from situ_studio.canvas.between import Between
 from situ_studio.canvas.cards import CardItem
@@ -134,6 +134,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             if switched or card.no in changed:
                 node = self.graph.nodes.get(uid)
                 if node is not None:
+                    node.view.setToolTip(self._hint(card, live))
                     node.view.update()
         exits = {(t.state, t.exit) for t in (*old.taken, *new.taken)}
         ways = {**old.transitions, **new.transitions}
@@ -146,6 +147,10 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         if self.look.level in ("quarter", "tiny"):
             self.viewer.viewport().update()
         self.minimap.redraw()
+
+    def _hint(self, card: Card, live: LiveView | None) -> str:
+        told = counted.told(live, card.no) if live is not None and card.no else ""
+        return f"{card.hint()}\n\n{told}" if told else card.hint()
 
     def _on_cancelled(self) -> None:
         self._between.end()

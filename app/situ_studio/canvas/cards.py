@@ -9,8 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
-from situ.document import words
-from situ_studio.canvas import operated, thumbnails
+from situ_studio.canvas import counted, operated, thumbnails
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.projection import FIRST, HEADER, NEW, PITCH, TIMEOUT, WIDTH, Card, Exit
@@ -182,6 +181,7 @@ class CardItem(NodeFace):
         else:
             self._paint_full(painter, look)
         if isinstance(look.live, LiveView):
+            counted.paint(painter, look, look.live, self.face.no, self.face.width - 10)
             operated.paint(painter, look, look.live, self.face.no)
 
     def _changes(self, look: Look) -> bool:
@@ -262,7 +262,6 @@ class CardItem(NodeFace):
         if card.mark:
             look.icon(painter, card.mark, card.width - 32, 11, 22, look[card.mark])
         self._paint_picture(painter, look, LARGE_PICTURE if second is None else LOWER_PICTURE)
-        self._paint_counts(painter, look)
         painter.setPen(Qt.PenStyle.NoPen)
         for leaving in card.exits:
             x, y = card.port(leaving.id)
@@ -290,22 +289,6 @@ class CardItem(NodeFace):
             return number, first, None
         rest = Label(" ".join(said[count:]), pixels, 600, card.width - 22)
         return number, Label(" ".join(said[:count]), pixels, 600, room), rest
-
-    def _paint_counts(self, painter: QPainter, look: Look) -> None:
-        """Live: how often the state was entered, and the time in it."""
-        live, card = look.live, self.face
-        if not isinstance(live, LiveView) or not card.no:
-            return
-        if card.no in live.active:
-            said = words.seconds(round(live.entered.get(card.no, 0.0), 1))
-            whole_label(said, 16, 600).draw_right(painter, WIDTH - 14, 62, look["live"])
-        elif card.no in live.counts:
-            whole_label(f"{live.counts[card.no]}×", 15, 500).draw_right(
-                painter, WIDTH - 14, 62, look["text"]
-            )
-            if card.no in live.times:
-                said = words.seconds(round(live.times[card.no]))
-                whole_label(said, 13, 400).draw_right(painter, WIDTH - 14, 82, look["text3"])
 
     def _paint_full(self, painter: QPainter, look: Look) -> None:
         self._lay_out()

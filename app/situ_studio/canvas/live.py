@@ -21,7 +21,8 @@ class LiveView(Struct, frozen=True):
 
     active: where the application is. suspended: active ones without their resources.
     entered: seconds since each active state was entered. counts, times: how often
-    each was entered, and seconds spent there. taken: the latest first.
+    each was entered, and seconds spent there. gave_up: how often its time ran out.
+    taken: the latest first.
     transitions: (state, exit) to how often. breakpoints: states that have some, on themselves or
     on a transition. paused: active ones that an operator, or a breakpoint, has stopped.
     """
@@ -31,6 +32,7 @@ class LiveView(Struct, frozen=True):
     entered: Mapping[str, float] = field(default_factory=dict)
     counts: Mapping[str, int] = field(default_factory=dict)
     times: Mapping[str, float] = field(default_factory=dict)
+    gave_up: Mapping[str, int] = field(default_factory=dict)
     taken: tuple[Taken, ...] = ()
     transitions: Mapping[tuple[str, str], int] = field(default_factory=dict)
     breakpoints: frozenset[str] = frozenset()

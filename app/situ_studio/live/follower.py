@@ -12,16 +12,17 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QTimer
 
 from situ.document import codec
+from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.live.link import RobotLink
 from situ_studio.live.log import TraceLog
-from situ_studio.live.moment import ApplicationMoment, TraceFields
+from situ_studio.live.moment import ApplicationMoment, Moment, TraceFields
 from situ_studio.live.recordings import Recording
 from situ_studio.live.viewing import Viewing
-from situ_studio.live.views import live_script, live_view
+from situ_studio.live.views import Runs, live_part, live_script, live_view, runs_of
 from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
 from situ_studio.panels.trace import Trace
@@ -37,6 +38,9 @@ class Followed(Protocol):
 
     def live_documents(self) -> dict[str, Document]:
         """Every open document by file."""
+
+    def live_project(self) -> Project | None:
+        """The open project; None while there is none."""
 
     def show_live(self, file: str, live: LiveView | LiveScript | None) -> None:
         """Lets the graph of a document glow; None: it is as drawn."""
@@ -72,16 +76,22 @@ class Follower(QObject):
         self._rehearses = False
         self._painted: Mapping[str, LiveView | LiveScript] | None = None
         self.same: bool | None = None
+        self._runs: tuple[Project | None, Runs] = (None, {})
         self._read: tuple[dict[str, str] | None, dict[str, Document | None]] = (None, {})
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.setInterval(FRAME)
         self._soon.timeout.connect(self.refresh)
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setInterval(TICK)
+        self._later.timeout.connect(self.refresh)
         self._tick = QTimer(self)
         self._tick.setInterval(TICK)
         self._tick.timeout.connect(self.refresh)
         link.state_changed.connect(self._on_state)
         link.moment_changed.connect(self._on_moment)
+        link.began_anew.connect(self._on_began_anew)
         link.documents_came.connect(lambda _: self.compare())
 
     def show_recording(self, recording: Recording) -> None:
@@ -99,11 +109,13 @@ class Follower(QObject):
         self.viewing.show(log, end)
         self.compare()
 
-    def take_rehearsed(self, _: list[TraceFields]) -> None:
-        """The rehearsal that is shown has gone on."""
-        self._trace.go_on()
-        if not self._soon.isActive():
-            self._soon.start()
+    def take_rehearsed(self, events: list[TraceFields]) -> None:
+        """The rehearsal that is shown has gone on; its time alone is drawn four times a second."""
+        if events:
+            self._trace.go_on()
+        timer = self._soon if events else self._later
+        if not timer.isActive():
+            timer.start()
 
     def show_link(self) -> None:
         """All views show the link's robot again; as drawn where there is none."""
@@ -151,6 +163,7 @@ class Follower(QObject):
 
     def refresh(self) -> None:
         """Draws the moment as it is now."""
+        self._later.stop()
         self._tell()
         for file, live in (self._painted or {}).items():
             self._window.show_live(file, live)
@@ -160,13 +173,21 @@ class Follower(QObject):
         documents = self._window.live_documents() if self._painted is None else {}
         for file, document in documents.items():
             if isinstance(document, Application):
-                mine = moment.applications.get(document.name, ApplicationMoment())
-                self._window.show_live(file, live_view(document, mine, t))
+                self._window.show_live(file, self._live(file, document, moment, t))
             elif isinstance(document, Spds):
                 self._window.show_live(file, live_script(moment))
         self._blackboard.show_moment(moment, t)
         self._authority.show_moment(moment, t)
         self._trace.go_on()
+
+    def _live(self, file: str, document: Application, moment: Moment, t: float) -> LiveView:
+        project = self._window.live_project()
+        if project is None or file not in project.parts:
+            mine = moment.applications.get(document.name, ApplicationMoment())
+            return live_view(document, mine, t)
+        if project is not self._runs[0]:
+            self._runs = project, runs_of(project)
+        return live_part(document, moment, self._runs[1].get(file, ()), t)
 
     @property
     def shows(self) -> bool:
@@ -184,10 +205,16 @@ class Follower(QObject):
         if not self._soon.isActive():
             self._soon.start()
 
+    def _on_began_anew(self) -> None:
+        """No moment of the run before is kept: neither cursor nor bookmarks can stay there."""
+        if self.viewing.log is self._link.log:
+            self.viewing.show(self._link.log, self._end)
+
     def _on_state(self) -> None:
         if self._link.state.kind == "none" and not self._rehearses:
             self._soon.stop()
             self._tick.stop()
+            self._later.stop()
         if not self.shows:
             self.same = None
             for file in self._window.live_documents():

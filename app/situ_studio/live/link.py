@@ -69,6 +69,8 @@ class RobotLink(QObject):
     """New trace events (plain objects), already in ``log``."""
     moment_changed = Signal()
     """``log.now`` is not what it was; at most once a turn of the loop."""
+    began_anew = Signal()
+    """``log`` is that of another run, and empty."""
     documents_came = Signal(dict)
     """The robot's own files: path in the project to text."""
 
@@ -193,7 +195,7 @@ class RobotLink(QObject):
     def _take_events(self) -> None:
         if self._feed.restarts != self._restarts:
             self._restarts = self._feed.restarts
-            self.log.clear()
+            self._begin_anew()
         events: list[TraceFields] = []
         while (event := self._feed.take()) is not None:
             events.append(event)
@@ -240,10 +242,14 @@ class RobotLink(QObject):
         assert link is not None
         if runtime != self._runtime:
             self._runtime = runtime
-            self.log.clear()
+            self._begin_anew()
         entries = link.dialog.entries(["**"])
         entries.then(lambda: self._stand(entries))
         self._ask_documents()
+
+    def _begin_anew(self) -> None:
+        self.log.clear()
+        self.began_anew.emit()
 
     def _ask_documents(self) -> None:
         """Those that the robot runs now."""

@@ -33,9 +33,10 @@ class Taken(Struct, frozen=True):
 class ApplicationMoment(Struct):
     """One application: where it is, since when, how often each state was entered.
 
-    spent: seconds in each state that it has left. crossed: (from, to, event, timeout) to
-    how often. paused: by an operator or at a breakpoint, ``stopped`` is that one's number.
-    breakpoints: those that stand on it, as the tag ``debugger.breakpoints`` has them.
+    begun: since when it is in each state that it is in, those around a part too. spent: seconds in
+    each state that it has left. crossed: (from, to, event, timeout) to how often. paused: by an
+    operator or at a breakpoint, ``stopped`` is that one's number. breakpoints: those that stand on
+    it, as the tag ``debugger.breakpoints`` has them.
     """
 
     state: str | None = None
@@ -43,6 +44,7 @@ class ApplicationMoment(Struct):
     suspended: bool = False
     missing: tuple[str, ...] = ()
     entered: dict[str, int] = field(default_factory=dict)
+    begun: dict[str, float] = field(default_factory=dict)
     spent: dict[str, float] = field(default_factory=dict)
     taken: list[Taken] = field(default_factory=list)
     crossed: dict[tuple[str, str, str | None, bool], int] = field(default_factory=dict)
@@ -90,7 +92,11 @@ class Moment(Struct):
         """The same; what is taken after does not change the other."""
         applications = {
             name: replace(
-                one, entered={**one.entered}, spent={**one.spent}, crossed={**one.crossed}
+                one,
+                entered={**one.entered},
+                begun={**one.begun},
+                spent={**one.spent},
+                crossed={**one.crossed},
             )
             for name, one in self.applications.items()
         }
@@ -121,6 +127,7 @@ class Moment(Struct):
             application = self.application(tag.removeprefix("application/"))
             if application.state is None:
                 application.state, application.since = value["state"], t
+                application.begun[value["state"]] = t
                 application.suspended = value["suspended"]
         elif tag == "situation" and isinstance(value, dict) and self.situation is None:
             self.situation, self.situation_since = value["name"], t
@@ -195,13 +202,15 @@ def _mapping(now: Moment, event: TraceFields) -> None:
 def _enter(now: Moment, event: TraceFields) -> None:
     application = now.application(event["application"])
     application.state, application.since = event["state"], event["t"]
+    application.begun[event["state"]] = event["t"]
     application.entered[event["state"]] = application.entered.get(event["state"], 0) + 1
 
 
 def _exit(now: Moment, event: TraceFields) -> None:
     application = now.application(event["application"])
     left = event["state"]
-    application.spent[left] = application.spent.get(left, 0.0) + event["t"] - application.since
+    since = application.begun.pop(left, application.since)
+    application.spent[left] = application.spent.get(left, 0.0) + event["t"] - since
 
 
 def _transition(now: Moment, event: TraceFields) -> None:

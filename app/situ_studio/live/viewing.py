@@ -32,6 +32,7 @@ class Viewing(QObject):
         self._end: Callable[[], float] = self._last
         self._cursor: float | None = None
         self.grows = False
+        self._begun: tuple[object, datetime | None] = (None, None)
 
     def show(self, log: TraceLog, end: Callable[[], float] | None = None) -> None:
         """Another log, from its end."""
@@ -62,17 +63,27 @@ class Viewing(QObject):
         """The robot at the cursor. Not to be changed."""
         return self.log.now if self._cursor is None else self.log.at(self._cursor)
 
-    def clock(self) -> str:
-        """What the clock on the wall said at the cursor, as of here; seconds of the trace where it
-        does not tell.
+    def wall(self) -> datetime | None:
+        """What the clock on the wall, as of here, said at 0 of the trace; None where it does not
+        tell.
         """
-        log, t = self.log, self.t
-        count = log.count(t)
-        written = log[count - 1].get("time") if count else None
-        if not isinstance(written, str):
+        log = self.log
+        if self._begun[0] is not log.lanes:
+            if not len(log):
+                return None
+            written, begun = log[0].get("time"), None
+            if isinstance(written, str):
+                begun = datetime.fromisoformat(written).astimezone()
+                begun -= timedelta(seconds=log.time(0))
+            self._begun = (log.lanes, begun)
+        return self._begun[1]
+
+    def clock(self) -> str:
+        """What that clock said at the cursor; seconds of the trace where it does not tell."""
+        begun, t = self.wall(), self.t
+        if begun is None:
             return f"{t:.1f} s"
-        then = datetime.fromisoformat(written) + timedelta(seconds=t - log.time(count - 1))
-        return then.astimezone().strftime("%H:%M:%S")
+        return (begun + timedelta(seconds=t)).strftime("%H:%M:%S")
 
     def seek(self, t: float) -> None:
         """Puts the cursor there, as far as there is something."""

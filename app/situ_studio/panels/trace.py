@@ -36,8 +36,7 @@ class Trace(RowsTable):
         self._viewing: Viewing | None = None
         self._shown = LogRows(TraceLog(), _row)
         self._follows = True
-        self.clicked.connect(self._seek)
-        self.activated.connect(self._seek)
+        self.chosen.connect(self._seek)
         bar = self.verticalScrollBar()
         bar.rangeChanged.connect(self._on_range)
         bar.sliderMoved.connect(self._on_scrolled)

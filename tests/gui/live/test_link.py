@@ -97,6 +97,27 @@ def test_a_lost_robot_is_told_at_once_and_found_again(
     it.window.disconnect_robot()
 
 
+def test_where_the_robot_begins_anew_no_view_stays_at_a_moment_that_is_gone(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("reception"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    until(link.moment_changed, lambda: "reception" in link.log.now.applications)
+    viewing, bookmarks = it.window.robot.follower.viewing, it.window.robot.timeline.bookmarks
+    viewing.pause()
+    bookmarks.add(viewing.t, "here")
+    assert not viewing.follows
+    there.stop()
+    until(link.state_changed, lambda: link.state.kind == "lost")
+    assert bookmarks.every
+    robot(there.project, there.endpoint)
+    until(link.began_anew, lambda: viewing.follows)
+    assert bookmarks.every == []
+    until(link.moment_changed, lambda: "reception" in link.log.now.applications)
+    it.window.disconnect_robot()
+
+
 def test_what_is_deployed_meanwhile_is_what_the_documents_are_compared_with(
     studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
 ) -> None:

@@ -1,0 +1,138 @@
+"""What the drawings show of a robot: where it is, in parts too, how often; and follow mode."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtTest import QTest
+from tests.gui.live.test_log import played
+from tests.gui.live.test_recordings import recording, until_shown
+
+from situ.document.project import Project
+from situ_studio.live.log import TraceLog
+from situ_studio.live.views import live_part, live_view, runs_of
+from situ_studio.panels.table import Row, RowsTable
+from situ_studio.theme import LIGHT
+
+PART = "register.rbd.xml"
+
+
+def logged(name: str, script: str) -> tuple[Project, TraceLog, list[dict[str, Any]]]:
+    project, _, events = played(name, script)
+    log = TraceLog()
+    log.add(events)
+    return project, log, events
+
+
+def test_a_parts_own_graph_shows_what_runs_in_it() -> None:
+    project, log, events = logged("reception", "new-user.jsonl")
+    part, runs = project.parts[PART], runs_of(project)
+    ((name, before),) = runs[PART]
+    assert (name, before) == ("reception", "16/")
+    glowed = set()
+    for t in sorted({event["t"] for event in events}):
+        now = log.at(t)
+        view = live_part(part, now, runs[PART], t)
+        came = [e for e in events if e["t"] <= t and e["kind"] == "enter"]
+        mine = [e["state"].removeprefix(before) for e in came if e["state"].startswith(before)]
+        assert view.counts == Counter(mine)
+        inside = came[-1]["state"].startswith(before)
+        assert view.active == ({mine[-1]} if inside else set())
+        glowed |= view.active
+        assert {way.state for way in view.taken} <= {state.no for state in part.states}
+        assert sum(view.transitions.values()) <= sum(view.counts.values())
+    assert len(glowed) > 2
+
+
+def test_a_state_that_runs_a_part_lasts_as_long_as_the_part() -> None:
+    project, log, events = logged("reception", "new-user.jsonl")
+    (begun,) = [e["t"] for e in events if e["kind"] == "enter" and e["state"] == "16"]
+    (left,) = [e["t"] for e in events if e["kind"] == "exit" and e["state"] == "16"]
+    (file,) = project.applications
+    moment = log.at(left - 0.01).applications["reception"]
+    view = live_view(project.applications[file], moment, left - 0.01)
+    assert view.active == {"16"}
+    assert view.entered["16"] == left - 0.01 - begun
+    after = live_view(project.applications[file], log.now.applications["reception"], log.now.t)
+    assert after.times["16"] == left - begun
+
+
+def test_how_often_the_time_ran_out_counts_for_each_state() -> None:
+    project, log, events = logged("reception", "nobody-answers.jsonl")
+    (file,) = project.applications
+    view = live_view(project.applications[file], log.now.applications["reception"], log.now.t)
+    over = [e["from"] for e in events if e["kind"] == "transition" and e.get("timeout")]
+    assert over
+    assert view.gave_up == Counter(over)
+
+
+def test_the_drawing_moves_along_until_that_is_switched_off(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    where = project("reception")
+    _, _, events = played("reception", "new-user.jsonl")
+    it = studio(where)
+    window = it.window
+    it.answers.put("recording", recording(tmp_path / "run.mcap", events, where))
+    window.commands.open_recording()
+    until_shown(it)
+    viewing, canvas = window.robot.follower.viewing, window.current_view.canvas
+    canvas.set_zoom(1.0)
+    entered = {e["state"]: e["t"] for e in events if e["kind"] == "enter"}
+
+    def seen(no: str) -> bool:
+        it.settle()
+        uid, _ = canvas._find(("state", no))
+        return bool(canvas.viewer.seen().contains(canvas.card_area(uid)))
+
+    for no in ("11", "2", "16"):
+        viewing.seek(entered[no])
+        assert seen(no)
+    # Who looks elsewhere while it stays there is left alone.
+    canvas.bring_into_view([("state", "2")])
+    viewing.seek(entered["16"] + 0.01)
+    assert seen("2")
+    assert not seen("16")
+    # What is known of a state is read where the hand rests on its card.
+    hint = canvas.graph.nodes[canvas._find(("state", "16"))[0]].view.toolTip()
+    assert "The robot is here, since 0 s." in hint
+    assert "It came here 1×." in hint
+    # Its own graph shows where in the part it is.
+    window.open_file(PART)
+    viewing.seek(entered["16/2"])
+    it.settle()
+    assert window.current_view.canvas.look.live.active == {"2"}
+    window.open_file(window.session.files[0])
+    button = window.toolbar.widgetForAction(window.actions_.actions["follow"])
+    assert button.isChecked()
+    it.click(button)
+    assert not button.isChecked()
+    canvas.bring_into_view([("state", "2")])
+    viewing.seek(entered["11"])
+    assert seen("2")
+    assert not seen("11")
+    it.click(button)
+    viewing.seek(entered["10"])
+    viewing.seek(entered["11"])
+    assert seen("11")
+
+
+def test_a_row_that_is_pressed_twice_is_chosen_once(qt: Any) -> None:
+    table = RowsTable("Things", ("Thing",), (), LIGHT)
+    told: list[str] = []
+    table.when_chosen(told.append)
+    table.rows.show([Row("a", ("A",)), Row("b", ("B",))])
+    table.resize(QSize(200, 120))
+    table.show()
+    at = table.visualRect(table.rows.index(1, 0)).center()
+    QTest.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    QTest.mouseDClick(table.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    assert told == ["b"]
+    QTest.keyClick(table, Qt.Key.Key_Return)
+    assert told == ["b", "b"]
+    table.close()
+    table.deleteLater()
