@@ -12,18 +12,20 @@ from msgspec import Struct
 from situ.decide import inputs
 from situ.decide.expected import Expectation
 from situ.decide.screens import Shown
-from situ.decide.step import SECOND
+from situ.decide.step import SECOND, microseconds
 from situ.decide.trace import TraceEvent, to_fields
 from situ.document.project import Project
+from situ.document.spoken import estimate
+from situ.document.values import is_number
 from situ.rehearse.simulate import Rehearsal
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
 
 MILLISECOND = SECOND // 1000
-LETTER = 60 * MILLISECOND
-"""What it takes to say a letter."""
-LEAST = 2 * SECOND
-"""What every other action takes that ends by itself, and the shortest speech."""
+USUAL = 2 * SECOND
+"""What an action takes that ends by itself; a speech takes as long as it is said."""
+VOLUMES, RATES = (0, 200), (25, 250)
+"""Percent between which a robot's voice can be chosen."""
 BY_ITSELF = ("speech", "sound", "robot")
 """Actions that end by themselves, for nobody has an opinion how they went."""
 LASTING = (*BY_ITSELF, "movie", "service", "launch")
@@ -38,12 +40,15 @@ class Done(Struct, frozen=True):
 
 
 class Pending(Struct, frozen=True):
-    """An action that has begun and not ended. until: when it ends by itself, µs, or None."""
+    """An action that has begun and not ended. began: when, µs; until: when it ends by itself, or
+    None.
+    """
 
     application: str
     action: str
     name: str | None
     text: str | None
+    began: int
     until: int | None
 
     def finish(self, ok: bool = True, result: Any = None) -> inputs.Finish:
@@ -52,6 +57,20 @@ class Pending(Struct, frozen=True):
             return inputs.Finish(self.action, self.name, self.application, result=result)
         error = "it failed in the rehearsal"
         return inputs.Finish(self.action, self.name, self.application, ok=False, error=error)
+
+
+class Speaking(Struct, frozen=True):
+    """What the robot says now. language: as ``en-GB``; volume, rate: percent of normal.
+
+    began, until: µs; None where nobody knows, for a module has it said.
+    """
+
+    text: str
+    language: str
+    volume: float = 100
+    rate: float = 100
+    began: int | None = None
+    until: int | None = None
 
 
 class Course:
@@ -67,7 +86,9 @@ class Course:
         self.pending: list[Pending] = []
         self._came: list[TraceFields] = []
         self._now = 0
+        self._fresh: list[TraceFields] = []
         self._rehearsal = Rehearsal(project, self._tell)
+        self._follow()
 
     @property
     def now(self) -> int:
@@ -93,6 +114,7 @@ class Course:
                     self.pending.remove(ending)
             else:
                 self._rehearsal.advance(self._now)
+                self._follow()
         self._now = max(to, self._now)
         self._rehearsal.advance(self._now)
 
@@ -121,6 +143,26 @@ class Course:
         """The value of a tag now, None where it has none."""
         return self._rehearsal.robot.board.look(tag)
 
+    @property
+    def speaking(self) -> Speaking | None:
+        """What the robot says now; None: nothing, or a sound."""
+        value = self.look("robot/speech")
+        text = value.get("text") if isinstance(value, dict) else value
+        if not isinstance(text, str) or not text:
+            return None
+        said = value.get("lang") if isinstance(value, dict) else None
+        language = said or self.look("language")
+        own = (one for one in self.pending if (one.action, one.text) == ("speech", text))
+        pending = next(own, None)
+        return Speaking(
+            text,
+            language if isinstance(language, str) else "en",
+            self._percent("speech.volume", *VOLUMES),
+            self._percent("speech.rate", *RATES),
+            None if pending is None else pending.began,
+            None if pending is None else pending.until,
+        )
+
     def screen(self) -> tuple[tuple[Shown, ...], str | None]:
         """What is on the robot's screen now, and what lies behind it."""
         value = self.look("robot/screen")
@@ -139,10 +181,16 @@ class Course:
         self._rehearsal.give(given, at)
         self._now = at
         self.done.append(Done(at, given))
+        self._follow()
 
     def _tell(self, events: list[TraceEvent]) -> None:
-        for fields in map(to_fields, events):
-            self._came.append(fields)
+        self._fresh += map(to_fields, events)
+
+    def _follow(self) -> None:
+        """What the robot has begun and ended since."""
+        came, self._fresh = self._fresh, []
+        self._came += came
+        for fields in came:
             if fields["kind"] == "action" and fields["action"] in LASTING:
                 self._begin(fields)
             elif fields["kind"] in ("finished", "cancelled"):
@@ -150,11 +198,20 @@ class Course:
 
     def _begin(self, fields: TraceFields) -> None:
         text, action = fields.get("text"), fields["action"]
+        began = microseconds(fields["t"])
         until = None
         if action in BY_ITSELF:
-            takes = max(LETTER * len(text or ""), LEAST)
-            until = round(fields["t"] * SECOND) // MILLISECOND * MILLISECOND + takes
-        self.pending.append(Pending(fields["application"], action, fields["name"], text, until))
+            takes = USUAL
+            if action == "speech":
+                said = estimate(text or "", self._percent("speech.rate", *RATES))
+                takes = round(said * 1000) * MILLISECOND
+            until = began // MILLISECOND * MILLISECOND + takes
+        name = fields["name"]
+        self.pending.append(Pending(fields["application"], action, name, text, began, until))
+
+    def _percent(self, tag: str, least: float, most: float) -> float:
+        value: Any = self.look(tag)
+        return min(max(float(value), least), most) if is_number(value) else 100.0
 
     def _end(self, fields: TraceFields) -> None:
         key = (fields["application"], fields["action"], fields["name"])

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPushButton,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -29,20 +28,24 @@ from situ_studio.icon_widgets import Elided, retheme
 from situ_studio.language import translated
 from situ_studio.layouts import clear, rule
 from situ_studio.panels.fields import Flag
+from situ_studio.panels.over_scroll import OverScroll
 from situ_studio.rehearsing.clock_bar import ClockBar
-from situ_studio.rehearsing.course import Pending
+from situ_studio.rehearsing.course import Course, Pending
 from situ_studio.rehearsing.dial_rows import DialRow
 from situ_studio.rehearsing.dials import dials
 from situ_studio.rehearsing.module_rows import ModuleRow
 from situ_studio.rehearsing.robot_screen import RobotScreen
 from situ_studio.rehearsing.running import Running
+from situ_studio.rehearsing.sounding import Sounding
+from situ_studio.rehearsing.speech_bubble import SpeechBubble
 from situ_studio.screens.shown import Content
+from situ_studio.texts.listening import Listening
 from situ_studio.theme import Theme
 
 WIDE = 320
 
 
-class Desk(QScrollArea):
+class Desk(OverScroll):
     """Shows one running rehearsal, and does to it what somebody does here."""
 
     again_asked = Signal()
@@ -73,11 +76,10 @@ class Desk(QScrollArea):
         self.screen_.used.connect(lambda id, value: self._give(inputs.Use(id, value)))
         self.screen_.touched.connect(lambda: self._give(inputs.Touch()))
         column.addWidget(self.screen_)
-        self.says = QLabel()
-        self.says.setProperty("role", "words")
-        self.says.setWordWrap(True)
-        self.says.setTextFormat(Qt.TextFormat.PlainText)
-        self.says.setAccessibleName(self.tr("What the robot says"))
+        self.says = SpeechBubble(theme)
+        self.sounding = Sounding(Listening(self), self)
+        self.says.sound_asked.connect(self._on_sound)
+        self.sounding.told.connect(self.says.show_unheard)
         column.addWidget(self.says)
         self._people = self._section(column, self.tr("People say"))
         self._actions = self._section(column, self.tr("Goes on"))
@@ -120,6 +122,7 @@ class Desk(QScrollArea):
         self._theme = theme
         retheme(self, theme)
         self.screen_.set_theme(theme)
+        self.says.set_theme(theme)
         for flag in self.findChildren(Flag):
             flag.set_theme(theme)
 
@@ -130,7 +133,7 @@ class Desk(QScrollArea):
         self._running = running
         running.went.connect(self._on_went)
         running.begun.connect(self._on_begun)
-        running.paced.connect(lambda: self.clock.show_pace(running.pace))
+        running.paced.connect(self._on_paced)
         self.clock.pace_asked.connect(running.set_pace)
         self.clock.step_asked.connect(running.step)
         self.clock.show_pace(running.pace)
@@ -139,6 +142,7 @@ class Desk(QScrollArea):
     def leave(self) -> None:
         """Nothing is shown any more."""
         running, self._running = self._running, None
+        self.sounding.silence()
         if running is not None:
             self.clock.pace_asked.disconnect(running.set_pace)
             self.clock.step_asked.disconnect(running.step)
@@ -153,6 +157,7 @@ class Desk(QScrollArea):
 
     def _on_begun(self) -> None:
         assert self._running is not None
+        self.sounding.begin(self._heard)
         project = self._running.course.project
         self.show_changed(False)
         clear(self._data)
@@ -187,10 +192,31 @@ class Desk(QScrollArea):
     # -- what it is like now ---------------------------------------------------------
 
     def _on_went(self, events: list[dict[str, Any]]) -> None:
-        assert self._running is not None
-        self.clock.show_time(self._running.seconds)
+        running = self._running
+        assert running is not None
+        self.clock.show_time(running.seconds)
+        self.says.show_speaking(running.course.speaking, running.course.now)
+        if running.pace == 1:
+            self.sounding.take(events, running.course)
         if events:
             self._settle()
+
+    def _on_paced(self) -> None:
+        assert self._running is not None
+        self.clock.show_pace(self._running.pace)
+        if self._running.pace != 1:
+            self.sounding.silence()
+
+    def _on_sound(self, on: bool) -> None:
+        self.sounding.turn(on)
+        self.sounding.begin(self._heard)
+        self.says.sound.show_value(self.sounding.on)
+
+    @property
+    def _heard(self) -> Course | None:
+        """Whose voice can be heard: at a pace that is no voice's, nobody's."""
+        running = self._running
+        return running.course if running is not None and running.pace == 1 else None
 
     def _settle(self) -> None:
         running = self._running
@@ -202,10 +228,7 @@ class Desk(QScrollArea):
         spoken = language if isinstance(language, str) else "en"
         content = Content(components, behind, spoken)
         self.screen_.show_content(content, media_of(course.project))
-        speech = course.look("robot/speech")
-        text = speech.get("text") if isinstance(speech, dict) else None
-        self.says.setText(f"“{text}”" if text else self.tr("says nothing"))
-        self.says.setEnabled(bool(text))
+        self.says.show_speaking(course.speaking, course.now)
         self._show_phrases(
             [
                 (event.name, phrase)

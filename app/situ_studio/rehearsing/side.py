@@ -47,6 +47,7 @@ class RehearsingSide(QObject):
         self._dock = window.docks[DOCK]
         self._dock.toggleViewAction().setVisible(False)
         self._dock.hide()
+        window.closed.connect(lambda _: self.desk.sounding.silence())
         window.session.opened.connect(self.end)
         window.session.changed.connect(self._on_changed)
         window.robot.follower.viewing.exchanged.connect(self._on_exchanged)

@@ -8,11 +8,15 @@ from PySide6.QtCore import QObject, QProcess, Signal
 
 from situ.document import names
 
+WORDS_A_MINUTE = 175
+"""What espeak-ng says at its normal rate."""
+
 
 class Listening(QObject):
     """Says one text at a time; another, or the same again, ends it.
 
-    program: what speaks, as ``-v LANGUAGE --stdin``; None looks for espeak-ng on this machine.
+    program: what speaks, as ``-v LANGUAGE --stdin``, with ``-a`` and ``-s`` where it shall be
+    louder or faster than usual; None looks for espeak-ng on this machine.
     """
 
     changed = Signal()
@@ -35,11 +39,20 @@ class Listening(QObject):
         return self._process is not None
 
     def toggle(self, text: str, language: str) -> None:
-        """Says a text; ends it where it is being said."""
+        """Says a text as it is written; ends it where it is being said."""
         again = self.going and self._text == text
         self.end()
         if not again:
-            self._begin(text, language)
+            # What stands for a value is said as a pause.
+            self._begin(" … ".join(part for part, _ in names.split(text)), language)
+            self._text = text
+
+    def say(self, text: str, language: str, volume: float = 100, rate: float = 100) -> None:
+        """Says a text that is filled in, in place of what is being said. volume, rate: percent."""
+        self.end()
+        loud = ("-a", str(round(volume))) if volume != 100 else ()
+        fast = ("-s", str(round(WORDS_A_MINUTE * rate / 100))) if rate != 100 else ()
+        self._begin(text, language, *loud, *fast)
 
     def end(self) -> None:
         """Silent at once."""
@@ -50,16 +63,16 @@ class Listening(QObject):
             process.deleteLater()
             self.changed.emit()
 
-    def _begin(self, text: str, language: str) -> None:
+    def _begin(self, spoken: str, language: str, *options: str) -> None:
         assert self._program is not None
-        self._text = text
-        # What stands for a value is said as a pause.
-        spoken = " … ".join(part for part, _ in names.split(text))
+        self._text = ""
         process = self._process = QProcess(self)
         process.finished.connect(self._on_end)
         process.errorOccurred.connect(self._on_error)
-        process.start(self._program, ["-v", language.replace("_", "-").lower(), "--stdin"])
-        process.write(spoken.encode())
+        voice = language.replace("_", "-").lower()
+        process.start(self._program, ["-v", voice, *options, "--stdin"])
+        # "[[" would begin phoneme names, which nobody who writes a text means.
+        process.write(spoken.replace("[[", "[ [").encode())
         process.closeWriteChannel()
         self.changed.emit()
 

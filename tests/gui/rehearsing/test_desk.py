@@ -6,7 +6,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit, QPushButton
@@ -21,53 +20,6 @@ from situ_studio.screens.shown import Content
 from situ_studio.theme import LIGHT
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-LEFT = Qt.MouseButton.LeftButton
-
-
-class Desk:
-    """A window that rehearses; its clock goes on only when told."""
-
-    def __init__(self, studio: Any) -> None:
-        self.studio = studio
-        self.time = 0.0
-        self.window = studio.window
-        self.side = studio.window.rehearsing
-        self.side.clock = lambda: self.time
-        studio.key(Qt.Key.Key_F5)
-        self.desk = self.side.desk
-
-    @property
-    def state(self) -> str | None:
-        """Where the first application is, as every live view sees it."""
-        moment = self.window.robot.follower.viewing.moment()
-        return str(next(iter(moment.applications.values())).state)
-
-    def go_on(self, seconds: float) -> None:
-        for _ in range(round(seconds / 0.25)):
-            self.time += 0.25
-            self.side.running.catch_up()
-        self.studio.settle()
-
-    def touch(self, words: str) -> None:
-        """A click on what has these words on the robot's screen."""
-        shown = self.desk.screen_
-        target = next(t for t in shown.targets if t.words == words)
-        at = shown.place_of(target).toPoint()
-        QTest.mouseClick(shown, LEFT, pos=at)
-        self.studio.settle()
-
-    def glowing(self) -> set[str]:
-        self.window.robot.follower.refresh()
-        view = self.window.current_view
-        return set(view._live.active)
-
-
-@pytest.fixture
-def desk(studio: Callable[..., Any], project: Callable[[str], Path]) -> Callable[[str], Desk]:
-    def start(name: str) -> Desk:
-        return Desk(studio(project(name)))
-
-    return start
 
 
 def test_one_key_rehearses_and_a_click_on_the_screen_goes_on(desk: Any) -> None:
@@ -78,7 +30,7 @@ def test_one_key_rehearses_and_a_click_on_the_screen_goes_on(desk: Any) -> None:
     used.touch("YES")
     assert used.state == "2"
     assert used.glowing() == {"2"}
-    assert "Did you sleep well?" in used.desk.says.text()
+    assert "Did you sleep well?" in used.desk.says.words.text()
 
     # What people may say is offered; said, it is heard once the robot has spoken.
     used.go_on(6)
@@ -94,20 +46,31 @@ def test_one_key_rehearses_and_a_click_on_the_screen_goes_on(desk: Any) -> None:
     used.studio.key(Qt.Key.Key_F5, SHIFT)
     assert used.side.running is None
     assert not used.desk.isVisible()
-    assert used.window.current_view._live is None
+    assert used.glowing() == set()
     assert used.window.docks["inspector"].isVisible()
 
 
 def test_an_inspector_that_was_closed_stays_closed_after_a_rehearsal(
-    studio: Callable[..., Any], project: Callable[[str], Path]
+    studio: Callable[..., Any], project: Callable[[str], Path], rehearsed: Any
 ) -> None:
     made = studio(project("conversation"))
     made.window.docks["inspector"].hide()
-    used = Desk(made)
+    used = rehearsed(made)
     assert used.desk.isVisible()
     made.key(Qt.Key.Key_F5, SHIFT)
     assert not used.desk.isVisible()
     assert not made.window.docks["inspector"].isVisible()
+
+
+def test_the_robots_screen_is_as_large_in_a_low_window_as_in_a_high_one(desk: Any) -> None:
+    used = desk("reception")
+    sizes = set()
+    # A bar that took room would make the screen lower, and would not be needed any more.
+    for height in (600, 800, 1600):
+        used.window.resize(1280, height)
+        used.studio.settle()
+        sizes.add(used.desk.screen_.size().toTuple())
+    assert len(sizes) == 1
 
 
 def test_data_is_turned_by_switch_and_slider(desk: Any) -> None:
@@ -286,10 +249,10 @@ def test_a_project_with_errors_is_not_rehearsed(
 
 
 def test_what_was_rehearsed_when_the_window_closed_is_not_there_the_next_time(
-    studio: Callable[..., Any], project: Callable[[str], Path]
+    studio: Callable[..., Any], project: Callable[[str], Path], rehearsed: Any
 ) -> None:
     root = project("conversation")
-    first = Desk(studio(root))
+    first = rehearsed(studio(root))
     assert first.desk.isVisible()
     first.window.close()
     again = studio(root).window

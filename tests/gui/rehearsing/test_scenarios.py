@@ -32,7 +32,7 @@ def ran(used: Any, click: Any) -> Any:
 
 
 def test_all_are_run_and_what_failed_is_looked_at_where_it_failed(
-    studio: Start, project: Copy
+    studio: Start, project: Copy, glowing: Any
 ) -> None:
     root = project("conversation")
     wrong = root / "scenarios" / "a wrong one.jsonl"
@@ -57,23 +57,25 @@ def test_all_are_run_and_what_failed_is_looked_at_where_it_failed(
     viewing = window.robot.follower.viewing
     assert viewing.t == 3
     assert viewing.moment().applications["converse"].state == "2"
-    assert window.current_view._live.active == {"2"}
+    assert glowing(window) == {"2"}
     window.commands.close_recording()
 
     # Painted, the drawing tells how often they came through each state.
     used.click(panel.paint)
-    counts = window.current_view._live.counts
+    counts = window.current_view.canvas.look.live.counts
     assert counts["1"] >= len(by_file)
     assert set(counts) == {state.no for state in window.current_document.states}
     used.click(panel.paint)
-    assert window.current_view._live is None
+    assert window.current_view.canvas.look.live is None
 
     # A click on what none came through goes there.
     lacking = [row for row in rows if row.key.startswith("lacks")]
+    assert lacking[0].cells[3] == "converse, 1 hello – clickNo → 6 goodbye"
     used.click_row(panel.table, panel.table.model().index(rows.index(lacking[0]), 0))
-    seen = panel._lacking[lacking[0].key]
-    assert window.current_file == seen.file
-    assert window.current_view.selected[0][: len(seen.place)] == tuple(seen.place)
+    (selected,) = window.current_view.selected
+    assert window.current_file == "converse.rbd.xml"
+    assert (selected[:2], selected[2]) == (("state", "1"), "event")
+    assert window.current_document.states[0].events[int(selected[3])].name == "clickNo"
 
 
 def test_a_run_is_cancelled_and_what_was_played_stays(studio: Start, project: Copy) -> None:
