@@ -1,0 +1,1 @@
+"""The records of a small ward: residents, what was measured, who was called. SQLite and HTTP."""

@@ -1,0 +1,75 @@
+"""``python -m ward_records``, from the folder that this package stands in."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import secrets
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+
+import msgspec
+from aiohttp import web
+
+from ward_records.store import Store
+from ward_records.web import Tokens, application
+
+INVENTED = (
+    (3, "Aroha Tamihana", "3141"),
+    (7, "Joan Nikora", "2718"),
+    (12, "Jack Nilsen", "1234"),
+    (21, "木村はる", "2121"),
+)
+"""Residents of no ward: room, name, PIN."""
+
+
+def tokens_in(folder: Path) -> Tokens:
+    """Those of ``tokens.json``, which is made where there is none; for its owner only."""
+    file = folder / "tokens.json"
+    if not file.exists():
+        made = {role: secrets.token_urlsafe(24) for role in ("service", "operator", "viewer")}
+        descriptor = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        with os.fdopen(descriptor, "w", encoding="utf-8") as out:
+            json.dump(made, out, indent=1)
+    return msgspec.json.decode(file.read_bytes(), type=Tokens)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        prog="ward_records", description="The records of a ward, and the nurse's page."
+    )
+    parser.add_argument("folder", type=Path, help="where ward.db and tokens.json are kept")
+    parser.add_argument("--host", default="127.0.0.1")
+    parser.add_argument("--port", type=int, default=8081)
+    args = parser.parse_args()
+    args.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    try:
+        tokens = tokens_in(args.folder)
+    except (OSError, msgspec.MsgspecError) as error:
+        print(f"ward_records: {args.folder / 'tokens.json'}: {error}", file=sys.stderr)
+        return 2
+    store = Store(args.folder / "ward.db", lambda: datetime.now(UTC))
+    if not store.residents():
+        for room, name, pin in INVENTED:
+            store.add(room, name, pin)
+    said = f"http://{args.host}:{args.port}/?token={tokens.operator}"
+    try:
+        web.run_app(
+            application(store, tokens),
+            host=args.host,
+            port=args.port,
+            print=lambda _: print(said, flush=True),
+            access_log=None,
+        )
+    except OSError as error:
+        print(f"ward_records: can not listen at {args.host}:{args.port}: {error}", file=sys.stderr)
+        return 2
+    finally:
+        store.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

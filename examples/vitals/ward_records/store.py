@@ -1,0 +1,284 @@
+"""Residents, readings and calls in one SQLite file.
+
+Nothing here knows of HTTP or of roles: who may see what is ``web.py``'s. Times are UTC, from the
+clock that is given.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import json
+import secrets
+import sqlite3
+from collections.abc import Callable, Mapping
+from datetime import datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+from msgspec import Struct
+
+TRIES, PAUSE = 5, timedelta(minutes=5)
+"""So many wrong PINs in a room, and none is looked at for so long."""
+
+KINDS: dict[str, dict[str, tuple[float, float]]] = {
+    "pressure": {"systolic": (40, 300), "diastolic": (20, 200), "pulse": (20, 250)},
+    "oxygen": {"oxygen": (40, 100), "pulse": (20, 250)},
+    "glucose": {"glucose": (0.5, 40)},
+}
+"""What is measured, and between which values anybody can live: all else is a fault of a device."""
+
+LIMITS: dict[str, float] = {
+    "systolic_low": 100,
+    "systolic_high": 150,
+    "diastolic_low": 55,
+    "diastolic_high": 95,
+}
+"""Between these nobody is told, for whom the nurse has not set others. In mmHg."""
+
+_SCHEMA = """
+CREATE TABLE IF NOT EXISTS resident (
+  id INTEGER PRIMARY KEY, room INTEGER NOT NULL, name TEXT NOT NULL,
+  salt BLOB NOT NULL, pin BLOB NOT NULL, limits TEXT NOT NULL
+);
+CREATE TABLE IF NOT EXISTS wrong_pin (room INTEGER NOT NULL, at TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS reading (
+  id INTEGER PRIMARY KEY, resident INTEGER NOT NULL REFERENCES resident (id),
+  at TEXT NOT NULL, kind TEXT NOT NULL, measured TEXT NOT NULL
+);
+CREATE TABLE IF NOT EXISTS call (
+  id INTEGER PRIMARY KEY, at TEXT NOT NULL, why TEXT NOT NULL, room TEXT NOT NULL, seen TEXT
+);
+"""
+
+
+class Unfit(Exception):
+    """What was given can not be kept; says why, in one line."""
+
+
+class Unknown(Exception):
+    """There is no such resident."""
+
+
+class WrongPin(Exception):
+    """Nobody in this room has this PIN."""
+
+
+class Locked(Exception):
+    """Too many wrong PINs in this room, lately."""
+
+
+class Resident(Struct, frozen=True):
+    """limits: as ``LIMITS``, the person's own."""
+
+    id: int
+    name: str
+    room: int
+    limits: dict[str, float]
+
+
+class Reading(Struct, frozen=True):
+    """measured: name to value, as in ``KINDS``."""
+
+    resident: int
+    at: datetime
+    kind: str
+    measured: dict[str, float]
+
+
+class Call(Struct, frozen=True):
+    """seen: when a nurse said that she goes; None: nobody yet."""
+
+    id: int
+    at: datetime
+    why: str
+    room: str
+    seen: datetime | None
+
+
+class Store:
+    """The records in ``file``; in memory where there is none. To be used from one thread."""
+
+    def __init__(self, file: Path | None, now: Callable[[], datetime]) -> None:
+        if file is not None:
+            # Nobody else on this machine reads what stands in it.
+            file.touch(mode=0o600, exist_ok=True)
+        self._db = sqlite3.connect(str(file) if file is not None else ":memory:")
+        self._db.execute("PRAGMA foreign_keys = ON")
+        self._db.executescript(_SCHEMA)
+        self._now = now
+
+    def close(self) -> None:
+        self._db.close()
+
+    # -- residents ---------------------------------------------------------------
+
+    def add(self, room: int, name: str, pin: str) -> Resident:
+        """A new resident, with the usual limits. Raises Unfit where the PIN is not four digits,
+        or somebody in the room has it."""
+        if not (len(pin) == 4 and pin.isascii() and pin.isdigit()):
+            raise Unfit("a PIN is four digits")
+        if self._who(room, pin) is not None:
+            raise Unfit("somebody in this room has this PIN already")
+        salt = secrets.token_bytes(16)
+        with self._db:
+            made = self._db.execute(
+                "INSERT INTO resident (room, name, salt, pin, limits) VALUES (?, ?, ?, ?, '{}')",
+                (room, name, salt, _hashed(pin, salt)),
+            )
+        assert made.lastrowid is not None
+        return self.resident(made.lastrowid)
+
+    def residents(self) -> list[Resident]:
+        """By room."""
+        rows = self._db.execute("SELECT id, name, room, limits FROM resident ORDER BY room, id")
+        return [_resident(row) for row in rows]
+
+    def resident(self, number: int) -> Resident:
+        """Raises Unknown."""
+        rows = self._db.execute(
+            "SELECT id, name, room, limits FROM resident WHERE id = ?", (number,)
+        )
+        row = rows.fetchone()
+        if row is None:
+            raise Unknown(f"there is no resident {number}")
+        return _resident(row)
+
+    def login(self, room: int, pin: str) -> Resident:
+        """Whose room and PIN these are. Raises WrongPin; Locked after ``TRIES`` of them."""
+        since = (self._now() - PAUSE).isoformat()
+        with self._db:
+            self._db.execute("DELETE FROM wrong_pin WHERE at <= ?", (since,))
+        wrong = "SELECT count(*) FROM wrong_pin WHERE room = ?"
+        if self._db.execute(wrong, (room,)).fetchone()[0] >= TRIES:
+            raise Locked("too many wrong PINs: it is looked at again in some minutes")
+        found = self._who(room, pin)
+        with self._db:
+            if found is None:
+                self._db.execute("INSERT INTO wrong_pin VALUES (?, ?)", (room, self._time()))
+            else:
+                self._db.execute("DELETE FROM wrong_pin WHERE room = ?", (room,))
+        if found is None:
+            raise WrongPin("this room and this PIN do not go together")
+        return self.resident(found)
+
+    def set_limits(self, number: int, limits: Mapping[str, float]) -> None:
+        """The person's own. Raises Unknown, and Unfit where they are none."""
+        self.resident(number)
+        if set(limits) != set(LIMITS):
+            raise Unfit(f"the limits are {', '.join(LIMITS)}")
+        for which in ("systolic", "diastolic"):
+            low, high = KINDS["pressure"][which]
+            if not low <= limits[f"{which}_low"] < limits[f"{which}_high"] <= high:
+                raise Unfit(f"{which}: the lower limit below the upper, {low:g} to {high:g} mmHg")
+        with self._db:
+            self._db.execute(
+                "UPDATE resident SET limits = ? WHERE id = ?", (json.dumps(dict(limits)), number)
+            )
+
+    def _who(self, room: int, pin: str) -> int | None:
+        rows = self._db.execute("SELECT id, salt, pin FROM resident WHERE room = ?", (room,))
+        # All are looked at, however early one fits: how long it takes tells nothing.
+        fits = [number for number, salt, kept in rows if _same(_hashed(pin, salt), kept)]
+        return fits[0] if fits else None
+
+    # -- what the robot tells ----------------------------------------------------
+
+    def keep(self, told: Mapping[str, Any]) -> None:
+        """A reading ``{"kind", "user", …}`` or a call ``{"kind": "call", "why", "room"}``.
+
+        Numbers may be texts that read as numbers. Raises Unfit, Unknown.
+        """
+        kind = told.get("kind")
+        if kind == "call":
+            self._keep_call(told)
+            return
+        wanted = KINDS.get(kind) if isinstance(kind, str) else None
+        if wanted is None:
+            raise Unfit(f"the kind must be call or one of {', '.join(KINDS)}")
+        measured = {}
+        for name, (low, high) in wanted.items():
+            value = number_in(told.get(name))
+            if value is None or not low <= value <= high:
+                raise Unfit(f"{name} must be a number from {low:g} to {high:g}")
+            measured[name] = value
+        who = number_in(told.get("user"))
+        if who is None or not who.is_integer():
+            raise Unfit("user must be the id that login gave")
+        self.resident(int(who))
+        with self._db:
+            self._db.execute(
+                "INSERT INTO reading (resident, at, kind, measured) VALUES (?, ?, ?, ?)",
+                (int(who), self._time(), kind, json.dumps(measured)),
+            )
+
+    def _keep_call(self, told: Mapping[str, Any]) -> None:
+        why, room = (str(told.get(name) or "").strip()[:200] for name in ("why", "room"))
+        if not why or not room:
+            raise Unfit("a call needs why and room")
+        with self._db:
+            self._db.execute(
+                "INSERT INTO call (at, why, room) VALUES (?, ?, ?)", (self._time(), why, room)
+            )
+
+    # -- what the nurse reads ----------------------------------------------------
+
+    def readings(self, number: int | None = None, most: int = 50) -> list[Reading]:
+        """The last ones, of one resident or of all; the newest first."""
+        rows = self._db.execute(
+            "SELECT resident, at, kind, measured FROM reading WHERE ?1 IS NULL OR resident = ?1 "
+            "ORDER BY at DESC, id DESC LIMIT ?2",
+            (number, most),
+        )
+        return [Reading(who, _at(at), kind, json.loads(value)) for who, at, kind, value in rows]
+
+    def calls(self, most: int = 50) -> list[Call]:
+        """Those that nobody has seen first, then the newest."""
+        rows = self._db.execute(
+            "SELECT id, at, why, room, seen FROM call "
+            "ORDER BY seen IS NOT NULL, at DESC, id DESC LIMIT ?",
+            (most,),
+        )
+        return [
+            Call(number, _at(at), why, room, _at(seen) if seen is not None else None)
+            for number, at, why, room, seen in rows
+        ]
+
+    def see(self, call: int) -> None:
+        """A nurse goes there; seen once is seen."""
+        with self._db:
+            self._db.execute(
+                "UPDATE call SET seen = ? WHERE id = ? AND seen IS NULL", (self._time(), call)
+            )
+
+    def _time(self) -> str:
+        return self._now().isoformat()
+
+
+def number_in(value: Any) -> float | None:
+    """A number, or a text that reads as one; None: anything else."""
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        return None
+    try:
+        number = float(value)
+    except ValueError:
+        return None
+    return number if abs(number) < 1e12 else None
+
+
+def _resident(row: tuple[int, str, int, str]) -> Resident:
+    number, name, room, limits = row
+    return Resident(number, name, room, LIMITS | json.loads(limits))
+
+
+def _at(text: str) -> datetime:
+    return datetime.fromisoformat(text)
+
+
+def _hashed(pin: str, salt: bytes) -> bytes:
+    # Four digits are soon tried out by who has the file: the file's mode is what keeps them.
+    return hashlib.scrypt(pin.encode(), salt=salt, n=2**12, r=8, p=1)
+
+
+def _same(one: bytes, other: bytes) -> bool:
+    return hmac.compare_digest(one, other)
