@@ -299,6 +299,15 @@ def test_a_missing_translation_falls_back_with_a_warning(play: Play) -> None:
     assert [(e["kind"], e["where"]) for e in trace.of("warning")] == [("warning", "app, state 1")]
 
 
+@pytest.mark.parametrize(("text", "told"), [("{n} / 7 %", 0), ("{n} mm", 1)])
+def test_a_text_without_a_word_misses_no_translation(play: Play, text: str, told: int) -> None:
+    rbd = state("1", f"<speech>{text}</speech>")
+    tags = {"language": "ja", "n": 3}
+    trace = play(rbd, [], tags=tags, languages=("en", "ja"), texts={"ja": {}})
+    assert trace.of("action")[0]["text"] == text.replace("{n}", "3")
+    assert len(trace.of("warning")) == told
+
+
 def test_the_words_to_translate_are_the_text_as_written_references_included(play: Play) -> None:
     rbd = state("1", "<speech>Hello {n}</speech>")
     trace = play(

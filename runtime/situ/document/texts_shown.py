@@ -34,10 +34,13 @@ class ShownText(Struct, frozen=True):
 
     @property
     def is_to_translate(self) -> bool:
-        """Whether there is a letter in it outside its references, and no language asked for."""
-        return self.lang is None and any(
-            _SPOKEN.search(literal) for literal, _ in names.split(self.text)
-        )
+        """Whether there is a word in it, and no language asked for."""
+        return self.lang is None and has_words(self.text)
+
+
+def has_words(text: str) -> bool:
+    """Whether there is a letter outside its references; else all languages write it alike."""
+    return any(_SPOKEN.search(literal) for literal, _ in names.split(text))
 
 
 def shown_texts(application: Application) -> Iterator[ShownText]:
