@@ -6,6 +6,7 @@ context menu and ``Ctrl+.``. ``problem_places`` goes to where a problem is.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
@@ -13,12 +14,14 @@ from PySide6.QtCore import QObject, QPoint, Qt, QTimer
 from PySide6.QtGui import QFontMetrics, QIcon
 from PySide6.QtWidgets import QMenu
 
+from situ.document import mend_toml
 from situ.document.accepting import accepting
-from situ.document.mend import mends, of
+from situ.document.beside import Toml
+from situ.document.mend import Stale, mends, of
 from situ.document.mend_alike import alike, mend_alike
 from situ.document.problem import Mend, Problem
 from situ_studio import icons, places
-from situ_studio.edit import Place
+from situ_studio.edit import Document, Place
 from situ_studio.language import said
 from situ_studio.panels.problems import PROBLEM
 from situ_studio.problem_places import ProblemPlaces
@@ -94,10 +97,7 @@ class MendingSide(QObject):
         if not found:
             self._window.say(self.tr("What is selected has no problem."))
             return
-        menu = QMenu(self._window)
-        menu.setToolTipsVisible(True)
-        self._fill(menu, found)
-        self._pop_up(menu, self._window.context_menus.corner())
+        self.open_at(found, self._window.context_menus.corner())
 
     def open_for_row(self) -> bool:
         """Opens the menu of the current row of the list of problems, if that has the focus."""
@@ -122,11 +122,15 @@ class MendingSide(QObject):
         menu.insertMenu(menu.actions()[0], below)
         menu.insertSeparator(menu.actions()[1])
 
-    def _on_row(self, problem: Problem, at: QPoint) -> None:
+    def open_at(self, problems: Sequence[Problem], at: QPoint) -> None:
+        """Opens the menu of what can be done about these at a place of the screen."""
         menu = QMenu(self._window)
         menu.setToolTipsVisible(True)
-        self._add(menu, problem)
+        self._fill(menu, list(problems))
         self._pop_up(menu, at)
+
+    def _on_row(self, problem: Problem, at: QPoint) -> None:
+        self.open_at([problem], at)
 
     def _pop_up(self, menu: QMenu, at: QPoint) -> None:
         menu.aboutToHide.connect(lambda: self._on_hidden(menu))
@@ -186,16 +190,33 @@ class MendingSide(QObject):
 
     def mend(self, problem: Problem) -> None:
         """Mends one problem, as one step."""
-        project, window = self._session.project, self._window
-        found = mends(project, problem) if project is not None else []
-        if problem.mend is None or not found:
+        window = self._window
+        found = self._mended(problem)
+        if problem.mend is None or found is None:
             window.say(self.tr("This has changed meanwhile: there is nothing to mend there now."))
             return
-        words, after = found[0]
-        window.commit(after, said(words), problem.mend.file)
+        words, after = found
+        if isinstance(after, Toml):
+            self._session.commit(problem.mend.file, after, said(words))
+        else:
+            window.commit(after, said(words), problem.mend.file)
         if problem.mend.file == window.current_file:
             window.select(problem.place)
         window.say(said(words))
+
+    def _mended(self, problem: Problem) -> tuple[str, Document | Toml] | None:
+        """What a problem's mend does, in words, and its file's value after it."""
+        project, mend = self._session.project, problem.mend
+        if project is None or mend is None:
+            return None
+        if mend.file not in mend_toml.FILES:
+            found = mends(project, problem)
+            return found[0] if found else None
+        value = self._session.value(mend.file)
+        try:
+            return (mend.words, mend_toml.apply(value, mend)) if isinstance(value, Toml) else None
+        except Stale:
+            return None
 
     def mend_alike(self, code: str) -> None:
         """Mends all problems of one kind in the whole project, as one step."""
@@ -203,6 +224,8 @@ class MendingSide(QObject):
         if project is None:
             return
         before = self._session.problems
+        if self._settings_alike(code):
+            return
         after, left = mend_alike(project, before, code)
         here = window.current_file or ""
         files = sorted(self._session.files, key=lambda file: file != here)
@@ -222,6 +245,21 @@ class MendingSide(QObject):
         still = len(alike(left, code))
         more = self.tr("{0} mended, {1} are left.").format(gone, still)
         window.say(more if still else self.tr("{0} problems mended.").format(gone))
+
+    def _settings_alike(self, code: str) -> bool:
+        """Whether those of one kind were mended in ``situ.toml``, where all of them were."""
+        wanted = alike(self._session.problems, code)
+        if any(one.mend is None or one.mend.file not in mend_toml.FILES for one in wanted):
+            return False
+        values = {file: self._session.value(file) for file in mend_toml.FILES}
+        tomls = {file: value for file, value in values.items() if isinstance(value, Toml)}
+        after, done = mend_toml.every(tomls, wanted)
+        text = self.tr("Mend {0} problems of one kind").format(len(done))
+        changed = {file: toml for file, toml in after.items() if toml != tomls[file]}
+        if not changed or not self._session.commit_all(changed, text):
+            return False
+        self._window.say(self.tr("{0} problems mended.").format(len(done)))
+        return True
 
     def accept(self, problem: Problem) -> None:
         """Writes down that a warning is known and meant, as one step."""

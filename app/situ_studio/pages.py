@@ -14,9 +14,9 @@ from situ.document.catalogue import Catalogue
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER
 from situ.document.projectfile import CODE
 from situ.document.texts import read_out
-from situ_studio.edit import Written
+from situ_studio.edit import Place, Written
 from situ_studio.project_form.form import ProjectForm
-from situ_studio.project_form.going import go_to_line
+from situ_studio.project_form.going import go_to_place
 from situ_studio.sides import Group
 from situ_studio.texts.exchange import Exchange
 from situ_studio.texts.listening import Listening
@@ -98,13 +98,13 @@ class PagesSide(QObject):
         if page is not None:
             page.bring(file, place, language)
 
-    def go_to_line(self, file: str, text: str, line: int) -> None:
-        """Shows what stands in a line of ``situ.toml`` in its form. text: in which the line is."""
+    def go_to_field(self, file: str, place: Place) -> None:
+        """Shows what stands at a place of ``situ.toml`` in its form."""
         self._window.open_file(PROJECT_FILE)
         form = self._form_of(self._window.sides.current)
         if form is not None:
             form.show_file(file)
-            go_to_line(form, text, line)
+            go_to_place(form, place)
 
     def unsaved(self) -> list[str]:
         """The pages on which something is not saved."""
@@ -224,6 +224,8 @@ class PagesSide(QObject):
         form.refused.connect(self._window.say)
         form.language_asked.connect(self.add_language)
         form.readings_changed.connect(self._on_readings)
+        form.mend_asked.connect(self._window.mending.mend)
+        form.mends_asked.connect(self._window.mending.open_at)
         group.documents.addWidget(form)
         return form
 

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from situ.document import beside
-from situ.document.beside import Toml
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE
 from situ.document.problem import Problem
 from situ.document.rbd import Application
-from situ.errors import UsageError
 from situ_studio.edit import Place
 
 if TYPE_CHECKING:
@@ -38,26 +35,11 @@ class ProblemPlaces:
         elif session.document(file) is None:
             window.open_file(file)
             if file in (PROJECT_FILE, LOCAL_FILE):
-                window.pages.go_to_line(file, self._text(file, problem), problem.line)
+                window.pages.go_to_field(file, problem.place)
         else:
             window.open_file(file)
             self._show_screen(problem.place)
             window.go_to(file, problem.place)
-
-    def _text(self, file: str, problem: Problem) -> str:
-        """The text of ``situ.toml`` to which a problem's line belongs: what is wrong in it by
-        itself is told of the text as it is here, what a search finds of that on disk.
-        """
-        session = self._window.session
-        value, project = session.value(file), session.project
-        if project is not None and isinstance(value, Toml):
-            own = beside.problems(project, file, value)
-            if problem in own:
-                return value.text
-        try:
-            return session.disk.read(file).decode(errors="replace")
-        except UsageError:
-            return ""
 
     def _language(self, problem: Problem) -> str | None:
         """The language into which a text is to be translated; None for another problem."""

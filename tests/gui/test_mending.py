@@ -162,7 +162,7 @@ def test_a_problem_is_shown_where_it_can_be_seen(ward: Any) -> None:
     ward.click_row(rows, row_of(ward, second))
     assert window.tabs.chosen_file == "situ.toml"
     form = window.sides.current.documents.currentWidget()
-    field = form.sections["settings"].rows.field(1, 0)
+    field = form.sections["settings"].rows.field(1, 1)
     assert field.hasFocus()
     assert not field.visibleRegion().isEmpty()
     # An edit that is not saved has moved what stands below it.

@@ -303,17 +303,18 @@ def test_problems_of_the_file_stand_above_and_lead_here(used: Any) -> None:
     assert used.window.tabs.chosen_file == "situ.toml"
 
 
-def test_a_line_of_the_file_has_its_field(used: Any) -> None:
-    def at(line: str) -> QWidget | None:
-        return field_at(form(used), TOML, TOML.splitlines().index(line) + 1)
+def test_a_place_of_the_file_has_its_field(used: Any) -> None:
+    def at(*place: str) -> QWidget | None:
+        return field_at(form(used), place)
 
-    assert at("visits = 3") is rows(used, "tags").field(1, 0)
-    assert at('languages = ["en"]') is section(used, "languages")
-    name = next(line for line in TOML.splitlines() if line.startswith("name"))
-    assert at(name) is section(used, "project").fields["project", "name"]
-    assert at('colour = "blue" # nobody knows this') is section(used, "project")
-    used.window.pages.go_to_line("situ.toml", TOML, TOML.splitlines().index(name) + 1)
-    assert QApplication.focusWidget() is at(name)
+    assert at("tags", "visits") is rows(used, "tags").field(1, 0)
+    assert at("project", "languages") is section(used, "languages")
+    assert at("project", "languages", "0") is rows(used, "languages").field(0, 0)
+    assert at("project", "name") is section(used, "project").fields["project", "name"]
+    assert at("project", "colour") is section(used, "project")
+    assert at("colours") is None
+    used.window.pages.go_to_field("situ.toml", ("project", "name"))
+    assert QApplication.focusWidget() is at("project", "name")
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLay
 
 from situ.document import toml_writing as writing
 from situ.document.beside import Toml
+from situ_studio.edit import Place
 from situ_studio.icon_widgets import IconButton
 from situ_studio.language import tr
 from situ_studio.project_form.rows import Checked, Column, Rows
@@ -35,9 +36,9 @@ class Section(QFrame):
         column.setContentsMargins(16, 10, 12, 14)
         column.setSpacing(8)
         head = QHBoxLayout()
-        words = QLabel(title)
-        words.setProperty("role", "subject")
-        head.addWidget(words, 1)
+        self.title = QLabel(title)
+        self.title.setProperty("role", "subject")
+        head.addWidget(self.title, 1)
         self.plus = IconButton(theme, "plus", plus, "text2", 16)
         self.plus.setVisible(bool(plus))
         head.addWidget(self.plus)
@@ -118,6 +119,11 @@ class RowsSection(Section):
         self.body.addWidget(self.rows)
 
     movable = False
+
+    def row_of(self, place: Place) -> int | None:
+        """Which row shows what stands at a place of the file; None: no single one."""
+        at = place[2:3] if place[:1] != ("setting",) else place[1:2]
+        return int(at[0]) if at and at[0].isdecimal() else None
 
     def show_values(self, values: Sequence[Sequence[Any]]) -> None:
         self.rows.show_rows(values)

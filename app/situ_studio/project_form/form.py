@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document.beside import Toml
@@ -28,6 +28,7 @@ from situ_studio.project_form.sections import (
     SettingsSection,
     TagsSection,
 )
+from situ_studio.project_form.signs import Signs
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
 
@@ -41,6 +42,10 @@ class ProjectForm(QWidget):
     """The file, its value after the change, and the name of the step."""
     refused = Signal(str)
     language_asked = Signal()
+    mend_asked = Signal(object)
+    """One problem."""
+    mends_asked = Signal(object, QPoint)
+    """The problems of a field, and where on the screen a menu for them opens."""
     readings_changed = Signal(object, str)
     """As ``ReadingsSection.changed``."""
 
@@ -71,6 +76,7 @@ class ProjectForm(QWidget):
         self._column.setSpacing(12)
         self._column.addLayout(self._head(theme))
         self.told = Told(theme)
+        self.told.mend_asked.connect(self.mend_asked)
         self._column.addWidget(self.told)
         self.sections: dict[str, Section] = self._make(theme)
         for section in self.sections.values():
@@ -82,6 +88,7 @@ class ProjectForm(QWidget):
         self.readings.refused.connect(self.refused)
         self._column.insertWidget(self._column.indexOf(self.sections["robot"]), self.readings)
         self._column.addStretch(1)
+        self.signs = Signs(self)
         scroll.setWidget(inner)
         column.addWidget(scroll)
 
@@ -214,7 +221,9 @@ class ProjectForm(QWidget):
         for name, section in self.sections.items():
             section.setVisible(not local or name in ("robot", "tags", "places", "mqtt"))
             section.show_tables(tables)
-        self.told.show_problems(self._problems.get(self.file, ()))
+        problems = self._problems.get(self.file, ())
+        self.told.show_problems(problems)
+        self.signs.show_problems(problems)
 
     def begin(self) -> None:
         """Gives the first field the focus."""

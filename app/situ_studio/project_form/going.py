@@ -1,20 +1,18 @@
-"""From a line of ``situ.toml`` to the field of the form that shows it."""
+"""From a place in ``situ.toml`` to the field of the form that shows it."""
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QWidget
 
+from situ_studio.edit import Place
 from situ_studio.project_form.boxes import FieldsSection, RowsSection, Section
 
 if TYPE_CHECKING:
     from situ_studio.project_form.form import ProjectForm
 
-HEADER = re.compile(r"""\s*\[+\s*["']?([^\]"']+)["']?\s*\]""")
-KEY = re.compile(r"""\s*(?:"([^"]+)"|'([^']+)'|([\w-]+(?:\.[\w-]+)*))\s*=""")
 SECTIONS = {
     "robot": "robot",
     "tags": "tags",
@@ -25,16 +23,17 @@ SECTIONS = {
     "mqtt": "mqtt",
 }
 """By table, the section that shows it."""
-ROWS_BY_KEY = ("tags", "places")
-"""Tables of which each key is a row, in their order."""
+SETTING_COLUMNS = {"label": 0, "tag": 1, "type": 2, "choices": 3}
 
 
-def go_to_line(form: ProjectForm, text: str, line: int) -> None:
-    """Gives the field of what stands in a line of the shown file the focus, and shows it."""
-    found = field_at(form, text, line)
+def go_to_place(form: ProjectForm, place: Place) -> None:
+    """Gives the field of what stands at a place of the shown file the focus, and shows it."""
+    found = field_at(form, place)
     if found is not None:
         QTimer.singleShot(0, form, lambda: _show(form, found))
-        first = found.plus if isinstance(found, Section) and found.plus.isVisible() else found
+        first: QWidget = found
+        if isinstance(found, Section) and found.plus.isVisible():
+            first = found.plus
         first.setFocus(Qt.FocusReason.OtherFocusReason)
 
 
@@ -45,40 +44,17 @@ def _show(form: ProjectForm, field: QWidget) -> None:
     form.area.ensureWidgetVisible(field, 24, 24)
 
 
-def written_at(text: str, line: int) -> tuple[str, str, int]:
-    """What stands in a line, from 1: its table, its key, and which row of its table it is.
-
-    Of ``[[setting]]`` each table is a row, of others each key.
-    """
-    table = key = ""
-    headers: dict[str, int] = {}
-    row = -1
-    for one in text.split("\n")[: max(line, 0)]:
-        header, found = HEADER.match(one), KEY.match(one)
-        if found is not None:
-            key = next(part for part in found.groups() if part is not None)
-            row += table != "setting"
-        elif header is not None:
-            table, key, row = header[1].strip(), "", -1
-            headers[table] = headers.get(table, -1) + 1
-            if table == "setting":
-                row = headers[table]
-    return table, key, row
-
-
-def field_at(form: ProjectForm, text: str, line: int) -> QWidget | None:
-    """The field of what stands in a line; its section where it has none, None: no section."""
-    table, key, row = written_at(text, line)
-    if table == "project":
-        fields = form.sections["project"]
-        assert isinstance(fields, FieldsSection)
-        if key in ("applications", "languages"):
-            return form.sections[key]
-        return fields.fields.get((table, key), fields)
-    section = form.sections.get(SECTIONS.get(table, ""))
+def field_at(form: ProjectForm, place: Place) -> QWidget | None:
+    """The field of what stands at a place; its section where it has none, None: no section."""
+    table, key = place[0] if place else "", place[1] if len(place) > 1 else ""
+    listed = table == "project" and key in ("applications", "languages")
+    section = form.sections.get(key if listed else SECTIONS.get(table, table))
     if isinstance(section, FieldsSection):
         return section.fields.get((table, key), section)
-    by_row = table == "setting" or table in ROWS_BY_KEY
-    if isinstance(section, RowsSection) and by_row and 0 <= row < len(section.rows):
-        return section.rows.field(row, 0)
+    if isinstance(section, RowsSection):
+        row, column = section.row_of(place), 0
+        if table == "setting":
+            column = SETTING_COLUMNS.get(place[-1], 0)
+        if row is not None and row < len(section.rows):
+            return section.rows.field(row, column)
     return section

@@ -12,6 +12,7 @@ from situ.document import names
 from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 from situ.document.project import SETTING_TYPES
+from situ_studio.edit import Place
 from situ_studio.language import tr
 from situ_studio.panels.fields import Choice, Line, Number
 from situ_studio.project_form.boxes import (
@@ -186,6 +187,9 @@ class TableSection(RowsSection):
     def rename(self, toml: Toml, old: str, new: str) -> Toml:
         """The file with another name of a value."""
         return writing.rename(toml, self._table, old, new)
+
+    def row_of(self, place: Place) -> int | None:
+        return list(self.values).index(place[-1]) if place and place[-1] in self.values else None
 
     def show_tables(self, tables: Tables) -> None:
         self.values = dict(self.table(tables))

@@ -1,0 +1,146 @@
+"""What is wrong in ``situ.toml``: told at the field that shows it, and mended there at a click."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu, QPushButton
+
+Start = Callable[..., Any]
+TOML = """[project]
+name = "ward"   # as on the door
+applications = ["a.rbd.xml"]
+langages = ["en"]
+
+[[setting]]
+tag = "volume"
+[[setting]]
+tag = "pace"
+
+[privacy]
+private = ["User.**", "bp.**"]
+"""
+APPLICATION = """<application name="a">
+  <state no="1" final="true">
+    <backgroundactions><set tag="language">ja</set></backgroundactions>
+  </state>
+</application>
+"""
+
+
+@pytest.fixture
+def used(studio: Start, tmp_path: Path) -> Any:
+    (tmp_path / "situ.toml").write_text(TOML)
+    (tmp_path / "a.rbd.xml").write_text(APPLICATION)
+    made = studio(tmp_path)
+    made.window.open_file("situ.toml")
+    made.settle()
+    made.session.check_now()
+    made.settle()
+    return made
+
+
+def form(used: Any) -> Any:
+    return used.window.pages.page("situ.toml")
+
+
+def text(used: Any) -> str:
+    return str(used.session.value("situ.toml").text)
+
+
+def codes(used: Any) -> list[str]:
+    used.session.check_now()
+    used.settle()
+    return [one.code for one in used.session.problems]
+
+
+def entries(menu: QMenu) -> list[str]:
+    return [one.text() for one in menu.actions() if not one.isSeparator()]
+
+
+def choose(used: Any, menu: QMenu, words: str) -> None:
+    QTest.mouseClick(
+        menu,
+        Qt.MouseButton.LeftButton,
+        pos=menu.actionGeometry(next(a for a in menu.actions() if a.text() == words)).center(),
+    )
+    used.settle()
+
+
+def test_a_field_with_a_problem_has_a_sign_that_tells_and_mends_it(used: Any) -> None:
+    signs, settings = form(used).signs, form(used).sections["settings"].rows
+    sign = signs.at(settings.field(1, 0))
+    assert sign.toolTip() == 'The setting "pace" is lost at a restart: add it to [durable]'
+    assert sign.accessibleName() == f"Warning: {sign.toolTip()}"
+    field = settings.field(1, 0)
+    middle = sign.mapToGlobal(sign.rect().center()).y()
+    assert abs(middle - field.mapToGlobal(field.rect().center()).y()) <= 1
+    assert (
+        sign.mapToGlobal(sign.rect().topRight()).x()
+        <= settings.mapToGlobal(settings.rect().topLeft()).x()
+    )
+    # An unknown key has no field: the section of its table has the sign, an error's shape.
+    unknown = signs.at(form(used).sections["project"])
+    assert unknown.accessibleName().startswith("Error: ")
+    assert unknown.icon().cacheKey() != sign.icon().cacheKey()
+    # By keys: the sign comes before its row; its menu has the mend chosen already.
+    field.setFocus()
+    form(used).area.ensureWidgetVisible(field)
+    used.settle()
+    used.key(Qt.Key.Key_Backtab)
+    assert QApplication.focusWidget() is sign
+    used.key(Qt.Key.Key_Space)
+    menu = used.window.mending.shown
+    assert entries(menu) == [
+        'Keep "pace" when the robot restarts',
+        "Mend all 2 of this kind",
+        "Show where it is",
+    ]
+    before = text(used)
+    QTest.keyClick(menu, Qt.Key.Key_Return)
+    used.settle()
+    assert text(used).endswith('[durable]\ntags = ["pace"]\n')
+    assert used.session.undo_text == 'Keep "pace" when the robot restarts'
+    codes(used)
+    assert signs.at(field) is None
+    assert signs.at(settings.field(0, 0)) is not None
+    used.window.actions_.actions["undo"].trigger()
+    used.settle()
+    assert text(used) == before
+    codes(used)
+    assert signs.at(field) is not None
+
+
+def test_all_of_a_kind_in_situ_toml_are_mended_as_one_step(used: Any) -> None:
+    before = text(used)
+    rows = form(used).sections["settings"].rows
+    sign = form(used).signs.at(rows.field(0, 0))
+    form(used).area.ensureWidgetVisible(sign)
+    used.settle()
+    used.click(sign)
+    choose(used, used.window.mending.shown, "Mend all 2 of this kind")
+    assert "setting-not-durable" not in codes(used)
+    assert used.session.undo_text == "Mend 2 problems of one kind"
+    used.window.actions_.actions["undo"].trigger()
+    assert text(used) == before
+
+
+def test_what_is_told_above_the_form_has_its_mend_there(used: Any) -> None:
+    buttons = {one.text(): one for one in form(used).told.findChildren(QPushButton)}
+    assert {'Rename it to "languages"', 'Write "user.**"'} <= buttons.keys()
+    used.click(buttons['Rename it to "languages"'])
+    assert 'name = "ward"   # as on the door\n' in text(used)
+    assert used.session.project.languages == ("en",)
+    assert "unknown-key" not in codes(used)
+    # That the robot is told to speak another language is mended from the application's side.
+    (problem,) = [p for p in used.session.problems if p.code == "language-without-texts"]
+    used.window.mending.mend(problem)
+    assert used.session.project.languages == ("en", "ja")
+    assert used.session.undo_text == "Add ja to the languages"
+    used.window.mending.mend(problem)
+    assert used.session.project.languages == ("en", "ja")
