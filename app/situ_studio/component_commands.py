@@ -53,6 +53,14 @@ class ComponentCommands(QObject):
                 return sheet
         return None
 
+    def offer_tags(self, tags: tuple[str, ...]) -> None:
+        """Tells every screen that is seen, in both groups of tabs, the tags of the project."""
+        for group in self._window.sides.groups:
+            view = group.current_view
+            for piece in map(view.piece, SHEETS) if view is not None else ():
+                if piece is not None and piece.isVisible():
+                    piece.offer_tags(tags)
+
     def _of(self, chosen: tuple[Place, ...]) -> tuple[Place, rbd.Screen, tuple[str, ...]] | None:
         """The place and the value of the screen of the first component, and the ids on it."""
         document = self._window.current_document

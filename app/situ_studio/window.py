@@ -640,9 +640,7 @@ class MainWindow(Frame):
             tuple(self._problems_of(view.file)),
             project,
         )
-        sheet = self.commands.components.sheet
-        if sheet is not None:
-            sheet.offer_tags(self._lexicon.vocabulary(project, document).tags)
+        self.commands.components.offer_tags(self._lexicon.vocabulary(project, document).tags)
         self.inspector.usages.setVisible(self.commands.can_find_usages())
         self.outline.select(view.selected)
         self.status.show_selection(view.selected)

@@ -93,6 +93,10 @@ class ScreenBeside(QScrollArea):
             said.setWordWrap(True)
             self._speech.addWidget(said)
 
+    def offer_tags(self, tags: tuple[str, ...]) -> None:
+        """What ``{`` completes in a text that is edited in place."""
+        self.sheet.offer_tags(tags)
+
     @property
     def texts(self) -> list[str]:
         """What is said there, a line a speech."""

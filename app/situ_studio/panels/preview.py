@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import is_not
 from pathlib import Path
 
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
@@ -9,8 +10,8 @@ from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from situ.document import rbd
-from situ_studio.screens.painting import DEVICE, layer, paint_screen
-from situ_studio.screens.shown import Values
+from situ_studio.screens.painting import DEVICE, layer, paint_content
+from situ_studio.screens.shown import Content, Values, content
 from situ_studio.theme import Theme
 
 
@@ -26,6 +27,7 @@ class ScreenPreview(QWidget):
         self._above: tuple[rbd.Component, ...] = ()
         self._media: Path | None = None
         self._values: Values | None = None
+        self._made: tuple[tuple[object, ...], Content] | None = None
         self._device = DEVICE
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -78,15 +80,17 @@ class ScreenPreview(QWidget):
 
     def paint_screen(self, painter: QPainter, rect: QRectF, screen: rbd.Screen) -> None:
         """Paints a screen as this one is shown."""
-        paint_screen(
-            painter,
-            rect,
-            screen,
-            self._above,
-            self._media,
-            device=self._device,
-            values=self._values,
-        )
+        paint_content(painter, rect, self.content_of(screen), self._media, self._device)
+
+    def content_of(self, screen: rbd.Screen) -> Content:
+        """What a screen shows beside what Always adds, with the values that are shown.
+
+        Made once while all of them are the very same: most frames show what the one before did.
+        """
+        of = (screen, self._above, self._values)
+        if self._made is None or any(map(is_not, self._made[0], of)):
+            self._made = of, content(screen, self._above, self._values)
+        return self._made[1]
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

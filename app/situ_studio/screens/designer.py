@@ -16,6 +16,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QImageWriter, QKeyEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from situ.document import rbd
+from situ.document.names import is_reserved, is_tag
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.errors import UsageError
@@ -144,7 +145,7 @@ class Designer(QWidget):
 
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""
-        self.shown.select(selected)
+        self.shown.go(selected)
         self._settle(selected)
 
     def select_all(self) -> None:
@@ -168,9 +169,6 @@ class Designer(QWidget):
         if selected[:1] == ((*place, "screen"),):
             chosen = (BACKGROUND,)
         self.side.layers.show_screen(self.shown.screen, chosen, self.shown.problems)
-        tags = self.sampling.tags()
-        self.side.tags.show_tags(tags)
-        self.sheet.offer_tags(tags)
         self._show_values()
 
     def _show_values(self) -> None:
@@ -288,6 +286,12 @@ class Designer(QWidget):
         self.sheet.choose((id,))
 
     # -- tags ----------------------------------------------------------------------------
+
+    def offer_tags(self, tags: tuple[str, ...]) -> None:
+        """The tags of the project: what ``{`` completes, and as chips those that are its own."""
+        self.sheet.offer_tags(tags)
+        own = (tag for tag in tags if is_tag(tag) and not is_reserved(tag))
+        self.side.tags.show_tags(tuple(own))
 
     def write_tag(self, tag: str) -> None:
         """Puts a reference at the end of the selected text, or makes a text of it."""

@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject, Signal
 
 from situ.decide.values import in_text
 from situ.document import rbd
-from situ.document.names import is_reserved, is_tag
 from situ.document.project import Project
 from situ_studio.screens import samples
 from situ_studio.screens.designer_bar import DesignerBar
@@ -17,7 +16,6 @@ from situ_studio.screens.sample_popup import SamplePopup
 from situ_studio.screens.samples import LANGUAGE
 from situ_studio.screens.shown import Texts, Values
 from situ_studio.theme import Theme
-from situ_studio.vocabulary import tags
 
 
 class Sampling(QObject):
@@ -44,9 +42,6 @@ class Sampling(QObject):
         self._columns: dict[str, tuple[str, ...]] = {}
         self._known: dict[str, tuple[Any, ...]] = {}
         self._of: tuple[Any, ...] | None = None
-        self._tags: tuple[Project | None, tuple[str, ...]] = (None, ())
-        self._read: dict[int, tuple[Any, frozenset[str]]] = {}
-        """The states that were read, kept so that no other has their id, and the tags of each."""
         bar.samples_asked.connect(self.open)
 
     def set_theme(self, theme: Theme) -> None:
@@ -69,25 +64,6 @@ class Sampling(QObject):
     def _texts(self) -> Texts:
         project = self._project()
         return project.texts if project is not None else {}
-
-    def tags(self) -> tuple[str, ...]:
-        """The tags of the project: those it names at the start and those its states mention."""
-        project = self._project()
-        if project is None:
-            return ()
-        if self._tags[0] is not project:
-            found = set(project.tags)
-            read: dict[int, tuple[Any, frozenset[str]]] = {}
-            for application in project.flows.values():
-                every = (*application.states, application.always)
-                for part in every:
-                    if part is not None:
-                        read[id(part)] = self._read.get(id(part)) or (part, tags(part))
-                        found |= read[id(part)][1]
-            self._read = read
-            shown = sorted(tag for tag in found if is_tag(tag) and not is_reserved(tag))
-            self._tags = (project, tuple(shown))
-        return self._tags[1]
 
     def open(self) -> None:
         """Shows the values of the screen's names, to be picked or typed."""

@@ -37,7 +37,7 @@ from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import Box
 from situ_studio.screens.problem_marks import ProblemMarks, Told
 from situ_studio.screens.resting import Resting
-from situ_studio.screens.shown import Values, content
+from situ_studio.screens.shown import Values
 from situ_studio.screens.writing import Writing
 from situ_studio.theme import LIGHT, Theme
 
@@ -351,10 +351,9 @@ class Sheet(ScreenPreview):
             super().paint_screen(painter, rect, screen)
             return
         if self._resting is None:
-            shown = content(before, self._above, self._values)
-            count = len(before.components)
+            shown, count = self.content_of(before), len(before.components)
             self._resting = Resting(shown, count, proposal.boxes, self._media, self._device)
-        self._resting.paint(painter, rect, content(screen, self._above, self._values))
+        self._resting.paint(painter, rect, self.content_of(screen))
 
     def paint_marks(self) -> None:
         """Paints what stands on the screen that is seen, with what is proposed."""

@@ -100,6 +100,11 @@ class StateScreen(QObject):
 
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""
+        self.go(selected)
+        self.show()
+
+    def go(self, selected: tuple[Place, ...]) -> None:
+        """The next ``show`` shows the screen of the first of these that has one."""
         application = self.application
         if application is None:
             return
@@ -113,7 +118,6 @@ class StateScreen(QObject):
         within = (*self.place, "screen")
         self.sheet.select(tuple(p[-1] for p in selected if p[:-1] == within))
         self.sheet.show_problems(self.problems)
-        self.show()
 
     def show(self) -> None:
         """Shows it anew: with another theme, or other values."""

@@ -326,6 +326,46 @@ def test_a_double_click_on_the_small_picture_of_a_card_opens_its_screen(
     assert designer.sheet.selected == ("continue",)
 
 
+def test_what_a_text_can_name_is_the_same_in_chips_on_the_sheet_and_in_the_form(
+    studio: Start, tmp_path: Path
+) -> None:
+    """All that the project knows: what its script observes too."""
+    (tmp_path / "situ.toml").write_text(
+        '[project]\nname = "w"\napplications = ["w.rbd.xml"]\nspds = "w.spds.xml"\n'
+        '[tags]\n"ward" = "3"\n',
+        encoding="utf-8",
+    )
+    (tmp_path / "w.rbd.xml").write_text(
+        '<application name="w"><state no="1" start="true"><screen><components>'
+        '<text id="t" x="10" y="10" width="80" height="20">Hi</text>'
+        "</components></screen></state></application>",
+        encoding="utf-8",
+    )
+    (tmp_path / "w.spds.xml").write_text(
+        '<spds name="w"><observe><data tag="heat" type="number"/></observe>'
+        '<situation name="hot"><condition><data tag="robot/speech" exists="true"/></condition>'
+        '</situation><situation name="else"/></spds>',
+        encoding="utf-8",
+    )
+    desk = Desk(studio(tmp_path))
+    desk.go_to("1")
+    assert [desk.side.tags.chip(tag).text() for tag in ("heat", "ward")] == ["heat", "ward"]
+    desk.used.select("state", "1", "screen", "t")
+    in_form = desk.window.inspector.form.field("text")
+    in_form.setFocus()
+    desk.used.type("{")
+    every = ["heat", "robot/speech", "ward"]
+    assert in_form.tags.offered == every
+    desk.used.key(Qt.Key.Key_Escape)
+    desk.used.key(Qt.Key.Key_Escape)
+    desk.sheet.setFocus()
+    desk.used.key(Qt.Key.Key_F2)
+    desk.used.type("{")
+    assert desk.sheet.writing.field.tags.offered == every
+    desk.used.key(Qt.Key.Key_Escape)
+    desk.used.key(Qt.Key.Key_Escape)
+
+
 def test_a_template_that_is_kept_is_offered_beside_every_open_document(desk: Desk) -> None:
     window = desk.window
     window.open_file("register.rbd.xml")

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QLineEdit, QWidget
 
 from situ.document import folder
 from situ_studio import places
+from situ_studio.panels import preview
 from situ_studio.screens.designer import Designer
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.own_device import OwnDevice
@@ -398,12 +399,37 @@ def test_what_lies_on_the_screen_is_selected_and_dragged_into_another_order(desk
 def test_a_tag_is_put_into_a_text_by_a_press_or_a_drop(desk: Desk) -> None:
     desk.go_to("2")
     desk.click(desk.sheet, desk.at(20, 25))
+    desk.designer.offer_tags(("robot/speech", "user.name"))
+    desk.settle()
+    with pytest.raises(LookupError):
+        desk.designer.side.tags.chip("robot/speech")
     desk.click(desk.designer.side.tags.chip("user.name"))
     assert desk.components("2")[0].text == "Hello! {user.name}"
     assert desk.drop(dragged("user.name"), 20, 50)
     assert desk.components("2")[1].text.endswith("today? {user.name}")
     assert desk.drop(dragged("spo2.value"), 80, 90)
     assert desk.components("2")[-1].text == "{spo2.value}"
+
+
+def test_an_edit_shows_the_screen_once_and_frames_ask_for_it_no_more(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    desk.go_to("2")
+    shown: list[Any] = []
+    made: list[Any] = []
+    show, content = desk.sheet.show_screen, preview.content
+    monkeypatch.setattr(desk.sheet, "show_screen", lambda *a: (shown.append(a[1]), show(*a)))
+    monkeypatch.setattr(preview, "content", lambda *a: (made.append(a[0]), content(*a))[1])
+    desk.designer.write_tag("user.name")
+    desk.sheet.repaint()
+    desk.sheet.repaint()
+    screen = desk.document.state("2").screen
+    assert shown == [screen]
+    assert made == [screen]
+    # Without what Always adds it is another picture.
+    desk.sheet.show_always(False)
+    desk.sheet.repaint()
+    assert made == [screen, screen]
 
 
 def test_the_screen_lies_in_its_frame_however_large_the_window_is(desk: Desk) -> None:
