@@ -119,6 +119,10 @@ class ComponentCommands(QObject):
         view, document = self._window.current_view, self._window.current_document
         mime = QGuiApplication.clipboard().mimeData()
         components = copies.read(bytes(mime.data(MIME).data()))
+        if not components:
+            said = self.tr("The components on the clipboard can not be read: copy them again.")
+            self._window.say(said)
+            return
         root = places.root(view.selected[0]) if view is not None and view.selected else ()
         part = places.get(document, root) if document is not None and root else None
         if not isinstance(part, rbd.State | rbd.Always):

@@ -6,11 +6,12 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QMimeData, QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from situ.document.codec import write
+from situ_studio.component_commands import MIME
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -120,6 +121,23 @@ def test_without_a_state_nothing_is_pasted_and_it_is_said_why(table: Table) -> N
     assert table.document is before
     said = table.used.window.status.said.text()
     assert said == "Select a state first, then paste the components."
+
+
+def test_components_that_can_not_be_read_are_not_pasted_and_it_is_said(table: Table) -> None:
+    table.click("measure")
+    table.used.key(Qt.Key.Key_C, CONTROL)
+    copied = QGuiApplication.clipboard().mimeData().data(MIME).data()
+    before = table.document
+    for damaged in (b"", copied[: len(copied) // 2], b"<application name='c'/>"):
+        data = QMimeData()
+        data.setData(MIME, damaged)
+        QGuiApplication.clipboard().setMimeData(data)
+        table.used.window.say("")
+        table.used.key(Qt.Key.Key_V, CONTROL)
+        said = "The components on the clipboard can not be read: copy them again."
+        assert table.used.window.status.said.text() == said
+    assert table.document is before
+    assert table.used.session.undo_text is None
 
 
 def test_a_component_and_the_ground_have_context_menus_of_their_own(table: Table) -> None:
