@@ -94,11 +94,15 @@ class Commands(FileCommands):
         on_application = self.has_selection() and self.is_application()
         return on_application or self.has_parts_of_script()
 
+    def can_follow(self) -> bool:
+        """Whether pipes of the graph can be followed from what is selected."""
+        return self.has_cards() or (self.on_script() and self.has_selection())
+
     def can_order(self) -> bool:
         return bool(self.components.chosen)
 
     def can_paste(self) -> bool:
-        return self.is_application() or self.on_script() or self.cells is not None
+        return self.is_application() or self.on_parts_of_script() or self.cells is not None
 
     def has_cells(self) -> bool:
         return self.cells is not None

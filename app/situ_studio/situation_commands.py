@@ -22,6 +22,12 @@ class SituationCommands(StateCommands):
     def on_script(self) -> bool:
         return self.on_graph() and isinstance(self._window.current_document, Spds)
 
+    def on_parts_of_script(self) -> bool:
+        """Whether a script is shown by its parts: as its graph or its outline."""
+        view = self._window.current_view
+        shown = view is not None and view.mode in ("graph", "outline")
+        return shown and isinstance(self._window.current_document, Spds)
+
     def _is_about(self, kind: str) -> bool:
         """Whether all that is selected on the graph of a script is, or is in, things of a kind."""
         view = self._window.current_view
@@ -38,9 +44,11 @@ class SituationCommands(StateCommands):
         return self._is_about("data")
 
     def has_parts_of_script(self) -> bool:
-        """Whether something that can be copied is selected on the graph of a script."""
+        """Whether something that can be copied is selected on a script's graph or outline."""
         view = self._window.current_view
-        return view is not None and self.on_script() and script_copies.can_be_copied(view.selected)
+        if view is None or not self.on_parts_of_script():
+            return False
+        return script_copies.can_be_copied(view.selected)
 
     def has_tests(self) -> bool:
         """Whether tests, groups of them or a condition are selected."""

@@ -149,7 +149,7 @@ def _graph(setting: Setting) -> Any:
 def _outline(setting: Setting) -> Any:
     from situ_studio.panels.twin import Twin
 
-    return Twin(setting.theme, setting.parent)
+    return Twin(setting.theme, setting.parent, setting.project)
 
 
 def _screen(setting: Setting) -> Any:

@@ -13,6 +13,7 @@ from PySide6.QtGui import QAction, QContextMenuEvent, QKeySequence, QShortcut
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
+from situ.document.condition import Test as Question
 from situ_studio.actions import COMMANDS, MENUS, command
 from situ_studio.commands import Commands
 from situ_studio.menus import told
@@ -294,6 +295,40 @@ def test_followers_and_what_leads_here_are_added_to_the_selection(
     used.select("state", "2")
     used.key(Qt.Key.Key_Left, CONTROL | SHIFT)
     assert ("state", "1") in view.selected
+
+
+def test_what_follows_in_a_script_is_what_its_pipes_lead_to(studio: Start, project: Copy) -> None:
+    """From data to the conditions that look at them, and on to the resources; and back."""
+    used = studio(project("conversation"))
+    used.window.open_file("conversation.spds.xml")
+    used.settle()
+    view, script = used.window.current_view, used.window.current_document
+    situation = next(s for s in script.situations if s.condition is not None and s.entries)
+    first = next(c for c in situation.condition.children if isinstance(c, Question))
+    uses = {m.name: m.resources for m in used.session.project.spds.modules}
+    used.select("data", first.tag)
+    for _ in range(2):
+        used.key(Qt.Key.Key_Right, CONTROL | SHIFT)
+    place = ("situation", situation.name)
+    assert {("data", first.tag), (*place, "condition"), place} <= set(view.selected)
+    used.select(*place)
+    used.key(Qt.Key.Key_Right, CONTROL | SHIFT)
+    asked = {("module", e.module) for e in situation.entries}
+    assert set(view.selected) == {place, *asked}
+    used.key(Qt.Key.Key_Right, CONTROL | SHIFT)
+    resources = {("resource", r) for _, name in asked for r in uses[name]}
+    assert set(view.selected) == {place, *asked, *resources}
+    used.key(Qt.Key.Key_Right, CONTROL | SHIFT)
+    assert used.window.status.said.text() == "All of them are selected already"
+    used.select(*place)
+    used.key(Qt.Key.Key_Left, CONTROL | SHIFT)
+    assert {place, (*place, "condition")} <= set(view.selected)
+    used.key(Qt.Key.Key_Left, CONTROL | SHIFT)
+    assert ("data", first.tag) in view.selected
+    # From a priority to the module that has it.
+    used.select(*place, "entry", "0")
+    used.key(Qt.Key.Key_Right, CONTROL | SHIFT)
+    assert ("module", situation.entries[0].module) in view.selected
 
 
 def test_a_state_is_marked_as_the_start(studio: Start, project: Copy) -> None:

@@ -20,7 +20,7 @@ from situ_studio.canvas.ground import ZOOM_LEAST
 from situ_studio.canvas.headings import Headings
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
-from situ_studio.canvas.script_copying import ScriptCopying
+from situ_studio.canvas.script_commands import ScriptCommands
 from situ_studio.canvas.script_faces import STRIP, ScriptNode, ScriptPicture
 from situ_studio.canvas.script_laws import Laws
 from situ_studio.canvas.script_nodes import ScriptItem
@@ -29,10 +29,11 @@ from situ_studio.canvas.script_projection import picture
 from situ_studio.canvas.script_rows import Shapes
 from situ_studio.edit import Place
 from situ_studio.kinds import Kind
+from situ_studio.script_copying import ScriptCopying
 from situ_studio.theme import Theme
 
 
-class ScriptCanvas(ScriptCopying):
+class ScriptCanvas(ScriptCommands):
     """Shows a script; gestures become ``edited``. Positions are the canvas's, never the file's.
 
     project: the project as it is at the time of the call.
@@ -50,6 +51,10 @@ class ScriptCanvas(ScriptCopying):
         self._picture = ScriptPicture({}, {}, {})
         self._shapes = Shapes()
         self._laws = Laws()
+        self.origin = ""
+        self._copying = ScriptCopying(self, lambda: self.document, self._laws)
+        self.copy, self.cut = self._copying.copy, self._copying.cut
+        self.paste, self.duplicate = self._copying.paste, self._copying.duplicate
         self.priorities = Priorities(self, self._prioritise, self.status.emit)
         self.menu = self.test_editor = self.field_editor = None
         self._drop: tuple[Any, Any, QPointF] | None = None
@@ -241,6 +246,10 @@ class ScriptCanvas(ScriptCopying):
             if pipe is not None:
                 pipe.update()
         self.minimap.redraw()
+
+    def choose_copies(self, made: tuple[Place, ...]) -> None:
+        self.select(made)
+        self.bring_into_view(list(made[:1]))
 
     # -- gestures become edits -------------------------------------------------------------
 

@@ -119,6 +119,32 @@ class ScriptChoosing(Canvas):
         every = zip(self._picture.links.values(), ends, strict=True)
         return [link.place for link, end in every if end == node.uid and link.place]
 
+    def select_followers(self) -> None:
+        """Adds the nodes to which pipes lead from what is selected."""
+        chosen, picture = self._chosen_ends(), self._picture
+        every = [k for k in picture.links.values() if k.source in chosen or k.id in chosen]
+        self._add({link.target for link in every})
+
+    def select_leading(self) -> None:
+        """Adds the nodes from which pipes lead to what is selected."""
+        chosen, picture = self._chosen_ends(), self._picture
+        every = [k for k in picture.links.values() if k.target in chosen or k.id in chosen]
+        self._add({link.source for link in every})
+
+    def _chosen_ends(self) -> set[Any]:
+        """The keys of the selected nodes, else the ids of the selected pipes."""
+        pipes = {p.link.id for p in self.viewer.selected_pipes() if p.link is not None}
+        return set(self.selected_uids()) or pipes
+
+    def _add(self, keys: set[str]) -> None:
+        """Selects these nodes too, in the order of reading."""
+        more = [card.place for key, card in self._picture.cards.items() if key in keys]
+        if set(more) <= set(self.selection()):
+            self.status.emit(self.tr("All of them are selected already"))
+            return
+        self.select(dict.fromkeys((*self.selection(), *more)))
+        self.bring_into_view(self.selection())
+
     def next_exit(self) -> None:
         """From pipe to pipe of the selected node, and from line to line of a condition."""
         self._step_exit(1)

@@ -6,7 +6,7 @@ signals and what of its methods makes sense without a picture.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from PySide6.QtCore import QPoint, QSize, Qt, Signal
@@ -15,13 +15,17 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QVBo
 
 from situ.document import rbd
 from situ.document.problem import Problem
+from situ.document.project import Project
+from situ.document.spds import Spds
 from situ_studio import changes, kinds, places, words
+from situ_studio.canvas.script_laws import Laws
 from situ_studio.copying import Copying
 from situ_studio.edit import Document, Place
 from situ_studio.letters import px
 from situ_studio.panels.twin_model import TwinModel, read
 from situ_studio.panels.twin_rows import Node
 from situ_studio.panels.twin_tree import TwinDelegate, TwinTree
+from situ_studio.script_copying import ScriptCopying
 from situ_studio.theme import Theme
 
 
@@ -35,9 +39,16 @@ class Twin(QWidget, Copying):
     menu_requested = Signal(tuple, QPoint)
     """A right click or the menu key: the current row's place, where on the screen."""
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        theme: Theme,
+        parent: QWidget | None = None,
+        project: Callable[[], Project | None] = lambda: None,
+    ) -> None:
         super().__init__(parent)
         self.setProperty("role", "panel")
+        self.project = project
+        self._of_script = ScriptCopying(self, self._script, Laws())
         self._document: Document | None = None
         self._selected: tuple[Place, ...] = ()
         column = QVBoxLayout(self)
@@ -151,6 +162,30 @@ class Twin(QWidget, Copying):
 
     def paste_corner(self) -> None:
         return None
+
+    def copy(self) -> None:
+        self._of_script.copy() if self._is_script else super().copy()
+
+    def cut(self) -> None:
+        self._of_script.cut() if self._is_script else super().cut()
+
+    def paste(self) -> None:
+        self._of_script.paste() if self._is_script else super().paste()
+
+    def duplicate(self) -> None:
+        self._of_script.duplicate() if self._is_script else super().duplicate()
+
+    def choose_copies(self, made: tuple[Place, ...]) -> None:
+        self.select(made)
+        self.selection_changed.emit(made)
+
+    @property
+    def _is_script(self) -> bool:
+        return isinstance(self._document, Spds)
+
+    def _script(self) -> Spds:
+        assert isinstance(self._document, Spds)
+        return self._document
 
     def delete_selection(self) -> None:
         """Removes what is selected, and what leads to it."""

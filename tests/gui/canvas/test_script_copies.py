@@ -219,3 +219,23 @@ def test_keys_and_menus_copy_in_the_window(
     assert {"Cut", "Copy", "Duplicate", "Show the selection"} <= offered
     used.select("situation", "sound", "condition")
     assert not window.commands.can_copy()
+    # The outline has the same parts and the same keys.
+    window.show_mode("outline")
+    window.current_view.twin.tree.setFocus()
+    used.select("situation", "called2")
+    used.key(Qt.Key.Key_C, CONTROL)
+    assert window.status.said.text() == "Copied: situation called2"
+    used.key(Qt.Key.Key_V, CONTROL)
+    assert names(window.current_document)[4:6] == ["called2", "called3"]
+    assert window.current_view.selected == (("situation", "called3"),)
+    used.key(Qt.Key.Key_X, CONTROL)
+    used.key(Qt.Key.Key_Z, CONTROL)
+    used.key(Qt.Key.Key_D, CONTROL)
+    assert names(window.current_document)[5:7] == ["called3", "called4"]
+    # The last of all always holds, there too.
+    last = names(window.current_document)[-1]
+    before = window.current_document
+    used.select("situation", last)
+    used.key(Qt.Key.Key_X, CONTROL)
+    assert window.current_document is before
+    assert window.status.said.text()
