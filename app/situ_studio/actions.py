@@ -1239,7 +1239,7 @@ COMMANDS: tuple[Command, ...] = (
         toolbar="right",
         when="can_ask_why",
         tip="What led to it, from the input that began it, with the values then.",
-        contexts="ground state always exit thing component",
+        contexts="ground state always exit thing component screen cells",
     ),
     _c(
         "why_not",
@@ -1250,7 +1250,7 @@ COMMANDS: tuple[Command, ...] = (
         menu="Robot",
         when="can_ask_why",
         tip="What kept it from happening at this moment: a guard, a priority, a suspension.",
-        contexts="state exit thing",
+        contexts="state always exit thing component screen cells",
     ),
     _c("help", "Help", "show_help", icon="help", shortcut="F1", menu="Help"),
     _c(

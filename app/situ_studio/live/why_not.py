@@ -24,18 +24,18 @@ from situ_studio.edit import Document, Place
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import Moment, TraceFields
 
+Wanted = dict[str, Any]
+"""The fields of an event that did not come, as ``situ.rehearse.why`` takes them."""
 MOST = 20_000
 """Events that are looked through, about two seconds of another process."""
 
 
 class Question(Struct, frozen=True):
-    """wanted: the event that did not come, as ``situ.rehearse.why`` takes it. events: up to ``at``
-    seconds.
-    """
+    """events: up to ``at`` seconds."""
 
     project: Project
     events: tuple[TraceFields, ...]
-    wanted: dict[str, Any]
+    wanted: Wanted
     at: float
 
 
@@ -97,14 +97,14 @@ def _event(kind: str, t: float, **fields: Any) -> TraceFields:
 
 def wanted_at(
     project: Project, file: str, document: Document, place: Place, moment: Moment
-) -> dict[str, Any] | None:
+) -> Wanted | None:
     """The event that a selected place stands for; None where it stands for none.
 
     Of a module that is the first of its resources that it does not hold; where it holds all, that
     it moves one. Of a resource, that its holder moves it.
     """
     if file in project.applications or file in project.parts:
-        return _in_application(project, file, document, place)
+        return _in_application(project, file, document, place, moment)
     if document is not project.spds:
         return None
     match place:
@@ -124,14 +124,14 @@ def wanted_at(
     return None
 
 
-def _of_module(project: Project, module: str, moment: Moment) -> dict[str, Any] | None:
+def _of_module(project: Project, module: str, moment: Moment) -> Wanted | None:
     resources = project.resources(module) or moment.asking.get(module, ())
     lacking = [r for r in resources if moment.holders.get(r, (None, 0.0))[0] != module]
     every = lacking or list(resources)
     return _of_resource(module, every[0], moment) if every else None
 
 
-def _of_resource(module: str, resource: str, moment: Moment) -> dict[str, Any]:
+def _of_resource(module: str, resource: str, moment: Moment) -> Wanted:
     """That it holds the resource; where it does, that it moves it."""
     if moment.holders.get(resource, (None, 0.0))[0] == module:
         return {"kind": "mapping", "module": module, "resource": resource}
@@ -139,11 +139,15 @@ def _of_resource(module: str, resource: str, moment: Moment) -> dict[str, Any]:
 
 
 def _in_application(
-    project: Project, file: str, document: Document, place: Place
-) -> dict[str, Any] | None:
-    if place[:1] != ("state",):
+    project: Project, file: str, document: Document, place: Place, moment: Moment
+) -> Wanted | None:
+    if place[:1] == ("state",) and len(place) > 1:
+        found = next(_numbers(project, file, place[1]), None)
+    elif place[:1] == ("always",):
+        # It is part of every state: what is meant is the one in which the robot is.
+        found = next(_now_in(project, file, moment), None)
+    else:
         return None
-    found = next(_numbers(project, file, place[1]), None)
     if found is None:
         return None
     application, no = found
@@ -151,19 +155,34 @@ def _in_application(
     if isinstance(inner, Action) and place[2:3] == ("action",):
         wanted = {"kind": "action", "application": application, "state": no}
         return {**wanted, "action": inner.element}
-    for way in ways(project, application, no):
-        if (way.file, way.place) == (file, place):
-            return _of_way(application, no, way)
+    raises = getattr(inner, "event", None) if places.is_component(place) else None
+    every = ways(project, application, no)
+    for way in every:
+        mine = way.file == file and place[: len(way.place)] == way.place
+        if mine or (raises and way.event is not None and way.event.name == raises):
+            return way_wanted(application, no, way)
+    if place[:1] == ("always",):
+        return None
     return {"kind": "enter", "application": application, "state": no}
 
 
-def _of_way(application: str, no: str, way: Way) -> dict[str, Any]:
+def way_wanted(application: str, no: str, way: Way) -> Wanted:
+    """The event that a way out of the state ``no`` stands for."""
     name = way.event.name if way.event is not None else None
     if way.to in (None, AGAIN, BACK) and name:
         return {"kind": "event", "application": application, "name": name}
     to = no if way.to in (None, AGAIN, BACK) else way.to
     wanted = {"kind": "transition", "application": application, "from": no, "to": to}
     return {**wanted, "event": name}
+
+
+def _now_in(project: Project, file: str, moment: Moment) -> Iterator[tuple[str, str]]:
+    """(application, full number) of the states in which something of a file runs now."""
+    for name, one in moment.applications.items():
+        if one.state is not None and any(
+            frame.file == file for frame in frames(project, name, one.state)
+        ):
+            yield name, one.state
 
 
 def _numbers(project: Project, file: str, no: str) -> Iterator[tuple[str, str]]:

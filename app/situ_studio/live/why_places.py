@@ -12,6 +12,7 @@ from situ.document.condition import Condition, Group, Test
 from situ.document.project import Project
 from situ.document.rbd import Event
 from situ.rehearse.ways import Way, file_of, frames, ways
+from situ_studio import places
 from situ_studio.edit import Document, Place
 from situ_studio.live.moment import Moment, TraceFields
 from situ_studio.live.why import Thing
@@ -52,6 +53,9 @@ def _in_application(file: str, document: Any, place: Place) -> Thing | None:
         events = value.events if value is not None else ()
         if own[1].isdigit() and int(own[1]) < len(events):
             return Thing("transition", events[int(own[1])].name or "", file, holder[0])
+    event = getattr(places.get(document, place), "event", None) if len(place) > 2 else None
+    if places.is_component(place) and event:
+        return Thing("transition", event, file, holder[0])
     if place[:1] == ("state",):
         return Thing("state", holder[0], file)
     return Thing("application", document.name)
@@ -106,7 +110,12 @@ def tags_of(project: Project, event: TraceFields) -> tuple[str, ...]:
         way = way_of(project, event)
         says = way.says if way is not None else None
         found = says.when if isinstance(says, Event) else None
-    return tuple(dict.fromkeys(_tags(found)))
+    return tags_in(found)
+
+
+def tags_in(condition: Condition | None) -> tuple[str, ...]:
+    """Those that a condition looks at, each once."""
+    return tuple(dict.fromkeys(_tags(condition)))
 
 
 def _tags(condition: Condition | None) -> Iterator[str]:

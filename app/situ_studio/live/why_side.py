@@ -7,36 +7,31 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator
-from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QPoint, Qt, QTimer
-from PySide6.QtWidgets import QMenu
+from PySide6.QtCore import QObject, QTimer
 
 from situ.decide.values import in_text
 from situ.document.project import Project
 from situ.rehearse.reason import Answer, Reason
 from situ.rehearse.telling import Teller
-from situ_studio import icons
+from situ_studio import places
 from situ_studio.edit import Place
 from situ_studio.language import said
-from situ_studio.live.timeline.rows import RowKind
-from situ_studio.live.why import Thing, ThingKind, latest, place_of, trail
-from situ_studio.live.why_not import Question, events_until, wanted_at
+from situ_studio.live.why import Thing, latest, place_of, trail
+from situ_studio.live.why_menus import WhyMenus
+from situ_studio.live.why_not import Question, Wanted, events_until, wanted_at
 from situ_studio.live.why_not_asking import AskingWhyNot
 from situ_studio.live.why_places import priorities, tags_of, thing_at, where
-from situ_studio.panels.table import RowsTable
 from situ_studio.panels.why import Link, Why
 from situ_studio.theme import Theme
 
 if TYPE_CHECKING:
+    from situ_studio.document_view import DocumentView
     from situ_studio.window import MainWindow
 
 PANEL = "why"
 INDENT = "    "
-_OF_ROW: dict[RowKind, ThingKind] = {
-    "state": "application", "situation": "situation", "resource": "held", "data": "tag",
-}  # fmt: skip
 SLICE = 0.012
 """Seconds of looking at a time."""
 
@@ -51,24 +46,17 @@ class WhySide(QObject):
         self.panel = Why(window.theme)
         self.panel.chosen.connect(self._go)
         window.bottom.add(PANEL, self.tr("Why?"), self.panel)
-        self.shown: QMenu | None = None
         self._looking: Iterator[int | None] = iter(())
         self._other: Thing | None = None
         self._slices = QTimer(self)
         self._slices.setInterval(0)
         self._slices.timeout.connect(self._look)
-        self._wanted: tuple[dict[str, Any], tuple[str, Place] | None] = ({}, None)
+        self._wanted: tuple[Wanted, tuple[str, Place] | None] = ({}, None)
         self._asking = AskingWhyNot(self)
         self._asking.answered.connect(self._answer_not)
         self._asking.gone.connect(self._on_gone)
-        robot = window.robot
-        for table in (robot.blackboard, robot.authority, robot.trace):
-            table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-            table.customContextMenuRequested.connect(partial(self._on_menu, table))
-        chart = robot.timeline.chart
-        chart.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        chart.customContextMenuRequested.connect(self._on_timeline)
-        robot.link.state_changed.connect(self.settle)
+        self.menus = WhyMenus(window, self)
+        window.robot.link.state_changed.connect(self.settle)
         self._viewing.exchanged.connect(self._on_exchanged)
         self.settle()
 
@@ -99,36 +87,47 @@ class WhySide(QObject):
 
     def ask(self) -> None:
         """About the current row of the table that has the keyboard; else what is selected."""
-        for table in (self._robot.blackboard, self._robot.authority, self._robot.trace):
-            if table.hasFocus() and table.currentIndex().isValid():
-                things = [thing for _, thing in self._of_row(table)]
-                self.ask_about(*things[:2])
-                return
-        thing = self._selected()
+        if self.menus.ask():
+            return
+        thing, other = self._selected()
         if thing is None:
             self._window.say(self.tr("A trace tells nothing of that."))
         else:
-            self.ask_about(thing)
+            self.ask_about(thing, other)
 
-    def _selected(self) -> Thing | None:
+    def _selected(self) -> tuple[Thing | None, Thing | None]:
+        """What is meant, and what is told of where that never was."""
         window, project = self._window, self._window.session.project
         view, document = window.current_view, window.current_document
         if project is None or view is None or document is None:
-            return None
-        place = view.selected[0] if view.selected else ()
+            return None, None
+        place = self._place_meant(view)
         thing = thing_at(project, view.file, document, place)
         if thing is None and document is project.spds and not place:
             current = self._viewing.moment().situation
-            return Thing("situation", current) if current is not None else None
-        return thing
+            return (Thing("situation", current) if current is not None else None), None
+        if places.is_component(place):
+            return thing, thing_at(project, view.file, document, places.root(place))
+        return thing, None
+
+    @staticmethod
+    def _place_meant(view: DocumentView) -> Place:
+        """Of a piece that knows it more closely than by what is selected: a cell of the matrix."""
+        focus = view.window().focusWidget()
+        for piece in view.shown_pieces:
+            if piece.isAncestorOf(focus) and hasattr(piece, "asked_about"):
+                return tuple(piece.asked_about())
+        return view.selected[0] if view.selected else ()
 
     def ask_not(self) -> None:
         """What kept the selected thing from happening at the cursor."""
+        if self.menus.ask_not():
+            return
         window, project = self._window, self._window.session.project
         view, document = window.current_view, window.current_document
         if project is None or view is None or document is None:
             return
-        place = view.selected[0] if view.selected else ()
+        place = self._place_meant(view)
         wanted = wanted_at(project, view.file, document, place, self._viewing.moment())
         if wanted is None:
             self._window.say(
@@ -136,79 +135,6 @@ class WhySide(QObject):
             )
         else:
             self.ask_why_not(wanted, (view.file, place))
-
-    def _of_row(self, table: RowsTable) -> list[tuple[str, Thing]]:
-        """What can be asked of a table's current row, with its words."""
-        index = table.currentIndex()
-        if not index.isValid():
-            return []
-        key = table.rows.rows[index.row()].key
-        if table is self._robot.blackboard:
-            return [(self.tr("Why?"), Thing("tag", key))]
-        if table is self._robot.trace:
-            return [(self.tr("Why?"), Thing("event", key))]
-        return [
-            (self.tr("Why did {0} move?").format(key), Thing("resource", key)),
-            (self.tr("Why is {0} held so?").format(key), Thing("held", key)),
-        ]
-
-    def _on_menu(self, table: RowsTable, at: QPoint) -> None:
-        pressed = table.indexAt(at)
-        if pressed.isValid():
-            table.setCurrentIndex(pressed)
-        things = self._of_row(table)
-        if not things or not self.can_ask():
-            return
-        menu = self._menu(things)
-        if table is self._robot.authority:
-            self._add_others(menu, things[0][1].name)
-        menu.popup(table.viewport().mapToGlobal(at))
-
-    def _on_timeline(self, at: QPoint) -> None:
-        """Of what was there at the moment under the hand."""
-        chart = self._robot.timeline.chart
-        row, t = chart.row_at(at), chart.moment_at(at)
-        if row is None or not self.can_ask():
-            return
-        then = self._viewing.t if t is None else t
-        name, kind = row.name, _OF_ROW[row.kind]
-        if row.kind == "situation":
-            name = self._viewing.log.lanes.situation.at(then) or ""
-        menu = self._menu([(self.tr("Why?"), Thing(kind, name))], then)
-        menu.popup(chart.viewport().mapToGlobal(at))
-
-    def _menu(self, things: list[tuple[str, Thing]], t: float | None = None) -> QMenu:
-        """t: where the cursor goes before; None: it stays."""
-        menu = QMenu(self._window)
-        sign = icons.icon("why", self._window.theme.color("text2"), 18)
-        for words, thing in things:
-            action = menu.addAction(sign, words)
-            action.triggered.connect(partial(self._ask_at, t, thing))
-        menu.aboutToHide.connect(menu.deleteLater)
-        self.shown = menu
-        return menu
-
-    def _ask_at(self, t: float | None, thing: Thing, *_: bool) -> None:
-        if t is not None:
-            self._viewing.seek(t)
-        self.ask_about(thing)
-
-    def _add_others(self, menu: QMenu, resource: str) -> None:
-        """Why not any of the modules that could hold it?"""
-        project = self._window.session.project
-        if project is None or project.spds is None:
-            return
-        moment = self._viewing.moment()
-        holder, _ = moment.holders.get(resource, (None, 0.0))
-        able = [m.name for m in project.spds.modules if resource in m.resources]
-        asking = [m for m, wanted in moment.asking.items() if resource in wanted]
-        menu.addSeparator()
-        for module in dict.fromkeys((*able, *asking)):
-            if module != holder:
-                wanted = {"kind": "authority", "to": module, "resource": resource}
-                where = (project.spds_file or "", ("module", module))
-                action = menu.addAction(self.tr("Why not {0}?").format(module))
-                action.triggered.connect(partial(self.ask_why_not, wanted, where))
 
     # -- answering -----------------------------------------------------------------------
 
@@ -222,6 +148,10 @@ class WhySide(QObject):
         self._looking = latest(self._viewing.log, project, thing, self._viewing.t)
         self._slices.start()
         self._look()
+
+    def place(self, seq: int) -> int | None:
+        """Where the event of that seq is in the log that is looked at."""
+        return place_of(self._viewing.log, seq)
 
     def _begin(self) -> None:
         self._stop()
@@ -288,7 +218,7 @@ class WhySide(QObject):
 
     # -- what did not happen ---------------------------------------------------------------
 
-    def ask_why_not(self, wanted: dict[str, Any], where: tuple[str, Place], *_: bool) -> None:
+    def ask_why_not(self, wanted: Wanted, where: tuple[str, Place]) -> None:
         """Shows the panel with what kept an event with the fields ``wanted`` from coming.
 
         where: what it is about.
@@ -314,7 +244,7 @@ class WhySide(QObject):
         if place is not None:
             self._answer(place)
             return
-        title = self._question(Teller(project), answer.wanted)
+        title = self.question(Teller(project), answer.wanted)
         more = self.tr("at {0} s").format(f"{answer.at:.3f}")
         if answer.reasons and answer.reasons[0].code == "already":
             more = self.tr("{0}: it was so already").format(more)
@@ -323,7 +253,8 @@ class WhySide(QObject):
         links = [self._reason(project, one, depth) for one, depth in _flat(answer.reasons)]
         self.panel.answer(title, more, links, 0)
 
-    def _question(self, teller: Teller, wanted: dict[str, Any]) -> str:
+    def question(self, teller: Teller, wanted: Wanted) -> str:
+        """What is asked, in words."""
         name = wanted.get("application", "")
         match wanted["kind"]:
             case "enter":

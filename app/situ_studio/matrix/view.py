@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QHeaderView, QLabel, QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
 from situ.document.spds import Spds
@@ -109,6 +110,10 @@ class MatrixView(QWidget):
         for table in (self.table, self.sides.holders):
             table.asked.connect(self._on_key)
             table.menu_asked.connect(self._on_menu)
+            for head, press in ((table.rows, self._press_row), (table.heads, self._on_column)):
+                head.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+                asked = partial(self._on_head_menu, head, press)
+                head.customContextMenuRequested.connect(asked)
         self.range.edited.connect(self.edited)
         self.range.status.connect(self.status)
         self.table.rows.moved.connect(self._move)
@@ -266,6 +271,32 @@ class MatrixView(QWidget):
             self.select_all()
         else:
             getattr(self.range, name)()
+
+    def asked_about(self) -> Place:
+        """The current cell's module in its situation, or the situation, module or resource of the
+        row or column that is selected as a whole.
+        """
+        grid, area = self.model.grid, self.table.area
+        name, module = self._at()
+        if grid is None or not self._selected or self._selected[0][0] != "situation":
+            return self._selected[0] if self._selected else ()
+        at = self.table.currentIndex().column()
+        if area is not None and area.wide >= len(grid.modules) > 1:
+            return ("situation", name) if name else self._selected[0]
+        if at >= len(grid.modules):
+            return ("resource", grid.resources[at - len(grid.modules)])
+        return ("situation", name, "module", module) if module else self._selected[0]
+
+    def _on_head_menu(self, head: QHeaderView, press: Callable[[int], None], at: QPoint) -> None:
+        """The menu of a row's or column's head is about that, not about what was selected."""
+        section = head.logicalIndexAt(at)
+        if section >= 0:
+            press(section)
+        self._on_menu(head.viewport().mapToGlobal(at))
+
+    def _press_row(self, row: int) -> None:
+        self.table.selectRow(row)
+        self._on_row(row)
 
     def _on_menu(self, at: QPoint) -> None:
         self.menu_requested.emit(self._selected[0] if self._selected else (), at)

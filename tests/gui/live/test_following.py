@@ -33,7 +33,7 @@ def test_a_parts_own_graph_shows_what_runs_in_it() -> None:
     part, runs = project.parts[PART], runs_of(project)
     ((name, before),) = runs[PART]
     assert (name, before) == ("reception", "16/")
-    glowed = set()
+    glowed: set[str] = set()
     for t in sorted({event["t"] for event in events}):
         now = log.at(t)
         view = live_part(part, now, runs[PART], t)

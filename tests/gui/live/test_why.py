@@ -208,7 +208,7 @@ def test_the_panels_rows_answer_in_two_clicks_and_a_third_goes_there(replayed: A
     # Why did the robot turn its head?
     hand = Clicks(it)
     hand.row_menu(robot.authority, "head")
-    hand.choose(window.why.shown, "Why did head move?")
+    hand.choose(window.why.menus.shown, "Why did head move?")
     assert hand.count == 2
     assert panel.isVisible()
     assert "gaze-sound moves head" in panel.title.text()
@@ -230,7 +230,7 @@ def test_the_panels_rows_answer_in_two_clicks_and_a_third_goes_there(replayed: A
     it.settle()
     hand = Clicks(it)
     hand.row_menu(robot.trace, str(stopped["seq"]))
-    hand.choose(window.why.shown, "Why?")
+    hand.choose(window.why.menus.shown, "Why?")
     assert hand.count == 2
     assert "hand.waving" in seen(it)[0]
     it.click_row(panel.table, panel.table.rows.index(len(panel.links) - 1, 1))
@@ -241,12 +241,12 @@ def test_the_panels_rows_answer_in_two_clicks_and_a_third_goes_there(replayed: A
     window.bottom.choose("blackboard")
     it.settle()
     hand.row_menu(robot.blackboard, "person.calling")
-    hand.choose(window.why.shown, "Why?")
+    hand.choose(window.why.menus.shown, "Why?")
     assert seen(it) == ["scenario sets person.calling to true (from outside)"]
     window.bottom.choose("authority")
     it.settle()
     hand.row_menu(robot.authority, "base")
-    hand.choose(window.why.shown, "Why is base held so?")
+    hand.choose(window.why.menus.shown, "Why is base held so?")
     assert seen(it)[-1].startswith("transfer gets base")
 
 
@@ -271,15 +271,15 @@ def test_the_timeline_answers_of_the_moment_under_the_hand(replayed: Any) -> Non
         it.settle()
         hand = Clicks(it)
         hand.menu(chart.viewport(), QPoint(x, spots[row]))
-        hand.choose(window.why.shown, "Why?")
+        hand.choose(window.why.menus.shown, "Why?")
         assert hand.count == 2
         assert seen(it)[-1].startswith(words)
         assert called["t"] < viewing.t < called["t"] + 2
     window.bottom.choose("timeline")
     it.settle()
-    before = window.why.shown
+    before = window.why.menus.shown
     Clicks(it).menu(chart.viewport(), QPoint(x, 2))
-    assert window.why.shown is before
+    assert window.why.menus.shown is before
 
 
 def test_cards_and_arrows_answer_by_menu_and_by_keys(replayed: Any) -> None:
@@ -362,7 +362,7 @@ def test_a_running_robot_is_asked_while_it_goes_on(
         # Why did the robot turn its head?
         hand = Clicks(it)
         hand.row_menu(window.robot.authority, "head")
-        hand.choose(window.why.shown, "Why did head move?")
+        hand.choose(window.why.menus.shown, "Why did head move?")
         assert hand.count == 2
         assert "gaze-sound sets sound.slap to 40 (from outside)" in seen(it)
         assert seen(it)[-1].startswith("gaze-sound moves head")

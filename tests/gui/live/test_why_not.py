@@ -98,7 +98,7 @@ def test_what_kept_a_module_a_situation_and_a_state(replayed: Any) -> None:
     it.settle()
     hand = Clicks(it)
     hand.row_menu(window.robot.authority, "head")
-    hand.choose(window.why.shown, "Why not chase-face?")
+    hand.choose(window.why.menus.shown, "Why not chase-face?")
     assert hand.count == 2
     assert "no priority" in seen(it)[0]
     # By keys: the situation with the values of its condition, the state with what did not come.

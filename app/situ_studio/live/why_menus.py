@@ -1,0 +1,259 @@
+"""What Why? and Why not? can be asked of the robot's panels: rows of tables, bars of the timeline.
+
+Each has a menu by mouse; by keys the same is asked of the row that has the keyboard, and of the
+timeline at its cursor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+from PySide6.QtCore import QObject, QPoint, Qt
+from PySide6.QtWidgets import QMenu
+
+from situ.document.project import Project
+from situ.rehearse.telling import Teller
+from situ.rehearse.ways import way_words, ways
+from situ_studio import icons
+from situ_studio.edit import Place
+from situ_studio.live.moment import Moment
+from situ_studio.live.timeline.rows import RowKind, TimelineRow
+from situ_studio.live.why import Thing, ThingKind
+from situ_studio.live.why_not import Wanted, wanted_at, way_wanted
+from situ_studio.live.why_places import tags_in, where
+from situ_studio.panels.table import RowsTable
+
+if TYPE_CHECKING:
+    from situ_studio.live.why_side import WhySide
+    from situ_studio.window import MainWindow
+
+MANY = 8
+"""Of more questions why not, the rest is in a menu of its own."""
+_OF_ROW: dict[RowKind, ThingKind] = {
+    "state": "application", "situation": "situation", "resource": "held", "data": "tag",
+}  # fmt: skip
+
+
+class WhyNot(Struct, frozen=True):
+    """A question. wanted: the event that did not come; about: the file and place it is about."""
+
+    words: str
+    wanted: Wanted
+    about: tuple[str, Place]
+
+
+class WhyMenus(QObject):
+    """Of one window; ``shown`` is the menu that is open, or was the last."""
+
+    def __init__(self, window: MainWindow, side: WhySide) -> None:
+        super().__init__(side)
+        self._window, self._side, self._robot = window, side, window.robot
+        self._viewing = window.robot.follower.viewing
+        self.shown: QMenu | None = None
+        for table in self._tables:
+            table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+            table.customContextMenuRequested.connect(partial(self._on_menu, table))
+        chart = self._robot.timeline.chart
+        chart.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        chart.customContextMenuRequested.connect(self._on_timeline)
+
+    @property
+    def _tables(self) -> tuple[RowsTable, ...]:
+        return self._robot.blackboard, self._robot.authority, self._robot.trace
+
+    # -- by keys -----------------------------------------------------------------------
+
+    def ask(self) -> bool:
+        """Of what has the keyboard, if that is one of the robot's panels."""
+        for table in self._tables:
+            if table.hasFocus() and table.currentIndex().isValid():
+                things = [thing for _, thing in self._of_row(table)]
+                self._side.ask_about(*things[:2])
+                return True
+        return self._ask_timeline()
+
+    def ask_not(self) -> bool:
+        """The same; of several questions one is to be chosen."""
+        project = self._window.session.project
+        for table in self._tables:
+            if project is not None and table.hasFocus() and table.currentIndex().isValid():
+                questions = self._not_of_row(project, table)
+                if len(questions) == 1:
+                    self._ask_not(None, questions[0])
+                elif questions:
+                    menu = self._menu([])
+                    self._add_questions(menu, questions)
+                    at = table.visualRect(table.currentIndex()).bottomLeft()
+                    menu.popup(table.viewport().mapToGlobal(at))
+                return bool(questions)
+        return self._ask_timeline()
+
+    def _ask_timeline(self) -> bool:
+        """What there is at the cursor, in a menu of its own each."""
+        chart, project = self._robot.timeline.chart, self._window.session.project
+        if not chart.hasFocus() or project is None or not chart.rows:
+            return False
+        menu = self._menu([])
+        for row in chart.rows:
+            name = row.name or self.tr("Situation")
+            below = menu.addMenu(name.replace("&", "&&"))
+            self._fill_for_row(below, project, row, self._viewing.t)
+        menu.popup(chart.viewport().mapToGlobal(QPoint(chart.viewport().width() // 3, 8)))
+        menu.setActiveAction(menu.actions()[0])
+        return True
+
+    # -- by mouse ----------------------------------------------------------------------
+
+    def _on_menu(self, table: RowsTable, at: QPoint) -> None:
+        pressed = table.indexAt(at)
+        if pressed.isValid():
+            table.setCurrentIndex(pressed)
+        things, project = self._of_row(table), self._window.session.project
+        if not things or project is None or not self._side.can_ask():
+            return
+        menu = self._menu(things)
+        self._add_questions(menu, self._not_of_row(project, table))
+        menu.popup(table.viewport().mapToGlobal(at))
+
+    def _on_timeline(self, at: QPoint) -> None:
+        """Of what was there at the moment under the hand."""
+        chart, project = self._robot.timeline.chart, self._window.session.project
+        row, t = chart.row_at(at), chart.moment_at(at)
+        if row is None or project is None or not self._side.can_ask():
+            return
+        menu = self._menu([])
+        self._fill_for_row(menu, project, row, self._viewing.t if t is None else t)
+        menu.popup(chart.viewport().mapToGlobal(at))
+
+    def _fill_for_row(self, menu: QMenu, project: Project, row: TimelineRow, t: float) -> None:
+        log = self._viewing.log
+        name = (log.lanes.situation.at(t) or "") if row.kind == "situation" else row.name
+        thing = Thing(_OF_ROW[row.kind], name)
+        self._add(menu, self.tr("Why?"), partial(self._ask_at, t, thing))
+        self._add_questions(menu, list(self._not_of_lane(project, row, log.at(t))), t)
+
+    def _menu(self, things: Iterable[tuple[str, Thing]]) -> QMenu:
+        menu = QMenu(self._window)
+        for words, thing in things:
+            self._add(menu, words, partial(self._ask_at, None, thing))
+        menu.aboutToHide.connect(menu.deleteLater)
+        self.shown = menu
+        return menu
+
+    def _add(self, menu: QMenu, words: str, ask: Callable[[], None], sign: str = "why") -> None:
+        icon = icons.icon(sign, self._window.theme.color("text2"), 18)
+        # An & would be taken for the key of the entry.
+        menu.addAction(icon, words.replace("&", "&&")).triggered.connect(lambda _=False: ask())
+
+    def _add_questions(self, menu: QMenu, questions: list[WhyNot], t: float | None = None) -> None:
+        if questions and not menu.isEmpty():
+            menu.addSeparator()
+        room = menu
+        for place, question in enumerate(questions):
+            if place == MANY and len(questions) > MANY + 1:
+                room = menu.addMenu(self.tr("Others"))
+            self._add(room, question.words, partial(self._ask_not, t, question), "why_not")
+
+    def _ask_at(self, t: float | None, thing: Thing) -> None:
+        """t: where the cursor goes before; None: it stays."""
+        if t is not None:
+            self._viewing.seek(t)
+        self._side.ask_about(thing)
+
+    def _ask_not(self, t: float | None, question: WhyNot) -> None:
+        if t is not None:
+            self._viewing.seek(t)
+        self._side.ask_why_not(question.wanted, question.about)
+
+    # -- what can be asked ---------------------------------------------------------------
+
+    def _of_row(self, table: RowsTable) -> list[tuple[str, Thing]]:
+        """Of a table's current row, with its words."""
+        index = table.currentIndex()
+        if not index.isValid():
+            return []
+        key = table.rows.rows[index.row()].key
+        if table is self._robot.blackboard:
+            return [(self.tr("Why?"), Thing("tag", key))]
+        if table is self._robot.trace:
+            return [(self.tr("Why?"), Thing("event", key))]
+        return [
+            (self.tr("Why did {0} move?").format(key), Thing("resource", key)),
+            (self.tr("Why is {0} held so?").format(key), Thing("held", key)),
+        ]
+
+    def _not_of_row(self, project: Project, table: RowsTable) -> list[WhyNot]:
+        key, moment = table.rows.rows[table.currentIndex().row()].key, self._viewing.moment()
+        if table is self._robot.authority:
+            return list(self._others(project, key, moment))
+        if table is self._robot.blackboard:
+            return list(self._situations_with(project, key, moment))
+        return list(self._of_event(project, int(key), moment))
+
+    def _not_of_lane(self, project: Project, row: TimelineRow, moment: Moment) -> Iterator[WhyNot]:
+        if row.kind == "resource":
+            yield from self._others(project, row.name, moment)
+        elif row.kind == "data":
+            yield from self._situations_with(project, row.name, moment)
+        elif row.kind == "situation":
+            script = project.spds
+            names = [s.name for s in script.situations] if script is not None else []
+            yield from self._situations(project, names, moment)
+        else:
+            yield from self._ways(project, row.name, moment)
+
+    def _others(self, project: Project, resource: str, moment: Moment) -> Iterator[WhyNot]:
+        """The modules that could hold a resource, and do not."""
+        if project.spds is None:
+            return
+        holder, _ = moment.holders.get(resource, (None, 0.0))
+        able = [m.name for m in project.spds.modules if resource in m.resources]
+        asking = [m for m, wanted in moment.asking.items() if resource in wanted]
+        for module in dict.fromkeys((*able, *asking)):
+            if module != holder:
+                wanted = {"kind": "authority", "to": module, "resource": resource}
+                about = (project.spds_file or "", ("module", module))
+                yield WhyNot(self.tr("Why not {0}?").format(module), wanted, about)
+
+    def _situations_with(self, project: Project, tag: str, moment: Moment) -> Iterator[WhyNot]:
+        """Those that look at a tag."""
+        script = project.spds
+        every = script.situations if script is not None else ()
+        yield from self._situations(
+            project, (s.name for s in every if tag in tags_in(s.condition)), moment
+        )
+
+    def _situations(
+        self, project: Project, names: Iterable[str], moment: Moment
+    ) -> Iterator[WhyNot]:
+        """Those of them that are not the current one."""
+        for name in names:
+            if name != moment.situation:
+                about = (project.spds_file or "", ("situation", name))
+                words = self.tr("Why is {0} not the situation?").format(name)
+                yield WhyNot(words, {"kind": "situation", "to": name}, about)
+
+    def _ways(self, project: Project, application: str, moment: Moment) -> Iterator[WhyNot]:
+        """The ways out of the state in which an application was."""
+        one = moment.applications.get(application)
+        if one is None or one.state is None:
+            return
+        for way in ways(project, application, one.state):
+            said = way_words(way) if way.event is not None else self.tr("the timeout")
+            wanted = way_wanted(application, one.state, way)
+            yield WhyNot(self.tr("Why not {0}?").format(said), wanted, (way.file, way.place))
+
+    def _of_event(self, project: Project, seq: int, moment: Moment) -> Iterator[WhyNot]:
+        """What an event is about: why is it not so at the cursor?"""
+        log = self._viewing.log
+        event = log[self._side.place(seq) or 0]
+        about = where(project, event)
+        document = self._window.session.document(about[0]) if about is not None else None
+        if about is None or document is None:
+            return
+        wanted = wanted_at(project, about[0], document, about[1], moment)
+        if wanted is not None:
+            yield WhyNot(self._side.question(Teller(project), wanted), wanted, about)
