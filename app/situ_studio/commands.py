@@ -477,6 +477,18 @@ class Commands(FileCommands):
     def close_recording(self) -> None:
         self._window.robot.close_recording()
 
+    def compare_recording(self) -> None:
+        self._window.robot.comparing.compare()
+
+    def can_compare(self) -> bool:
+        return self._window.robot.comparing.can_compare()
+
+    def next_difference(self, by: int) -> None:
+        self._window.robot.comparing.next(by)
+
+    def compares(self) -> bool:
+        return self._window.robot.comparing.comparing.goes
+
     def has_recording(self) -> bool:
         return self._window.robot.recording is not None
 

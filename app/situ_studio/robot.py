@@ -12,6 +12,7 @@ from situ.document.rbd import Application
 from situ.errors import SituError, UsageError
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
+from situ_studio.live.comparing_side import ComparingSide
 from situ_studio.live.follower import Follower
 from situ_studio.live.following import FollowMode
 from situ_studio.live.link import RobotLink
@@ -67,6 +68,7 @@ class RobotSide(QObject):
         self._reading.refused.connect(self._on_refused)
         self._reading.went_on.connect(self._on_went_on)
         self._work: Work | None = None
+        self.comparing = ComparingSide(window, self)
         self.link.state_changed.connect(self.settle)
         window.session.changed.connect(self._on_changed)
         window.session.opened.connect(self.follower.compare)
@@ -104,6 +106,7 @@ class RobotSide(QObject):
     def set_theme(self, theme: Theme) -> None:
         for panel in self.panels:
             panel.set_theme(theme)
+        self.comparing.set_theme(theme)
 
     # -- recordings ----------------------------------------------------------
 

@@ -184,7 +184,7 @@ def test_what_moves_a_resource_is_told_in_words(value: Any, said: str) -> None:
     event |= {"module": "desk", "value": value}
     (one,) = differences(deeds([event]), deeds([]))
     parting = told(one, (Teller(), Teller()), ({1: event}.__getitem__, {1: event}.__getitem__))
-    assert (parting.first, parting.second) == (said, "nothing of that")
+    assert (parting.first, parting.second) == ((said,), ())
     assert lines(parting, ("a", "bcd"))[1:] == [f"  a:   {said}", "  bcd: nothing of that"]
     assert common(deeds([event]), deeds([])) is None
 

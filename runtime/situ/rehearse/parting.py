@@ -19,12 +19,14 @@ EventOf = Callable[[int], Fields]
 
 
 class Parting(Struct, frozen=True):
-    """What each of two runs did, in a few words; strands: of what it is told."""
+    """What each of two runs did, a sentence each; none: nothing of that. strands: of what it is
+    told: applications, resources, ``situation``.
+    """
 
     at: tuple[float, float]
     strands: tuple[str, ...]
-    first: str
-    second: str
+    first: tuple[str, ...]
+    second: tuple[str, ...]
 
 
 def told(
@@ -43,7 +45,7 @@ def _strand(stretch: Stretch) -> str:
     return stretch.strand.name or "situation"
 
 
-def _side(stretches: list[tuple[Deed, ...]], teller: Teller, event_of: EventOf) -> str:
+def _side(stretches: list[tuple[Deed, ...]], teller: Teller, event_of: EventOf) -> tuple[str, ...]:
     deeds = sorted((deed for one in stretches for deed in one), key=lambda deed: deed.seq)
     shown: list[str] = []
     left = 0
@@ -55,10 +57,7 @@ def _side(stretches: list[tuple[Deed, ...]], teller: Teller, event_of: EventOf) 
             shown.append(_words(teller, event))
         else:
             left += 1
-    if not shown:
-        return "nothing of that"
-    more = f", and {left} more" if left else ""
-    return "; ".join(shown) + more
+    return (*shown, f"{left} more") if left else tuple(shown)
 
 
 def _words(teller: Teller, event: Fields) -> str:
@@ -84,7 +83,7 @@ def lines(parting: Parting, names: tuple[str, str]) -> list[str]:
     return [
         f"{times}  {words.listed(parting.strands)}",
         *(
-            f"  {name + ':':<{wide + 1}} {said}"
+            f"  {name + ':':<{wide + 1}} {'; '.join(said) or 'nothing of that'}"
             for name, said in zip(names, (parting.first, parting.second), strict=True)
         ),
     ]

@@ -22,6 +22,14 @@ from situ_studio.language import tr
 from situ_studio.letters import px
 from situ_studio.live.lanes import Lane, Series
 from situ_studio.live.timeline.axis import TimeAxis
+from situ_studio.live.timeline.beside import (
+    LETTER,
+    Marked,
+    RunBeside,
+    interleaved,
+    paint_differences,
+    paint_letter,
+)
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks
 from situ_studio.live.timeline.drawn import blocks
 from situ_studio.live.timeline.painting import (
@@ -60,6 +68,8 @@ class TimelineDrawing(QAbstractScrollArea):
         self.chosen: frozenset[str] | None = None
         self._theme = theme
         self._painter = RowPainter(self.axis, theme, state_name)
+        self.beside: tuple[RunBeside, ...] = ()
+        self.differences: tuple[Marked, ...] = ()
         self._picture = QPixmap()
         self._pictured: tuple[object, ...] = ()
         self._held = False
@@ -77,11 +87,19 @@ class TimelineDrawing(QAbstractScrollArea):
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = self._painter.theme = theme
+        for run in self.beside:
+            run.painter.theme = theme
         self._changed()
 
     def choose(self, data: frozenset[str] | None) -> None:
         """The data whose curves are shown; None: the first that came."""
         self.chosen = data
+        self._changed()
+
+    def show_beside(self, runs: tuple[RunBeside, ...], differences: tuple[Marked, ...]) -> None:
+        """Those runs below ours, and where they part; none: ours alone."""
+        self.beside, self.differences = runs, differences
+        self._painter.spare = LETTER if runs else 0
         self._changed()
 
     def zoom(self, factor: float) -> None:
@@ -93,6 +111,9 @@ class TimelineDrawing(QAbstractScrollArea):
     def show_all(self) -> None:
         """From the first moment to the last."""
         start, end = self.viewing.span
+        for run in self.beside:
+            start = min(start, run.log.lanes.start - run.shift)
+            end = max(end, run.end - run.shift)
         self.axis.zoom(max(end - start, 0.1) * 1.02 / self.axis.seen, self.axis.start)
         self.axis.start = start - self.axis.seen * 0.01
         self._changed()
@@ -125,7 +146,7 @@ class TimelineDrawing(QAbstractScrollArea):
     def _go_on(self) -> None:
         if self.viewing.follows:
             self._bring()
-        rows = rows_of(self.viewing.log.lanes, self.chosen)
+        rows = self._read_rows()
         if [id(row.lane) for row in rows] != [id(row.lane) for row in self.rows]:
             self._lay_out()
         if self._pictured != self._wanted():
@@ -140,13 +161,18 @@ class TimelineDrawing(QAbstractScrollArea):
         self.viewport().update()
 
     def _lay_out(self) -> None:
-        self.rows = rows_of(self.viewing.log.lanes, self.chosen)
+        self.rows = self._read_rows()
         room = self.viewport().height() - px(EDGE)
         high = sum(px(row.height) for row in self.rows)
         bar = self.verticalScrollBar()
         bar.setRange(0, max(0, high - room))
         bar.setPageStep(max(room, 1))
         bar.setSingleStep(26)
+
+    def _read_rows(self) -> list[TimelineRow]:
+        own = rows_of(self.viewing.log.lanes, self.chosen)
+        data = frozenset(row.name for row in own if row.kind == "data")
+        return interleaved(own, [rows_of(run.log.lanes, data) for run in self.beside])
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self.axis.width = max(self.viewport().width() - px(GUTTER), 1.0)
@@ -178,7 +204,8 @@ class TimelineDrawing(QAbstractScrollArea):
         """What the picture depends on, but for what ``_changed`` tells."""
         axis, log = self.axis, self.viewing.log
         end = min(self.viewing.span[1], axis.end)
-        return (axis.start, axis.seen, log.seq, end, self.verticalScrollBar().value())
+        others = tuple((run.log.seq, run.shift) for run in self.beside)
+        return (axis.start, axis.seen, log.seq, end, others, self.verticalScrollBar().value())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self.viewport())
@@ -202,17 +229,25 @@ class TimelineDrawing(QAbstractScrollArea):
         painter = QPainter(self._picture)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_edge(painter)
-        end = self.viewing.span[1]
+        for run in self.beside:
+            run.go_with(self.axis)
         wide, high, edge, left = size.width(), size.height(), px(EDGE), px(GUTTER)
         for row, top in self._tops():
             below = top + px(row.height)
             if edge < below and top < high:
                 painter.setClipRect(QRectF(left, edge, wide - left, high - edge))
-                self._painter.row(painter, row, top, end)
+                drawn, _, end = self._run(row)
+                drawn.row(painter, row, top, end)
                 painter.setClipRect(QRectF(0, edge, wide, high - edge))
-                self._painter.title(painter, row, top)
+                drawn.title(painter, row, top)
+                if self.beside:
+                    paint_letter(painter, theme, row.run, top, px(row.height))
                 painter.setPen(theme.color("line"))
                 painter.drawLine(QPointF(0, below), QPointF(wide, below))
+        if self.differences:
+            painter.setClipRect(QRectF(left, edge, wide - left, high - edge))
+            axes = [self.axis, *(run.axis for run in self.beside)]
+            paint_differences(painter, theme, self._tops(), axes, self.differences)
         painter.setClipping(False)
         self._paint_bookmarks(painter)
         painter.setPen(theme.color("line"))
@@ -307,7 +342,10 @@ class TimelineDrawing(QAbstractScrollArea):
         metrics = QFontMetricsF(painter.font())
         painter.setClipRect(QRectF(0, px(EDGE), self.viewport().width(), self.viewport().height()))
         for row, top in self._tops():
-            if not isinstance(row.lane, Series) or (value := row.lane.at(t)) != value:
+            if not isinstance(row.lane, Series):
+                continue
+            value = row.lane.at(t + self._run(row)[1])
+            if value != value:
                 continue
             words = _told(row.lane, value)
             wide = metrics.horizontalAdvance(words) + 8
@@ -328,10 +366,22 @@ class TimelineDrawing(QAbstractScrollArea):
             top += px(row.height)
         return found
 
+    def _run(self, row: TimelineRow) -> tuple[RowPainter, float, float]:
+        """What paints the row's run, how far its clock is ahead of ours, its end by its own."""
+        if row.run == 0:
+            return self._painter, 0.0, self.viewing.span[1]
+        run = self.beside[row.run - 1]
+        return run.painter, run.shift, run.end
+
     # -- words --------------------------------------------------------------------------
 
     def row_at(self, at: QPoint) -> TimelineRow | None:
-        """The row of a place on the drawing; None where there is none."""
+        """The row of a place on the drawing, of the run that all views show; None where there is
+        none."""
+        row = self._row_at(at)
+        return row if row is not None and row.run == 0 else None
+
+    def _row_at(self, at: QPoint) -> TimelineRow | None:
         found = [row for row, top in self._tops() if top <= at.y() < top + px(row.height)]
         return found[0] if found and at.y() >= px(EDGE) else None
 
@@ -341,24 +391,25 @@ class TimelineDrawing(QAbstractScrollArea):
 
     def told_at(self, at: QPoint) -> str:
         """What a place on the drawing says: what, from when, how long; "" where nothing is."""
-        row = self.row_at(at)
+        row = self._row_at(at)
         if row is None:
             return ""
         if at.x() < px(GUTTER):
             return row.name
-        t = self.axis.t(at.x() - px(GUTTER))
+        t = self.axis.t(at.x() - px(GUTTER)) + self._run(row)[1]
         if isinstance(row.lane, Series):
             value = row.lane.at(t)
             return "" if value != value else f"{row.name} = {_told(row.lane, value)}"
         return self._told_block(row, row.lane, t)
 
     def _told_block(self, row: TimelineRow, lane: Lane, t: float) -> str:
-        end = self.viewing.span[1]
-        for block in blocks(lane, self.axis.start, end, self.axis.pixel * NARROW):
+        drawn, shift, end = self._run(row)
+        for block in blocks(lane, drawn.axis.start, end, self.axis.pixel * NARROW):
             if block.start <= t < block.end:
-                words = self._painter.words(row, block)
+                words = drawn.words(row, block)
                 lasts = f"{block.end - block.start:.2f} s"
-                return tr("{0}, from {1}, {2}").format(words, self.clock(block.start), lasts)
+                begun = self.clock(block.start - shift)
+                return tr("{0}, from {1}, {2}").format(words, begun, lasts)
         return ""
 
 

@@ -42,6 +42,8 @@ class RowPainter:
         self.axis = axis
         self.theme = theme
         self.state_name = state_name
+        self.spare = 0
+        """Px at the right of the rows' names that something else has."""
         self._extremes: dict[str, Extremes] = {}
         self._ranges: dict[str, tuple[float, float] | None] = {}
 
@@ -58,7 +60,7 @@ class RowPainter:
         painter.setPen(theme.color("text"))
         name = row.name or tr("Situation")
         metrics = QFontMetricsF(painter.font())
-        shown = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, px(GUTTER - 40))
+        shown = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, px(GUTTER - 40 - self.spare))
         painter.drawText(QPointF(px(34), top + px(13) + metrics.ascent() / 2 - 1), shown)
         if row.kind == "data":
             between = self._ranges.get(row.name)

@@ -36,10 +36,10 @@ class Timeline(QWidget):
         self.seen.setMinimumWidth(px(56))
         self.choices = QMenu(self)
         self.choices.aboutToShow.connect(self._fill_choices)
-        self.data = _opens(self.choices, tr("Data"), tr("Which data are drawn as curves"))
+        self.data = opens(self.choices, tr("Data"), tr("Which data are drawn as curves"))
         tip = tr("Moments with a name; Page Up and Page Down go from one to another")
-        self.marks = _opens(self.marking.menu, tr("Bookmarks"), tip)
-        bar = QHBoxLayout()
+        self.marks = opens(self.marking.menu, tr("Bookmarks"), tip)
+        self._bar = bar = QHBoxLayout()
         bar.setContentsMargins(8, 2, 8, 2)
         bar.setSpacing(4)
         for widget in (self.back, self.pause, self.step):
@@ -47,10 +47,11 @@ class Timeline(QWidget):
         bar.addSpacing(12)
         bar.addWidget(self.data)
         bar.addWidget(self.marks)
+        self._openers = bar.count()
         bar.addStretch(1)
         for other in (self.less, self.seen, self.more, self.whole):
             bar.addWidget(other)
-        layout = QVBoxLayout(self)
+        self._column = layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addLayout(bar)
@@ -71,6 +72,11 @@ class Timeline(QWidget):
     def set_theme(self, theme: Theme) -> None:
         retheme(self, theme)
         self.chart.set_theme(theme)
+
+    def add_strip(self, menu: QMenu, words: str, tip: str, strip: QWidget) -> None:
+        """A menu more on the bar, and what it is about between the bar and the drawing."""
+        self._bar.insertWidget(self._openers, opens(menu, words, tip))
+        self._column.insertWidget(1, strip)
 
     def _show_whole(self) -> None:
         self._viewing.pause()
@@ -103,7 +109,7 @@ class Timeline(QWidget):
         self.chart.choose(frozenset(shown | {name} if on else shown - {name}))
 
 
-def _opens(menu: QMenu, words: str, tip: str) -> QToolButton:
+def opens(menu: QMenu, words: str, tip: str) -> QToolButton:
     """A button on the bar that opens a menu."""
     button = QToolButton()
     button.setText(words)

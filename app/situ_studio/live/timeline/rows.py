@@ -16,11 +16,14 @@ HEIGHTS: dict[RowKind, int] = {"state": 28, "situation": 28, "resource": 26, "da
 
 
 class TimelineRow(Struct, frozen=True):
-    """name: of the application, resource or datum; "" for the situation. lane: what it shows."""
+    """name: of the application, resource or datum; "" for the situation. lane: what it shows.
+    run: 0 of the run that is looked at, else of which one beside it.
+    """
 
     kind: RowKind
     name: str
     lane: Lane | Series
+    run: int = 0
 
     @property
     def height(self) -> int:

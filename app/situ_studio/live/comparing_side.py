@@ -1,0 +1,239 @@
+"""A window's comparing: another run is put below the one that its timeline shows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QMenu
+
+from situ.document.project import Project
+from situ.errors import UsageError
+from situ.rehearse.recorded import Document, Heading, loaded
+from situ.rehearse.ways import name_of_state
+from situ_studio.live.comparing import Compared, Comparing
+from situ_studio.live.comparing_strip import ComparingStrip
+from situ_studio.live.log import TraceLog
+from situ_studio.live.recordings import ReadingRecording, Recording
+from situ_studio.live.timeline.beside import LETTERS, Marked, RunBeside
+from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
+from situ_studio.live.timeline.painting import StateName
+from situ_studio.theme import Theme
+from situ_studio.working import Work
+
+if TYPE_CHECKING:
+    from situ_studio.robot import RobotSide
+    from situ_studio.window import MainWindow
+
+PROJECT = "situ.toml"
+
+
+class ComparingSide(QObject):
+    """``menu`` offers what can be put beside: a recording, or what was looked at before."""
+
+    def __init__(self, window: MainWindow, robot: RobotSide) -> None:
+        super().__init__(window)
+        self._window, self._robot = window, robot
+        viewing, timeline = robot.follower.viewing, robot.timeline
+        self._chart = timeline.chart
+        self.comparing = Comparing(viewing, self)
+        self.strip = ComparingStrip(
+            window.theme, self.comparing, timeline.bookmarks, self._chart.clock
+        )
+        self.menu = QMenu(window)
+        self.menu.aboutToShow.connect(self._fill)
+        timeline.add_strip(
+            self.menu,
+            self.tr("Compare"),
+            self.tr("Another run below this one, and where they part"),
+            self.strip,
+        )
+        self._seen: list[tuple[TraceLog, str, Recording | None]] = []
+        """The runs that were looked at last, what they are called; the one of now first."""
+        self._recording: Recording | None = None
+        self._runs: tuple[RunBeside, ...] = ()
+        self._work: Work | None = None
+        self._reading = ReadingRecording(self)
+        self._reading.read.connect(self._add_recording)
+        self._reading.refused.connect(self._on_refused)
+        self._reading.went_on.connect(self._on_went_on)
+        self.strip.swap_asked.connect(self.swap)
+        self.strip.end_asked.connect(self.end)
+        comparing = self.comparing
+        comparing.changed.connect(self._show)
+        comparing.ended.connect(self._on_ended)
+        comparing.failed.connect(self._on_failed)
+        viewing.exchanged.connect(self.end)
+
+    def set_theme(self, theme: Theme) -> None:
+        self.strip.set_theme(theme)
+
+    # -- which runs ----------------------------------------------------------------------
+
+    def can_compare(self) -> bool:
+        """Whether a run is looked at, and there is room for one more beside it."""
+        return self._robot.follower.shows and len(self.comparing.others) + 1 < len(LETTERS)
+
+    def compare(self) -> None:
+        """Asks for a recording, and puts it below what is looked at."""
+        path = self._window.dialogs.recording()
+        if path is not None:
+            self.compare_with(path)
+
+    def compare_with(self, path: Path) -> None:
+        """Reads the recording and puts it below what is looked at."""
+        self._end_work()
+        words = self.tr("Reading {0}").format(path.name)
+        self._work = self._window.status.work.begin(words, self._give_up)
+        self._reading.start(path)
+
+    def swap(self) -> None:
+        """All views show the recording beside, at the same moment, and what they showed is beside
+        it."""
+        comparing, viewing = self.comparing, self._robot.follower.viewing
+        other, recording = comparing.own, self._recording
+        if other is None or recording is None:
+            return
+        t, way, before = viewing.t + comparing.shifts[0], comparing.way, self._robot.recording
+        self._robot.show_recording(recording)
+        viewing.seek(t)
+        comparing.line_up(way)
+        self._add(other, before)
+
+    def end(self) -> None:
+        """The timeline shows one run only."""
+        self._reading.cancel()
+        self._end_work()
+        self._remember()
+        self._recording = None
+        self.comparing.end()
+
+    def _remember(self) -> None:
+        log, recording = self._robot.follower.viewing.log, self._robot.recording
+        if recording is not None and recording.log is not log:
+            recording = None
+        if recording is not None:
+            name = recording.path.name
+        else:
+            robots = log is self._robot.link.log
+            name = self.tr("the robot") if robots else self.tr("the rehearsal")
+        others = [seen for seen in self._seen if seen[0] is not log]
+        self._seen = [(log, name, recording), *others][:3]
+
+    def _fill(self) -> None:
+        menu = self.menu
+        menu.clear()
+        menu.addAction(self.tr("With a recording…")).triggered.connect(self.compare)
+        self._remember()
+        for log, name, recording in self._seen[1:]:
+            if not len(log):
+                continue
+            words = self.tr("With {0}").format(name).replace("&", "&&")
+            menu.addAction(words).triggered.connect(
+                lambda _=False, log=log, name=name, recording=recording: self._add(
+                    self._compared(log, name, recording), recording
+                )
+            )
+        if self.comparing.goes:
+            menu.addSeparator()
+            menu.addAction(self.tr("Compare no more")).triggered.connect(self.end)
+
+    def _compared(self, log: TraceLog, name: str, recording: Recording | None) -> Compared:
+        project = self._window.session.project
+        if recording is None:
+            return Compared(name, log, project)
+        return Compared(name, log, _project(recording.files) or project, _bookmarks(recording.path))
+
+    def _add_recording(self, recording: Recording) -> None:
+        self._end_work()
+        self._add(self._compared(recording.log, recording.path.name, recording), recording)
+
+    def _add(self, other: Compared, recording: Recording | None) -> None:
+        self._remember()
+        if not self.comparing.goes:
+            self._recording = recording
+        own = self._compared(*self._seen[0])
+        self.comparing.add(own, other)
+        self._window.bottom.choose("timeline")
+        self._chart.show_all()
+
+    def _give_up(self) -> None:
+        # The work ends itself.
+        self._work = None
+        self._reading.cancel()
+
+    def _on_refused(self, why: str) -> None:
+        self._end_work()
+        self._window.dialogs.tell(why)
+
+    def _on_went_on(self, done: float) -> None:
+        if self._work is not None:
+            self._work.tell(done)
+
+    def _end_work(self) -> None:
+        work, self._work = self._work, None
+        if work is not None:
+            work.end()
+
+    # -- from difference to difference ---------------------------------------------------
+
+    def next(self, by: int) -> None:
+        """To the next difference, or the one before: ``by`` is 1 or -1."""
+        self._window.bottom.choose("timeline")
+        self.comparing.go(by)
+
+    def _on_ended(self, by: int) -> None:
+        further = self.tr("No difference comes after this.")
+        self._window.say(further if by > 0 else self.tr("No difference comes before this."))
+
+    def _on_failed(self) -> None:
+        self.end()
+        self._window.dialogs.tell(
+            self.tr("The runs could not be compared; what happened is in studio.log.")
+        )
+
+    def _show(self) -> None:
+        """The runs beside, as they are lined up, and where they part, into the timeline."""
+        comparing, theme = self.comparing, self._window.theme
+        if [run.log for run in self._runs] != [one.log for one in comparing.others]:
+            self._runs = tuple(
+                RunBeside(one.log, theme, _names(one.project)) for one in comparing.others
+            )
+        for run, shift in zip(self._runs, comparing.shifts, strict=True):
+            run.shift = shift
+        marks = tuple(
+            Marked(run + 1, difference, comparing.chosen == (run, difference))
+            for run, difference in comparing.marks
+        )
+        self._chart.show_beside(self._runs, marks)
+        self.strip.swap.setEnabled(self._recording is not None and len(self._runs) == 1)
+        self._window.actions_.refresh()
+
+
+def _names(project: Project | None) -> StateName:
+    """What a state is called by the run's own documents."""
+
+    def name(application: str, state: str) -> str:
+        return state if project is None else name_of_state(project, application, state)
+
+    return name
+
+
+def _project(files: Mapping[str, str]) -> Project | None:
+    """The project that was recorded; None where it can not be read."""
+    if PROJECT not in files:
+        return None
+    documents = [Document(path, text.encode()) for path, text in files.items()]
+    return loaded(Heading(file=PROJECT), documents)
+
+
+def _bookmarks(recording: Path) -> tuple[Bookmark, ...]:
+    """Those that lie beside a recording; none where they can not be read."""
+    every = Bookmarks()
+    try:
+        every.open(beside(recording))
+    except UsageError:
+        return ()
+    return tuple(every.every)

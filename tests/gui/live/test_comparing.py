@@ -1,0 +1,267 @@
+"""Runs beside one another in the timeline, and from one difference to the next."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QEventLoop, QObject, QPoint, Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
+from tests.gui.live.test_log import played
+from tests.gui.live.test_recordings import PATIENCE, recording, until_shown
+
+from situ_studio.live.comparing import AGREED, COMMAND, COMMON, START, Compared, Comparing
+from situ_studio.live.log import TraceLog
+from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
+from situ_studio.live.viewing import Viewing
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+def until(comparing: Any, ready: Callable[[], bool] | None = None) -> None:
+    """Waits until it is known where the runs part."""
+    ready = ready or (lambda: bool(comparing.ready))
+    loop, late = QEventLoop(), QTimer()
+    comparing.changed.connect(lambda: loop.quit() if ready() else None)
+    late.setSingleShot(True)
+    late.timeout.connect(loop.quit)
+    late.start(PATIENCE)
+    if not ready():
+        loop.exec()
+    assert late.isActive(), "it was never known"
+    late.stop()
+
+
+def logged(name: str, script: str, later: float = 0.0) -> TraceLog:
+    log = TraceLog()
+    log.add([{**event, "t": event["t"] + later} for event in played(name, script)[2]])
+    return log
+
+
+def compared(
+    one: TraceLog, other: TraceLog, marks: tuple[tuple[Bookmark, ...], ...] = ((), ()), **how: Any
+) -> Comparing:
+    comparing = Comparing(Viewing(one), **how)
+    own = Compared("a", one, bookmarks=marks[0])
+    comparing.add(own, Compared("b", other, bookmarks=marks[1]))
+    until(comparing)
+    return comparing
+
+
+def test_from_one_difference_to_the_next_and_back(qt: Any) -> None:
+    comparing = compared(
+        logged("reception", "known-user.jsonl"), logged("reception", "second-thoughts.jsonl")
+    )
+    viewing = comparing.viewing
+    times = [difference.at[0] for _, difference in comparing.marks]
+    assert times == sorted(times)
+    assert len(times) > 3
+    viewing.seek(0.0)
+    ends: list[int] = []
+    comparing.ended.connect(ends.append)
+    seen = []
+    for _ in times:
+        comparing.go(1)
+        assert comparing.chosen is not None
+        seen.append(comparing.chosen)
+        assert viewing.t == comparing.chosen[1].at[0]
+    assert seen == comparing.marks
+    comparing.go(1)
+    assert ends == [1]
+    for mark in reversed(comparing.marks[:-1]):
+        comparing.go(-1)
+        assert comparing.chosen == mark
+    comparing.go(-1)
+    assert ends == [1, -1]
+    # From wherever somebody has put the cursor meanwhile.
+    viewing.seek(times[2] - 0.1)
+    comparing.go(1)
+    assert comparing.chosen == comparing.marks[2]
+    parting = comparing.parting()
+    assert parting is not None
+    assert parting.first != parting.second
+    comparing.end()
+
+
+def test_the_process_beside_finds_what_is_found_at_once(qt: Any) -> None:
+    logs = [logged("conversation", script) for script in ("fig5.jsonl", "stopped.jsonl")]
+    at_once = compared(logs[0], logs[1])
+    beside_ = compared(logs[0], logs[1], at_once=0, command=COMMAND)
+    assert at_once.marks == beside_.marks != []
+    at_once.end()
+    beside_.end()
+
+
+def test_a_process_that_has_gone_is_no_run_without_differences(qt: Any) -> None:
+    log, owner = logged("conversation", "fig5.jsonl"), QObject()
+    command = (sys.executable, "-c", "raise SystemExit(3)")
+    comparing = Comparing(Viewing(log, owner), owner, at_once=0, command=command)
+    comparing.add(Compared("a", log), Compared("b", log))
+    failed: list[bool] = []
+    comparing.failed.connect(lambda: failed.append(True))
+    comparing.failed.connect(comparing.changed)
+    until(comparing, lambda: bool(failed))
+    assert not comparing.ready
+    comparing.end()
+
+
+def test_runs_are_lined_up_at_the_start_what_both_did_a_bookmark_or_where_they_agreed(
+    qt: Any,
+) -> None:
+    one = logged("reception", "known-user.jsonl", later=3.0)
+    # It stood for 100 s with nothing to compare.
+    other = TraceLog()
+    fields = {"kind": "warning", "seq": 1, "t": 0.0, "cause": None, "message": "", "where": ""}
+    other.add([fields])
+    _, _, events = played("reception", "second-thoughts.jsonl")
+    other.add([{**event, "seq": event["seq"] + 1, "t": event["t"] + 100.0} for event in events])
+    marks = ((Bookmark(5.0, "door"), Bookmark(6.0, "mine")), (Bookmark(9.0, "door"),))
+    comparing = compared(one, other, marks)
+    assert comparing.way == COMMON
+    assert comparing.shifts == [97.0]
+    comparing.line_up(START)
+    assert comparing.shifts == [-3.0]
+    assert comparing.bookmarks(marks[0]) == ["door"]
+    comparing.line_up("door")
+    assert comparing.shifts == [4.0]
+    comparing.line_up(AGREED)
+    comparing.viewing.seek(0.0)
+    for _, difference in comparing.marks:
+        comparing.go(1)
+        assert comparing.shifts == [difference.agreed[1] - difference.agreed[0]]
+    assert len({difference.agreed for _, difference in comparing.marks}) > 2
+    comparing.end()
+
+
+def test_what_came_meanwhile_to_a_run_that_goes_on_is_compared_too(qt: Any) -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    whole, grows = logged("conversation", "fig5.jsonl"), TraceLog()
+    grows.add(events[:40])
+    comparing = compared(grows, whole)
+    before = list(comparing.marks)
+    assert before
+    grows.add(events[40:])
+    comparing.go(1)
+    until(comparing)
+    assert comparing.marks == []
+    # Started again, it is another run.
+    grows.clear()
+    grows.add(events[:40])
+    comparing.go(1)
+    until(comparing)
+    assert comparing.marks == before
+    comparing.end()
+
+
+@pytest.fixture
+def beneath(studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path) -> Any:
+    """A window that shows a recording, and the file of another."""
+    where = project("reception")
+    it = studio(where)
+    files = []
+    for name, script in (("monday", "known-user.jsonl"), ("tuesday", "second-thoughts.jsonl")):
+        _, _, events = played("reception", script)
+        files.append(recording(tmp_path / f"{name}.mcap", events, where))
+    marks = Bookmarks()
+    marks.open(beside(files[1]))
+    marks.add(2.0, "door")
+    it.answers.put("recording", files[0])
+    it.window.commands.open_recording()
+    until_shown(it)
+    it.window.bottom.choose("timeline")
+    it.settle()
+    return it, files[1]
+
+
+def test_within_three_clicks_it_is_said_where_two_recordings_part(beneath: Any) -> None:
+    it, other = beneath
+    robot = it.window.robot
+    side, chart = robot.comparing, robot.timeline.chart
+    comparing, strip = side.comparing, side.strip
+    assert not strip.isVisible()
+    assert not it.window.actions_.actions["recording.next_difference"].isEnabled()
+    # Compare, With a recording …
+    it.answers.put("recording", other)
+    opener = next(b for b in robot.timeline.findChildren(QToolButton) if b.menu() is side.menu)
+    QTimer.singleShot(0, lambda: QTest.keyClick(side.menu, Qt.Key.Key_Down))
+    QTimer.singleShot(0, lambda: QTest.keyClick(side.menu, Qt.Key.Key_Return))
+    QTest.mouseClick(opener, LEFT)
+    until(comparing)
+    it.settle()
+    assert strip.isVisible()
+    assert "monday.mcap" in strip.runs.text()
+    assert "tuesday.mcap" in strip.runs.text()
+    # Each row of the other run is right below ours.
+    rows = [(row.kind, row.name, row.run) for row in chart.rows if row.kind != "data"]
+    assert rows[:2] == [("state", "reception", 0), ("state", "reception", 1)]
+    assert {run for *_, run in rows} == {0, 1}
+    # Next difference; all views are there.
+    for _ in range(4):
+        QTest.mouseClick(strip.next, LEFT)
+    it.settle()
+    assert robot.follower.viewing.t == 20.0
+    assert "of 6" in strip.count.text()
+    assert strip.first.text().startswith("A, ")
+    assert "nothing of that" in strip.first.text()
+    assert "5 verify initials to 3 enter initial 1 by clickNo" in strip.second.text()
+    live = it.window.views["reception.rbd.xml"].canvas.look.live
+    assert live.active == {"6"}
+    # What a row below says is of that run.
+    axis, run = chart.axis, chart.beside[0]
+    y = next(round(top) for row, top in chart._tops() if row.run == 1 and row.kind == "state") + 8
+    at = QPoint(round(axis.x(15.0 - run.shift)) + 132, y)
+    assert "enter initial" in chart.told_at(at)
+    assert chart.row_at(at) is None
+    it.window.commands.next_difference(-1)
+    assert robot.follower.viewing.t < 20.0
+
+
+def test_the_other_run_is_swapped_with_ours_at_the_same_moment_and_let_go_of(beneath: Any) -> None:
+    it, other = beneath
+    robot = it.window.robot
+    side, viewing = robot.comparing, robot.follower.viewing
+    comparing = side.comparing
+    side.compare_with(other)
+    until(comparing)
+    for _ in range(4):
+        it.window.commands.next_difference(1)
+    shift = comparing.shifts[0]
+    QTest.mouseClick(side.strip.swap, LEFT)
+    until(comparing)
+    it.settle()
+    assert robot.recording.path == other
+    assert viewing.t == 20.0 + shift
+    assert comparing.own.name == "tuesday.mcap"
+    assert [one.name for one in comparing.others] == ["monday.mcap"]
+    assert [mark.name for mark in comparing.own.bookmarks] == ["door"]
+    QTest.mouseClick(side.strip.close_, LEFT)
+    it.settle()
+    assert not side.strip.isVisible()
+    assert {row.run for row in robot.timeline.chart.rows} == {0}
+    # What was looked at before is offered again.
+    side.menu.aboutToShow.emit()
+    offered = [action.text() for action in side.menu.actions()]
+    assert offered[1] == "With monday.mcap"
+    side.menu.actions()[1].trigger()
+    until(comparing)
+    assert comparing.marks
+    it.window.commands.close_recording()
+    assert not comparing.goes
+
+
+def test_reading_the_other_run_is_cancelled_or_refused_and_all_stays(
+    beneath: Any, tmp_path: Path
+) -> None:
+    it, other = beneath
+    side = it.window.robot.comparing
+    side.compare_with(other)
+    it.window.status.work.cancel()
+    assert not side.comparing.goes
+    side.compare_with(tmp_path / "gone.mcap")
+    assert "gone.mcap" in it.answers.told[0]
+    assert not side.comparing.goes
+    assert it.window.status.work.going == []
