@@ -214,8 +214,10 @@ class Store:
 
     def _keep_call(self, told: Mapping[str, Any]) -> None:
         why, room = (str(told.get(name) or "").strip()[:200] for name in ("why", "room"))
-        if not why or not room:
-            raise Unfit("a call needs why and room")
+        if not why:
+            raise Unfit("a call needs why")
+        # From wherever it comes: a call is never refused for what its sensor did not say.
+        room = room or "place not known"
         with self._db:
             self._db.execute(
                 "INSERT INTO call (at, why, room) VALUES (?, ?, ?)", (self._time(), why, room)
