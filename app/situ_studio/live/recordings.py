@@ -96,7 +96,12 @@ class ReadingRecording(QObject):
 
     def _take(self, pieces: list[recorded.Piece]) -> bool:
         """False where there is nothing more."""
-        self._log.add_lines(piece.text for piece in pieces if type(piece) is recorded.Line)
+        try:
+            self._log.add_lines(piece.text for piece in pieces if type(piece) is recorded.Line)
+        except (KeyError, TypeError, ValueError, AttributeError) as error:
+            # A file that other programs wrote may hold whatever; what is taken from it is looked
+            # at nowhere else.
+            raise UsageError(self._no_event(error)) from None
         for piece in pieces:
             if isinstance(piece, recorded.Heading):
                 self._heading = piece
@@ -105,6 +110,14 @@ class ReadingRecording(QObject):
             elif isinstance(piece, recorded.Torn):
                 self._torn = True
         return bool(pieces)
+
+    def _no_event(self, error: Exception) -> str:
+        number = len(self._log) + self._log.gone + 1
+        if isinstance(error, KeyError):
+            said = self.tr("{0}: event {1} lacks “{2}”; give what situ run --record wrote")
+            return said.format(self._path, number, error.args[0])
+        said = self.tr("{0}: event {1} is none of a robot's; give what situ run --record wrote")
+        return said.format(self._path, number)
 
     def _finish(self) -> None:
         heading = self._heading

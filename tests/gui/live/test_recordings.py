@@ -110,6 +110,46 @@ def test_what_is_no_recording_is_refused_in_one_line(
     assert "x.mcap" in said[0]
 
 
+@pytest.mark.parametrize(
+    ("spoilt", "said"),
+    [
+        ({"seq": None}, "event 5 is none of a robot's"),
+        ({"t": "soon"}, "event 5 is none of a robot's"),
+        ("seq", "event 5 lacks “seq”"),
+        ("t", "event 5 lacks “t”"),
+        ("kind", "event 5 lacks “kind”"),
+        ("application", "event 5 lacks “application”"),
+    ],
+)
+def test_an_event_that_is_none_is_told_in_one_line(
+    qt: Any, tmp_path: Path, spoilt: str | dict[str, Any], said: str
+) -> None:
+    file = tmp_path / "x.mcap"
+    lines: list[Any] = [
+        {"kind": "enter", "seq": n, "t": n / 2, "cause": None, "application": "a", "state": "1"}
+        for n in range(1, 9)
+    ]
+    if isinstance(spoilt, str):
+        del lines[4][spoilt]
+    else:
+        lines[4] |= spoilt
+    with file.open("wb") as stream:
+        writer: Any = Writer(stream)
+        writer.start()
+        heading = {"runtime": "r", "project": "p", "file": "situ.toml"}
+        writer.add_metadata("situ", {"heading": msgspec.json.encode(heading).decode()})
+        channel = writer.register_channel("/trace", "json", 0)
+        for line in lines:
+            writer.add_message(channel, 0, msgspec.json.encode(line), 0)
+        writer.finish()
+    reading = ReadingRecording()
+    reading.start(file)
+    (told,) = came(reading)
+    assert said in told
+    assert str(file) in told
+    assert "\n" not in told
+
+
 def test_the_cursor_goes_where_something_is_and_from_event_to_event(qt: Any) -> None:
     from situ_studio.live.log import TraceLog
 
