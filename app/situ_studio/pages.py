@@ -14,6 +14,7 @@ from situ.document.catalogue import Catalogue
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER
 from situ.document.projectfile import CODE
 from situ.document.texts import read_out
+from situ_studio.application_list import ApplicationList
 from situ_studio.edit import Place, Written
 from situ_studio.project_form.form import ProjectForm
 from situ_studio.project_form.going import go_to_place
@@ -40,6 +41,7 @@ class PagesSide(QObject):
         self._window, self._session = window, window.session
         self._lexicon = Lexicon()
         self._exchange = Exchange(window)
+        self._applications = ApplicationList(window)
         self._voice = Listening(self)
         self._voice.failed.connect(window.say)
         self._voice.changed.connect(self._on_voice)
@@ -224,6 +226,9 @@ class PagesSide(QObject):
         form.refused.connect(self._window.say)
         form.language_asked.connect(self.add_language)
         form.readings_changed.connect(self._on_readings)
+        form.applications.add_asked.connect(self._applications.ask)
+        form.applications.remove_asked.connect(self._applications.remove)
+        form.applications.start_asked.connect(self._applications.start)
         form.mend_asked.connect(self._window.mending.mend)
         form.mends_asked.connect(self._window.mending.open_at)
         group.documents.addWidget(form)

@@ -20,6 +20,7 @@ from situ.document import beside, folder
 from situ.document.beside import Beside, Toml
 from situ.document.catalogue import Catalogue
 from situ.document.check import check, merge
+from situ.document.folder import PROJECT_FILE
 from situ.document.join import join, join_texts
 from situ.document.problem import Problem
 from situ.document.project import Project
@@ -88,6 +89,7 @@ class Session(QObject):
         self._called: dict[str, str | None] = {}
         self._incomplete: dict[str, Written] = {}
         self._beside: dict[str, Beside] = {}
+        self._apart: dict[str, Application] = {}
         self._read: dict[str, Written] = {}
         self._saved: dict[str, Written] = {}
         self._texts: dict[str, bytes] = {}
@@ -178,7 +180,7 @@ class Session(QObject):
             if any(p.severity == "error" and self.file_of(p) == file for p in problems)
         }
         self.disk.begin(Path(project.root), self.files, beside.files(project))
-        self._beside = {}
+        self._beside, self._apart = {}, {}
         self._read_beside()
         self._keep_texts()
         self._keep_problems(problems)
@@ -601,13 +603,15 @@ class Session(QObject):
         if document is None and file == project.spds_file:
             project = replace(project, spds=None, spds_file=None)
         elif document is None:
-            project = replace(project, parts={f: a for f, a in project.parts.items() if f != file})
+            for kind in ("applications", "parts"):
+                left = {f: a for f, a in getattr(project, kind).items() if f != file}
+                project = replace(project, **{kind: left})
         elif not listed and isinstance(document, Spds):
             project = replace(project, spds=document, spds_file=file)
             self.disk.see_new(file)
         elif not listed:
             assert isinstance(document, Application)
-            project = replace(project, parts={**project.parts, file: document})
+            project = self._regrouped(replace(project, parts={**project.parts, file: document}))
             self.disk.see_new(file)
         else:
             project = self._with(file, document)
@@ -629,7 +633,8 @@ class Session(QObject):
             # It was saved before it was taken back.
             is_text = beside.language_of(file) is not None
             self._beside[file] = Catalogue() if is_text else Toml("")
-        self._project = project = beside.settled(before, self._beside)
+        project = self._regrouped(before) if file == PROJECT_FILE else before
+        self._project = project = beside.settled(project, self._beside)
         self._called = {}
         if project.languages != before.languages:
             # A language that came may have had texts here before.
@@ -643,6 +648,28 @@ class Session(QObject):
             self.listed.emit()
         self.changed.emit(file)
         self.stack_changed.emit()
+
+    def _regrouped(self, project: Project) -> Project:
+        """The project with the applications that its ``situ.toml`` names: those read before, those
+        that are read now, not what can not be read. What it has no more is kept for undo.
+        """
+        toml = self._beside.get(PROJECT_FILE)
+        if not isinstance(toml, Toml):
+            return project
+        for file in beside.applications(toml):
+            if file not in project.flows and file not in self._apart:
+                self._read_application(file)
+        project, gone = beside.grouped(project, toml, self._apart)
+        self._apart |= gone
+        return project
+
+    def _read_application(self, file: str) -> None:
+        if folder.resolve(self.root, file) is None or self.disk.is_missing(file):
+            return
+        document, problems = read(self.disk.read(file), file)
+        if isinstance(document, Application) and not any(p.severity == "error" for p in problems):
+            self._apart[file] = self._read[file] = self._saved[file] = document
+            self.disk.see(file)
 
 
 def _joined(base: Written | None, mine: Written, theirs: Written) -> Written | None:

@@ -16,11 +16,11 @@ from situ.document.project import Project
 from situ_studio.letters import px
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.told import Told
+from situ_studio.project_form.applications import ApplicationsSection
 from situ_studio.project_form.boxes import Change, FieldsSection, Section
 from situ_studio.project_form.checks import inside, named
 from situ_studio.project_form.readings import ReadingsSection
 from situ_studio.project_form.sections import (
-    ApplicationsSection,
     LanguagesSection,
     MqttSection,
     PatternsSection,
@@ -111,6 +111,7 @@ class ProjectForm(QWidget):
         return line
 
     def _make(self, theme: Theme) -> dict[str, Section]:
+        self.applications = ApplicationsSection(theme)
         languages = LanguagesSection(theme)
         languages.language_asked.connect(self.language_asked)
         return {
@@ -136,7 +137,7 @@ class ProjectForm(QWidget):
                     ),
                 ),
             ),
-            "applications": ApplicationsSection(theme),
+            "applications": self.applications,
             "languages": languages,
             "robot": FieldsSection(
                 theme,
@@ -205,6 +206,7 @@ class ProjectForm(QWidget):
         self._problems: dict[str, tuple[Problem, ...]] = {
             file: tuple(problems(file)) for file in (PROJECT_FILE, LOCAL_FILE)
         }
+        self.applications.show_applications(project.applications)
         self._settle()
 
     def show_file(self, file: str) -> None:

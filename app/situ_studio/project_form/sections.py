@@ -69,36 +69,6 @@ class LanguagesSection(RowsSection):
         self.tell(lambda toml: writing.put(toml, "project", "languages", codes), words)
 
 
-class ApplicationsSection(RowsSection):
-    """Their order counts: what they do at one moment is done in it."""
-
-    movable = True
-
-    def __init__(self, theme: Theme) -> None:
-        super().__init__(
-            theme,
-            tr("Applications"),
-            tr("Where several have something to do at one moment, the upper one goes first."),
-            (Column(title=""),),
-            tr("an application"),
-        )
-        self.plus.hide()
-        self._files: list[str] = []
-
-    def show_tables(self, tables: Tables) -> None:
-        self._files = texts_of(table_of(tables, "project").get("applications"))
-        self.show_values([(file,) for file in self._files])
-        # Which there are is decided in the project's folder.
-        for row in range(len(self.rows)):
-            self.rows.buttons(row)[-1].hide()
-
-    def on_moved(self, row: int, to: int) -> None:
-        files = list(self._files)
-        files.insert(to, files.pop(row))
-        words = tr("Move {0}").format(self._files[row])
-        self.tell(lambda toml: writing.put(toml, "project", "applications", files), words)
-
-
 class PatternsSection(RowsSection):
     """A list of tags and patterns at ``table.key``."""
 

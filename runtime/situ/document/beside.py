@@ -18,6 +18,7 @@ from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER, called,
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.projectfile import ProjectFile
+from situ.document.rbd import Application
 
 
 class Toml(Struct, frozen=True):
@@ -98,8 +99,39 @@ def settled(project: Project, values: Mapping[str, Beside]) -> Project:
 
 
 def problems(project: Project, file: str, value: Beside) -> list[Problem]:
-    """What is wrong in a file by itself."""
-    return _file(project, file, value).problems if isinstance(value, Toml) else []
+    """What is wrong in a file by itself, and of the applications that it names."""
+    if not isinstance(value, Toml):
+        return []
+    found = _file(project, file, value)
+    seen: set[str] = set()
+    for named in found.get("project", "applications") or ():
+        if named in seen:
+            found.twice(named)
+        elif named not in project.applications:
+            found.missing("applications", named)
+        seen.add(named)
+    return found.problems
+
+
+def grouped(
+    project: Project, value: Toml, known: Mapping[str, Application]
+) -> tuple[Project, dict[str, Application]]:
+    """The project with the applications that ``situ.toml`` names, of its own flows and of others
+    that are ``known``; and those that it has no more.
+
+    One that is named no more stays as a part where a flow leads to it.
+    """
+    every = {**known, **project.flows}
+    found = {file: every[file] for file in applications(value) if file in every}
+    parts = {file: one for file, one in project.parts.items() if file not in found}
+    gone = {file: one for file, one in project.applications.items() if file not in found}
+    waiting = [*found.values(), *parts.values()]
+    while waiting:
+        for state in waiting.pop().states:
+            if state.flow in gone:
+                parts[state.flow] = gone.pop(state.flow)
+                waiting.append(parts[state.flow])
+    return replace(project, applications=found, parts=parts), gone
 
 
 def compare(project: Project, file: str, before: Beside, after: Beside) -> list[Change]:
@@ -115,7 +147,7 @@ def compare(project: Project, file: str, before: Beside, after: Beside) -> list[
 
 
 def applications(value: Toml) -> Sequence[str]:
-    """The applications that ``situ.toml`` names, in their order."""
+    """The applications that ``situ.toml`` names, in their order, each once or more."""
     return ProjectFile(value.text.encode(), PROJECT_FILE).get("project", "applications") or ()
 
 

@@ -154,7 +154,7 @@ def _authority(found: Findings, application: Application, project: Project) -> N
             f"{project.spds_file} gives {shown(application.name)} no priority in any situation: "
             "give it one"
         )
-        mend = _give_priority(project, script, application)
+        mend = give_priority(project, script, application)
         found.error("application-without-priority", said, application.aside, mend=mend)
     declared = project.resources(application.name)
     if declared is None:
@@ -171,7 +171,7 @@ def _authority(found: Findings, application: Application, project: Project) -> N
             found.error("undeclared-resource", said, at, mend=mend)
 
 
-def _give_priority(project: Project, script: Spds, application: Application) -> Mend | None:
+def give_priority(project: Project, script: Spds, application: Application) -> Mend | None:
     """To declare an application, and give it the lowest priority of the last situation."""
     if not script.situations:
         return None

@@ -289,8 +289,7 @@ class _Loading:
         applications: dict[str, Application] = {}
         for file in toml.get("project", "applications") or ():
             if file in applications:
-                said = f"{file} stands here twice: name each application once"
-                toml.listed("duplicate-file", said, "applications", file)
+                toml.twice(file)
                 continue
             document = self.document(toml, "applications", file)
             if document is not None:
@@ -349,8 +348,7 @@ class _Loading:
         try:
             data = self.files.read(file)
         except (FileNotFoundError, IsADirectoryError, NotADirectoryError):
-            said = f"There is no file {file}: add it, or take it out here"
-            toml.listed("missing-file", said, key, file)
+            toml.missing(key, file)
             return None
         except OSError as error:
             self.unreadable(file, error)

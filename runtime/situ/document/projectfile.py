@@ -116,6 +116,17 @@ class ProjectFile:
         mend = mends.take_out(self.name, path, value)
         self.problem(code, message, "project", key, value, path, mend)
 
+    def twice(self, file: str) -> None:
+        """Notes that an application is named again."""
+        said = f"{file} stands here twice: name each application once"
+        self.listed("duplicate-file", said, "applications", file)
+
+    def missing(self, key: str, file: str) -> None:
+        """Notes that a file that ``[project]`` names is not there."""
+        self.listed(
+            "missing-file", f"There is no file {file}: add it, or take it out here", key, file
+        )
+
     def mqtt(self) -> Mqtt | None:
         url, incoming = self.get("mqtt", "url"), self.get("mqtt", "in")
         if url is None and incoming is None:
