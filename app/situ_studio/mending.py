@@ -18,13 +18,15 @@ from situ.document import mend_toml
 from situ.document.accepting import accepting
 from situ.document.beside import Toml
 from situ.document.mend import Stale, mends, of
-from situ.document.mend_alike import alike, mend_alike
+from situ.document.mend_alike import alike, carried_out
 from situ.document.problem import Mend, Problem
 from situ_studio import icons, places
+from situ_studio.alike_mending import AlikeMending, Plan, Wanted
 from situ_studio.edit import Document, Place
 from situ_studio.language import said
 from situ_studio.panels.problems import PROBLEM
 from situ_studio.problem_places import ProblemPlaces
+from situ_studio.working import Work
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -44,11 +46,21 @@ class MendingSide(QObject):
         self._places = ProblemPlaces(window)
         self._known: dict[str, dict[Place, list[Problem]]] = {}
         self.shown: QMenu | None = None
+        self._work: Work | None = None
+        self.plan_with(AlikeMending(self))
         self._session.problems_changed.connect(self._known.clear)
         window.problems.chosen.connect(self._places.go)
         window.problems.mend_asked.connect(self.mend)
         window.problems.menu_asked.connect(self._on_row)
         window.inspector.told.mend_asked.connect(self.mend)
+
+    def plan_with(self, alike: AlikeMending) -> None:
+        """From now on this finds how all of a kind are mended."""
+        self.alike = alike
+        alike.began.connect(self._on_planning)
+        alike.ended.connect(self._end_work)
+        alike.planned.connect(self._on_planned)
+        alike.gone.connect(self._on_gone)
 
     # -- what there is -----------------------------------------------------------
 
@@ -219,14 +231,39 @@ class MendingSide(QObject):
             return None
 
     def mend_alike(self, code: str) -> None:
-        """Mends all problems of one kind in the whole project, as one step."""
+        """Mends all problems of one kind in the whole project, as one step.
+
+        What has to be done is found beside the window in a large project, and not done where
+        the project is another one by then.
+        """
+        project = self._session.project
+        if project is not None and not self._settings_alike(code):
+            self.alike.ask(Wanted(project, code))
+
+    def _on_planning(self) -> None:
+        words = self.tr("Mending all problems of one kind")
+        self._work = self._window.status.work.begin(words, self._give_up)
+
+    def _give_up(self) -> None:
+        # The work ends itself.
+        self._work = None
+        self.alike.cancel()
+
+    def _end_work(self) -> None:
+        work, self._work = self._work, None
+        if work is not None:
+            work.end()
+
+    def _on_gone(self) -> None:
+        told = self.tr("These could not be mended: its process ended early. Nothing was changed.")
+        self._window.say(told)
+
+    def _on_planned(self, wanted: Wanted, plan: Plan) -> None:
         project, window = self._session.project, self._window
-        if project is None:
+        if project is not wanted.project:
+            window.say(self.tr("The project has changed meanwhile: nothing was mended."))
             return
-        before = self._session.problems
-        if self._settings_alike(code):
-            return
-        after, left = mend_alike(project, before, code)
+        after = carried_out(project, plan.rounds)
         here = window.current_file or ""
         files = sorted(self._session.files, key=lambda file: file != here)
         changed = {
@@ -235,16 +272,14 @@ class MendingSide(QObject):
             if (document := of(after, file)) is not None
             and document is not self._session.document(file)
         }
-        gone = sum(p.code == code for p in before) - sum(p.code == code for p in left)
         view = window.current_view
         selected = view.selected if view is not None else ()
-        text = self.tr("Mend {0} problems of one kind").format(gone)
+        text = self.tr("Mend {0} problems of one kind").format(plan.gone)
         if not changed or not self._session.commit_all(changed, text, selected):
             window.say(self.tr("These can not be mended together: mend them one by one."))
             return
-        still = len(alike(left, code))
-        more = self.tr("{0} mended, {1} are left.").format(gone, still)
-        window.say(more if still else self.tr("{0} problems mended.").format(gone))
+        more = self.tr("{0} mended, {1} are left.").format(plan.gone, plan.left)
+        window.say(more if plan.left else self.tr("{0} problems mended.").format(plan.gone))
 
     def _settings_alike(self, code: str) -> bool:
         """Whether those of one kind were mended in ``situ.toml``, where all of them were."""

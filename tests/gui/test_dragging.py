@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -45,7 +45,7 @@ class Drag:
 
 
 @pytest.fixture
-def begun(qt: QApplication, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[QMimeData]]:
+def begun(qt: QApplication, monkeypatch: pytest.MonkeyPatch) -> list[QMimeData]:
     Drag.begun = []
     monkeypatch.setattr(dragging, "QDrag", Drag)
     return Drag.begun

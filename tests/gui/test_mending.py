@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,16 +10,19 @@ from typing import Any
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QContextMenuEvent, QHelpEvent
-from PySide6.QtTest import QTest
+from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
 from situ.document import codec
 from situ.document.beside import Toml
+from situ_studio import places
+from situ_studio.alike_mending import AlikeMending
 from situ_studio.panels.lists import MARKS
 from situ_studio.panels.problems import PROBLEM
 from situ_studio.theme import LIGHT
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
+PATIENCE = 20_000
 FILE = "ward.rbd.xml"
 SCRIPT = "ward.spds.xml"
 
@@ -242,6 +246,66 @@ def test_all_of_a_kind_are_one_step_from_a_rows_menu(ward: Any) -> None:
     ward.settle()
     assert ward.session.document(FILE) is before
     assert codes(ward).count("small-target") == 2
+
+
+@pytest.fixture
+def large(ward: Any) -> Any:
+    """The same, planned by another process as in a large project."""
+    ward.window.mending.plan_with(AlikeMending(ward.window.mending, large=0))
+    return ward
+
+
+def told(used: Any, answered: Any) -> str:
+    """What the window says once the process has answered, or ended."""
+    spy = QSignalSpy(answered)
+    assert spy.wait(PATIENCE)
+    used.settle()
+    return str(used.window.status.said.text())
+
+
+def test_in_a_large_project_all_of_a_kind_are_mended_beside_the_window(large: Any) -> None:
+    """It is shown that it goes on, and is one step; the window is in use meanwhile."""
+    window, session = large.window, large.session
+    before = session.document(FILE)
+    window.mending.mend_alike("small-target")
+    assert [work.words for work in window.status.work.going] == ["Mending all problems of one kind"]
+    assert session.document(FILE) is before
+    assert told(large, window.mending.alike.planned) == "2 problems mended."
+    assert window.status.work.going == []
+    assert "small-target" not in codes(large)
+    assert session.undo_text == "Mend 2 problems of one kind"
+    # What was not mended is the very same.
+    assert session.document(FILE).states[1] is before.states[1]
+    window.actions_.actions["undo"].trigger()
+    assert session.document(FILE) is before
+
+
+def test_what_was_planned_for_another_project_is_not_done(large: Any) -> None:
+    window, session = large.window, large.session
+    window.mending.mend_alike("small-target")
+    renamed = places.change(session.document(FILE), ("state", "2"), name="Milk")
+    window.commit(renamed, "Rename")
+    said = told(large, window.mending.alike.planned)
+    assert said == "The project has changed meanwhile: nothing was mended."
+    assert session.document(FILE) is renamed
+    # And what is cancelled is done by nobody.
+    window.mending.mend_alike("small-target")
+    window.status.work.cancel()
+    assert window.status.work.going == []
+    large.settle()
+    assert session.document(FILE) is renamed
+
+
+def test_a_process_that_ends_early_mends_nothing_and_it_is_said(large: Any) -> None:
+    window, session = large.window, large.session
+    command = (sys.executable, "-c", "import sys; sys.stdin.buffer.read(1)")
+    window.mending.plan_with(AlikeMending(window.mending, large=0, command=command))
+    before = session.document(FILE)
+    window.mending.mend_alike("small-target")
+    said = told(large, window.mending.alike.gone)
+    assert said == "These could not be mended: its process ended early. Nothing was changed."
+    assert window.status.work.going == []
+    assert session.document(FILE) is before
 
 
 def test_a_warning_is_accepted_and_told_again_after_undo(ward: Any) -> None:

@@ -26,17 +26,37 @@ def mend_alike(
     problems: what ``check`` found in ``project``. Both are given back as they were where mending
     would take none away, or bring another error.
     """
-    found = list(problems)
+    rounds, left = planned(project, problems, code)
+    return carried_out(project, rounds), left
+
+
+def planned(
+    project: Project, problems: Sequence[Problem], code: str
+) -> tuple[list[list[Problem]], list[Problem]]:
+    """In which rounds ``mend_alike`` mends what, and what ``check`` finds after them.
+
+    Looking for them takes as many checks as there are rounds; carrying them out takes none.
+    """
+    found, rounds = list(problems), []
     for _ in range(ROUNDS):
-        after, done = every(project, alike(found, code))
+        wanted = alike(found, code)
+        after, done = every(project, wanted)
         if not done:
             break
         now = check(after)
         fewer = len(_of(now, code)) < len(_of(found, code))
         if not fewer or _others(now, code) - _others(found, code):
             break
+        rounds.append(wanted)
         project, found = after, now
-    return project, found
+    return rounds, found
+
+
+def carried_out(project: Project, rounds: Iterable[Iterable[Problem]]) -> Project:
+    """The very project for which these rounds were planned, after them."""
+    for wanted in rounds:
+        project, _ = every(project, wanted)
+    return project
 
 
 def _of(problems: Iterable[Problem], code: str) -> list[Problem]:

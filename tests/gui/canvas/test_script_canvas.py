@@ -176,7 +176,12 @@ def test_an_edit_makes_what_is_taken_over_anew_once(
     (before,) = canvas.priorities.taken_over
     held: list[Any] = []
     hold = canvas.viewer.hold_pipe
-    monkeypatch.setattr(canvas.viewer, "hold_pipe", lambda pipe: (held.append(pipe), hold(pipe)))
+
+    def hold_pipe(pipe: Any) -> None:
+        held.append(pipe)
+        hold(pipe)
+
+    monkeypatch.setattr(canvas.viewer, "hold_pipe", hold_pipe)
     made.hand.settle()
     canvas._edit(*gestures.prioritise(canvas.document, "conversation", "converse", 31))
     (after,) = canvas.priorities.taken_over

@@ -24,13 +24,12 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QLineEdit, QWidget
 
 from situ.document import folder
 from situ_studio import places
-from situ_studio.panels import preview
 from situ_studio.screens.designer import Designer
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.own_device import OwnDevice
 from situ_studio.screens.own_templates import OwnTemplates
 from situ_studio.screens.sample_popup import SamplePopup
-from situ_studio.screens.shown import content
+from situ_studio.screens.shown import Content, content
 from situ_studio.screens.tag_chips import dragged
 from situ_studio.screens.template_tiles import dragged as dragged_template
 from situ_studio.theme import LIGHT
@@ -417,9 +416,18 @@ def test_an_edit_shows_the_screen_once_and_frames_ask_for_it_no_more(
     desk.go_to("2")
     shown: list[Any] = []
     made: list[Any] = []
-    show, content = desk.sheet.show_screen, preview.content
-    monkeypatch.setattr(desk.sheet, "show_screen", lambda *a: (shown.append(a[1]), show(*a)))
-    monkeypatch.setattr(preview, "content", lambda *a: (made.append(a[0]), content(*a))[1])
+    show = desk.sheet.show_screen
+
+    def show_screen(*arguments: Any) -> None:
+        shown.append(arguments[1])
+        show(*arguments)
+
+    def content_of(*arguments: Any) -> Content:
+        made.append(arguments[0])
+        return content(*arguments)
+
+    monkeypatch.setattr(desk.sheet, "show_screen", show_screen)
+    monkeypatch.setattr("situ_studio.panels.preview.content", content_of)
     desk.designer.write_tag("user.name")
     desk.sheet.repaint()
     desk.sheet.repaint()
