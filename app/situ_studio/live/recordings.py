@@ -19,7 +19,7 @@ from situ_studio.live.log import TraceLog
 
 SLICE = 0.012
 """Seconds of reading at a time."""
-PIECE = 200
+PIECE = 500
 """Pieces of the file between two looks at the clock."""
 
 
