@@ -1,4 +1,7 @@
-"""Gathers what ``situ.document`` says to people, as templates, for the translators of the editor.
+"""Gathers what the runtime says to people in the editor, as templates, for its translators.
+
+Of ``situ.document`` problems, mends and differences; of ``situ.rehearse`` what happened, and why
+something did or did not.
 
 packaging/texts.py uses it. A template is a text of the sources; where an f-string has a value, it
 has ``{0}``, ``{1}`` … Texts without two words in a row are taken for names, and left out.
@@ -12,7 +15,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-SOURCES = ROOT / "runtime" / "situ" / "document"
+RUNTIME = ROOT / "runtime" / "situ"
+SOURCES = (
+    "document/*.py",
+    *(f"rehearse/{name}.py" for name in ("past", "reason", "telling", "ways", "why", "why_*")),
+)
 QUIET = {"schema.py", "locate.py", "writer.py"}
 """Files whose texts no person reads in the editor."""
 SAID = re.compile(r"[a-z]{2,}'?,? +(?:[\w<\"“({[]|$)|\}[^\w{}]* [a-z]{2,}|^: [a-z]|[a-z]{2,}: \{")
@@ -20,6 +27,7 @@ SAID = re.compile(r"[a-z]{2,}'?,? +(?:[\w<\"“({[]|$)|\}[^\w{}]* [a-z]{2,}|^: [
 
 WORDS = {"exists", "empty", "wide", "high", "lies", "lie", "and", "or"}
 WORDS |= {"state", "event", "timeout", "button", "text", "image", "movie", "input", "list"}
+WORDS |= {"nothing", "well", "badly", "back"}
 """Single words that are said too."""
 XML = re.compile(r"^<\w+ \w+=|^<\w+/>$|<param |^<choice>|\\[sd]|^\^|\n")
 """Pieces of schemas, and regular expressions."""
@@ -28,7 +36,7 @@ XML = re.compile(r"^<\w+ \w+=|^<\w+/>$|<param |^<choice>|\\[sd]|^\^|\n")
 def templates() -> list[str]:
     """Every template of the sources, sorted, each once."""
     found: set[str] = set()
-    for file in sorted(SOURCES.glob("*.py")):
+    for file in (file for pattern in SOURCES for file in RUNTIME.glob(pattern)):
         if file.name not in QUIET:
             found.update(_said(ast.parse(file.read_text(encoding="utf-8"))))
     return sorted(found)

@@ -1,8 +1,9 @@
-"""What ``situ.document`` says in English, in the user's language.
+"""What ``situ.document`` and ``situ.rehearse`` say in English, in the user's language.
 
-The runtime knows no languages: problems, mends and differences are English sentences with values in
-them. ``resources/i18n/runtime.txt`` has their templates (packaging/runtime_texts.py gathers them),
-which are translated like all texts of the studio, in the context ``runtime``.
+The runtime knows no languages: problems, mends, differences, what happened and why are English
+sentences with values in them. ``resources/i18n/runtime.txt`` has their templates
+(packaging/runtime_texts.py gathers them), which are translated like all texts of the studio, in the
+context ``runtime``.
 """
 
 from __future__ import annotations
@@ -20,6 +21,8 @@ Translate = Callable[[str], str]
 HOLE = re.compile(r"\{(\d)\}")
 QUOTED = re.compile(r'“[^“”]*”|"[^"]*"')
 """What a person wrote: never translated, though it may read like one of the runtime's texts."""
+DATA = ('{"', "[{", '["', "{}", "[]")
+"""How a value as JSON begins, which is never translated either."""
 TAG = re.compile(r"[a-z]\w*(\.[\w-]+)+")
 """What stands before a test: ``human.distance above 3``."""
 GLUE = (": ", "; ", ", ", " → ", " and ")
@@ -57,7 +60,7 @@ class RuntimeWords:
             return text
         if text in self._whole:
             return self._translate(text)
-        if QUOTED.fullmatch(text):
+        if QUOTED.fullmatch(text) or text.startswith(DATA):
             return text
         if depth < DEEPEST:
             for template, values in self._fitting(text):

@@ -5,11 +5,20 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
 from tests.document.test_docs_problems import EXAMPLES, NUMBERED, Example, checked
 
+from situ.document.ready import load_ready
+from situ.rehearse.reason import Reason
+from situ.rehearse.recording import record
+from situ.rehearse.scenario import load
+from situ.rehearse.suite import scenarios
+from situ.rehearse.telling import Teller
+from situ.rehearse.why import why_not
+from situ.resources import example
 from situ_studio.runtime_words import RuntimeWords, templates
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -62,3 +71,47 @@ def test_a_language_without_a_template_leaves_its_english() -> None:
 def test_what_a_person_wrote_is_never_translated() -> None:
     words = RuntimeWords(["{0} to {1}", "call {0}"], marked)
     assert words.said("call “Helper to Ann”") == "⟦“Helper to Ann” call⟧"
+    spoken = '{"text":"Would you like to do it?","lang":"en"}'
+    assert words.said(f"call {spoken}") == f"⟦{spoken} call⟧"
+
+
+@pytest.mark.parametrize("name", ["conversation", "reception"])
+def test_what_happened_and_why_something_did_not_is_said_in_the_user_s_language(name: str) -> None:
+    project = load_ready(Path(example(name)))
+    words, teller = RuntimeWords(KNOWN, marked), Teller(project)
+    told: set[str] = set()
+    for file in scenarios(project):
+        run, _ = record(project, load(file))
+        told |= {teller.tell(event) for event in run.events}
+        told |= {teller.origin(event) for event in run.events}
+        for wanted in WANTED[name]:
+            for at in (0.0, run.end / 2, run.end):
+                answer = why_not(project, run, wanted, at)
+                told |= set(every(answer.reasons))
+    assert len(told) > 100
+    assert [text for text in told if not words.said(text).startswith("⟦")] == []
+
+
+WANTED: dict[str, list[dict[str, str]]] = {
+    "conversation": [
+        {"kind": "enter", "state": "4"},
+        {"kind": "transition", "to": "6"},
+        {"kind": "situation", "to": "called"},
+        {"kind": "authority", "to": "nod", "resource": "head"},
+        {"kind": "mapping", "module": "nod", "resource": "head"},
+        {"kind": "action", "action": "speech"},
+        {"kind": "event", "name": "clickNo"},
+        {"kind": "resume"},
+    ],
+    "reception": [
+        {"kind": "enter", "state": "14"},
+        {"kind": "action", "action": "service"},
+        {"kind": "event", "name": "timedout"},
+    ],
+}
+
+
+def every(reasons: Iterable[Reason]) -> Iterator[str]:
+    for reason in reasons:
+        yield reason.text
+        yield from every(reason.below)

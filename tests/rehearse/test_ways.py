@@ -115,8 +115,8 @@ def test_the_way_into_a_part_and_back_in_it(shop: Project) -> None:
     answer = why_not(shop, recording, {"kind": "enter", "state": "5/end"}, 1.5)
     assert lines(answer.reasons) == [
         (
-            "- shop was in 1 start since 1 s; the nearest way to 5/end: go to 5/ask name, "
-            "yes to 5/end  (#1)"
+            "- shop was in 1 start since 1 s; the nearest way to 5/end: go → 5/ask name, "
+            "yes → 5/end  (#1)"
         ),
         "  - event go did not come while shop was in 1 start, since 1 s  (#1)",
         "    - it comes from outside: from a module, a message, or the blackboard",

@@ -257,7 +257,7 @@ def test_a_state_that_is_far_away_and_the_nearest_way_there(door: Project, recor
     assert told.splitlines()[:2] == [
         (
             "- door was in 3 burning since 30 s; the nearest way to 4 inside: "
-            "go to 1 shut, at once to 4 inside"
+            "go → 1 shut, at once → 4 inside"
         ),
         "  - event go did not come while door was in 3 burning, since 30 s",
     ]
@@ -970,7 +970,7 @@ def test_the_nearest_way_to_an_end_is_told_from_afar(visit: Project, visited: Re
     told = _ask(visit, visited, 1.5, "transition", **{"from": "2", "to": "3"})
     assert (
         "visit was in 2/a ask since 1 s; the nearest way to 2/known: "
-        "yes to 2/b look up, found to 2/known"
+        "yes → 2/b look up, found → 2/known"
     ) in told
 
 
@@ -981,7 +981,7 @@ def test_a_state_that_holds_a_part_is_one_to_be_in_and_to_go_to(
     told = _ask(visit, visited, 4.5, "transition", **{"from": "2", "to": "3"})
     assert told.startswith("- visit was in 1 hall since 4 s\n  - event in did not come")
     told = _ask(visit, visited, 4.5, "enter", state="2/b")
-    assert "the nearest way to 2/b look up: in to 2/a ask, yes to 2/b look up" in told
+    assert "the nearest way to 2/b look up: in → 2/a ask, yes → 2/b look up" in told
 
 
 def test_a_part_begun_anew_is_entered_at_its_start(visit: Project, visited: Recording) -> None:

@@ -217,11 +217,14 @@ class Past:
                 said = f"{words.child(test)}: not told by a trace alone"
         else:
             assert entry is not None
-            verb = "deleted" if entry.value is None else "set"
-            said += f", {verb} at {moment(entry.time / SECOND)} by {entry.writer}"
+            at = moment(entry.time / SECOND)
+            if entry.value is None:
+                said = f"{said}, deleted at {at} by {entry.writer}"
+            else:
+                said = f"{said}, set at {at} by {entry.writer}"
         other = only_reference(test.value)
         if other is not None and test.test != "exists":
-            said += f"; {other} was {value_words(self.board.look(other))}"
+            said = f"{said}; {other} was {value_words(self.board.look(other))}"
         return said
 
     def _test(self, test: Test) -> Compiled:

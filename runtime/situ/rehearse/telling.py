@@ -66,8 +66,8 @@ def action_words(event: Fields) -> str:
     if kind == "sound" and isinstance(event.get("src"), str):
         return f"sound {event['src']}"
     if name is not None:
-        on = f" on {event['resource']}" if event.get("resource") else ""
-        return f"{kind} {name}{on}"
+        resource = event.get("resource")  # which only a robot's actions have
+        return f"robot {name} on {resource}" if resource else f"{kind} {name}"
     tag = event.get("tag") or event.get("topic")
     return f"{kind} {tag}" if tag else str(kind)
 
@@ -90,8 +90,9 @@ def _transition(teller: Teller, event: Fields) -> str:
 def _authority(teller: Teller, event: Fields) -> str:
     if event["to"] is None:
         return f"{event['from']} loses {event['resource']}, nobody holds it"
-    lost = f" from {event['from']}" if event["from"] is not None else ""
-    return f"{event['to']} gets {event['resource']}{lost}"
+    if event["from"] is None:
+        return f"{event['to']} gets {event['resource']}"
+    return f"{event['to']} gets {event['resource']} from {event['from']}"
 
 
 def _mapping(teller: Teller, event: Fields) -> str:
@@ -101,17 +102,19 @@ def _mapping(teller: Teller, event: Fields) -> str:
 
 
 def _ignored(teller: Teller, event: Fields) -> str:
-    why = {
-        "suspended": "is suspended",
-        "guard": "has no guard for it that holds",
-        "unexpected": "does not expect it here",
-    }.get(event["reason"], event["reason"])
-    return f"{event['application']} ignores {event['name']}: it {why}"
+    application, name = event["application"], event["name"]
+    if event["reason"] == "suspended":
+        return f"{application} ignores {name}: it is suspended"
+    if event["reason"] == "guard":
+        return f"{application} ignores {name}: it has no guard for it that holds"
+    if event["reason"] == "unexpected":
+        return f"{application} ignores {name}: it does not expect it here"
+    return f"{application} ignores {name}: it {event['reason']}"
 
 
 def _finished(teller: Teller, event: Fields) -> str:
     what = action_words(event)
-    return f"{what} ends {'well' if event['ok'] else 'badly: ' + str(event.get('error'))}"
+    return f"{what} ends well" if event["ok"] else f"{what} ends badly: {event.get('error')}"
 
 
 def _who(event: Fields) -> str:
@@ -119,21 +122,35 @@ def _who(event: Fields) -> str:
     return str(event.get("writer", f"breakpoint {event['breakpoint']}"))
 
 
-def _at(verb: str) -> Callable[[Teller, Fields], str]:
-    return lambda teller, event: (
-        f"{event['application']} {verb} {teller.state(event['application'], event['state'])}"
-    )
+def _condition(teller: Teller, event: Fields) -> str:
+    if event["holds"]:
+        return f"the condition of situation {event['situation']} holds"
+    return f"the condition of situation {event['situation']} no longer holds"
+
+
+def _situation(teller: Teller, event: Fields) -> str:
+    if event["from"] is None:
+        return f"situation {event['to']}"
+    return f"situation {event['to']} after {event['from']}"
+
+
+def _deployed(teller: Teller, event: Fields) -> str:
+    version, writer = event["version"], event["writer"]
+    if not event["files"]:
+        return f"version {version} takes over, deployed by {writer}"
+    changed = words.listed(event["files"])
+    return f"version {version} takes over, deployed by {writer}; changed: {changed}"
+
+
+def _in(teller: Teller, event: Fields) -> str:
+    """The state that an event is about."""
+    return teller.state(event["application"], event["state"])
 
 
 _TOLD: dict[str, Callable[[Teller, Fields], str]] = {
     "data": _data,
-    "condition": lambda teller, e: (
-        f"the condition of situation {e['situation']} "
-        f"{'holds' if e['holds'] else 'no longer holds'}"
-    ),
-    "situation": lambda teller, e: (
-        f"situation {e['to']}" + (f" after {e['from']}" if e["from"] is not None else "")
-    ),
+    "condition": _condition,
+    "situation": _situation,
     "acquire": lambda teller, e: f"{e['module']} asks for {words.listed(_asked(e)) or 'nothing'}",
     "abandon": lambda teller, e: f"{e['module']} gives back {words.listed(e['resources'])}",
     "lost": lambda teller, e: f"{e['module']} is lost",
@@ -142,10 +159,10 @@ _TOLD: dict[str, Callable[[Teller, Fields], str]] = {
     "mapping": _mapping,
     "event": lambda teller, e: f"event {e['name']} comes to {e['application']}",
     "ignored": _ignored,
-    "exit": _at("leaves"),
-    "enter": _at("enters"),
+    "exit": lambda teller, e: f"{e['application']} leaves {_in(teller, e)}",
+    "enter": lambda teller, e: f"{e['application']} enters {_in(teller, e)}",
     "transition": _transition,
-    "screen": _at("shows the screen of"),
+    "screen": lambda teller, e: f"{e['application']} shows the screen of {_in(teller, e)}",
     "action": lambda teller, e: f"{e['application']} begins {action_words(e)}",
     "finished": _finished,
     "cancelled": lambda teller, e: f"{action_words(e)} is cancelled",
@@ -153,12 +170,9 @@ _TOLD: dict[str, Callable[[Teller, Fields], str]] = {
         f"{e['application']} is suspended: it does not hold {words.listed(e['missing'])}"
     ),
     "resume": lambda teller, e: f"{e['application']} goes on",
-    "paused": lambda teller, e: f"{_at('is paused in')(teller, e)} by {_who(e)}",
+    "paused": lambda teller, e: f"{e['application']} is paused in {_in(teller, e)} by {_who(e)}",
     "resumed": lambda teller, e: f"{e['application']} is no longer paused, by {_who(e)}",
-    "deployed": lambda teller, e: (
-        f"version {e['version']} takes over, deployed by {e['writer']}"
-        + (f"; changed: {words.listed(e['files'])}" if e["files"] else "")
-    ),
+    "deployed": _deployed,
     "warning": lambda teller, e: f"warning: {e['message']}",
     "error": lambda teller, e: f"error: {e['message']}",
 }

@@ -213,5 +213,5 @@ def way_words(way: Way) -> str:
     assert event is not None
     said = f"event {event.name}" if event.name else "the unnamed event"
     if event.when is not None and not event.name:
-        said += f" ({words.condition(event.when)})"
+        said = f"the unnamed event ({words.condition(event.when)})"
     return f"{said} of always" if way.source == "always" else said

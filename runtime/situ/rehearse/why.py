@@ -196,7 +196,7 @@ def _resume(asked: _Question) -> list[Reason]:
     suspend = stuck.now()[-1].suspended
     if suspend is None:
         return [Reason(code="note", text=f"{application} was not suspended")]
-    return [stuck.suspended("it could not go on, as", suspend)]
+    return [stuck.suspended(f"it could not go on, as {stuck.since(suspend)}", suspend)]
 
 
 KINDS: dict[str, Callable[[_Question], list[Reason]]] = {

@@ -80,7 +80,8 @@ def _one(
         return elsewhere
     stay = next(s for s in stuck.now() if f"{s.state}/".startswith(f"{frame.no}/"))
     if stay.suspended is not None:
-        return [stuck.suspended("the state is the right one, but", stay.suspended)]
+        said = f"the state is the right one, but {stuck.since(stay.suspended)}"
+        return [stuck.suspended(said, stay.suspended)]
     return [_in_turn(past, stay, application, frame, int(place[-1]), action)]
 
 

@@ -104,7 +104,8 @@ def why_not_moved(past: Past, module: str, resource: str) -> list[Reason]:
     if mapped is None or mapped["value"] is None or mapped["module"] != module:
         said = f"{module} held {resource} but had no valid command for it"
         if command is not None:
-            said += f"; what it commanded, {value_words(command)}, was older than its authority"
+            older = value_words(command)
+            said = f"{said}; what it commanded, {older}, was older than its authority"
         return [Reason(code="command", text=said, seq=past.holders[resource]["seq"])]
     said = f"{resource} was already moved by {module}: {value_words(mapped['value'])}"
     return [Reason(code="command", text=said, seq=mapped["seq"])]

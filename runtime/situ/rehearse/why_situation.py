@@ -56,9 +56,13 @@ def _goes_first(past: Past, script: Spds, event: Fields, name: str) -> Reason:
 def _spent(events: list[Fields], name: str) -> Reason:
     """Its condition holds and nothing goes before it: ``until`` or ``limit`` has ended it."""
     last = [e for e in events if e["kind"] == "situation" and e["from"] == name]
-    when = f" at {moment(last[-1]['t'])}" if last else ""
     said = (
-        f"{name} has ended{when} by until or limit and begins again only after its condition "
-        "has once been false"
+        f"{name} has ended by until or limit and begins again only after its condition has once "
+        "been false"
     )
+    if last:
+        said = (
+            f"{name} has ended at {moment(last[-1]['t'])} by until or limit and begins again only "
+            "after its condition has once been false"
+        )
     return Reason(code="spent", text=said, seq=last[-1]["seq"] if last else None)

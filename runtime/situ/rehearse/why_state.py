@@ -105,7 +105,8 @@ class Stuck:
         event = attempt.event
         came = f"{event['name']} came at {moment(event['t'])}"
         if attempt.suspended is not None:
-            return self.suspended(f"{came}, but", attempt.suspended, attempt.blocked)
+            said = f"{came}, but {self.since(attempt.suspended)}"
+            return self.suspended(said, attempt.suspended, attempt.blocked)
         for tried in attempt.tried:
             if tried.way.place == way.place and tried.way.file == way.file:
                 if tried.passed:
@@ -122,7 +123,9 @@ class Stuck:
     def _led(self, way: Way) -> str:
         if way.to is None:
             return f"{way_words(way)} stays"
-        to = {AGAIN: "the same state", BACK: "back"}.get(way.to) or self._state(way.to)
+        if way.to == BACK:
+            return f"{way_words(way)} leads to back"
+        to = "the same state" if way.to == AGAIN else self._state(way.to)
         return f"{way_words(way)} leads to {to}"
 
     def _unnamed(self, stay: Stay, way: Way) -> Reason:
@@ -132,21 +135,25 @@ class Stuck:
             text = f"the guard of its unnamed event did not hold: {'; '.join(failed)}"
             return Reason(code="guard", text=text, values=values)
         if stay.suspended is not None:
-            return self.suspended("its unnamed event could be taken, but", stay.suspended)
+            said = f"its unnamed event could be taken, but {self.since(stay.suspended)}"
+            return self.suspended(said, stay.suspended)
         if stay.left is None:
             said = "its unnamed event could be taken, but a livelock had ended the moment"
             return Reason(code="livelock", text=said)
         said = f"its unnamed event could be taken, but by then {self._application} was leaving"
         return Reason(code="earlier", text=said, seq=stay.left["seq"])
 
-    def suspended(
-        self, start: str, suspend: Fields, blocked: tuple[Reason, ...] | None = None
-    ) -> Reason:
-        missing = suspend["missing"]
-        said = (
-            f"{start} {self._application} was suspended since {moment(suspend['t'])}: "
-            f"it did not hold {words.listed(missing)}"
+    def since(self, suspend: Fields) -> str:
+        """That the application is suspended, since when and by what."""
+        return (
+            f"{self._application} was suspended since {moment(suspend['t'])}: "
+            f"it did not hold {words.listed(suspend['missing'])}"
         )
+
+    def suspended(
+        self, said: str, suspend: Fields, blocked: tuple[Reason, ...] | None = None
+    ) -> Reason:
+        """A suspension as a reason; said: in words, with ``since``."""
         if blocked is None:
             blocked = why_suspended(self._past, self._application, suspend)
         return Reason(code="suspended", text=said, seq=suspend["seq"], below=blocked)
@@ -157,14 +164,15 @@ class Stuck:
         began = stay.resumed if stay.resumed is not None else stay.entered
         said = f"its timeout of {words.seconds(length)} had not run out"
         if stay.suspended is not None:
-            return self.suspended(f"{said}; it stands still, since", stay.suspended)
+            still = f"{said}; it stands still, since {self.since(stay.suspended)}"
+            return self.suspended(still, stay.suspended)
         if way.timeout.idle:
-            said += "; it counts anew from the end of speech and from every touch"
+            said = f"{said}; it counts anew from the end of speech and from every touch"
         elif stay.left is None and stay.resumed is None:
             passed = round(self._at - began["t"], 6)
             # More has where it counted anew, or after the end of what is recorded.
             if passed <= length:
-                said += f": {words.seconds(passed)} had passed"
+                said = f"{said}: {words.seconds(passed)} had passed"
         return Reason(code="timeout", text=said, seq=began["seq"])
 
     # -- events that did not come ---------------------------------------------
@@ -181,7 +189,8 @@ class Stuck:
             below = self._sources(stay, name)
             self._asked.discard(name)
         if stay.suspended is not None:
-            below.append(self.suspended("besides,", stay.suspended))
+            besides = f"besides, {self.since(stay.suspended)}"
+            below.append(self.suspended(besides, stay.suspended))
         return Reason(code="input", text=said, seq=stay.entered["seq"], below=tuple(below))
 
     def _sources(self, stay: Stay, name: str) -> list[Reason]:
@@ -253,7 +262,7 @@ class Stuck:
         if not path:
             said = f"{start}, and no way leads from there to {self._state(target)}"
             return [Reason(code="no-way", text=said, seq=stay.entered["seq"])]
-        steps = [f"{way.exit} to {self._state(to)}" for way, to in path]
+        steps = [f"{way.exit} → {self._state(to)}" for way, to in path]
         said = f"{start}; the nearest way to {self._state(target)}: {', '.join(steps)}"
         below = tuple(self.why_not_taken(stay, path[0][0]))
         return [Reason(code="no-way", text=said, seq=stay.entered["seq"], below=below)]
