@@ -14,7 +14,7 @@ from msgspec import Struct
 from situ.document.folder import PROJECT_FILE, TEXTS_FOLDER
 from situ.document.rbd import Application
 from situ.document.spds import Spds
-from situ_studio import kinds
+from situ_studio import kinds, letters
 from situ_studio.language import LANGUAGES, SYSTEM
 from situ_studio.views import VIEWS
 
@@ -676,6 +676,21 @@ COMMANDS: tuple[Command, ...] = (
         )
         for code, name in ((SYSTEM, "Like the system"), *LANGUAGES.items())
     ),
+    *(
+        _c(
+            f"letters.{size}",
+            name,
+            "choose_letters",
+            argument=size,
+            menu="View/Letters",
+            choice="letters",
+            checked="has_letters",
+        )
+        for size, name in (
+            (letters.SYSTEM, "Like the system"),
+            *((str(size), f"{size} %") for size in letters.SIZES),
+        )
+    ),
     _c(
         "next_panel",
         "Next panel",
@@ -1318,6 +1333,7 @@ SUBMENU_ICONS = {
     "Edit/Cells": "matrix",
     "View/Colours": "theme",
     "View/Language": "language",
+    "View/Letters": "text",
     "Arrange/Align": "align_left",
     "Arrange/Order": "layers",
     "Insert/Situation": "situation",

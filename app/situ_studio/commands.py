@@ -200,6 +200,10 @@ class Commands(FileCommands):
         windows = self._window.windows
         return windows is not None and windows.language == choice
 
+    def has_letters(self, choice: str) -> bool:
+        windows = self._window.windows
+        return windows is not None and windows.letters == choice
+
     def has_theme(self, choice: str) -> bool:
         return self._window.theme_choice == choice
 
@@ -377,6 +381,10 @@ class Commands(FileCommands):
     def choose_language(self, choice: str) -> None:
         if self._window.windows is not None:
             self._window.windows.choose_language(choice)
+
+    def choose_letters(self, choice: str) -> None:
+        if self._window.windows is not None:
+            self._window.windows.choose_letters(choice)
 
     def choose_theme(self, choice: str) -> None:
         self._window.choose_theme(choice)

@@ -92,7 +92,7 @@ class DocumentBar(QTabBar):
 
     def minimumTabSizeHint(self, index: int) -> QSize:
         # A name is cut only where it is long: rather fewer tabs are seen than none can be read.
-        return self.tabSizeHint(index).boundedTo(QSize(READABLE, 38))
+        return self.tabSizeHint(index).boundedTo(QSize(px(READABLE), px(38)))
 
     def tabLayoutChange(self) -> None:
         super().tabLayoutChange()
@@ -170,7 +170,7 @@ class DocumentTabs(QFrame):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self.views.set_narrow(self.width() < NARROW)
+        self.views.set_narrow(self.width() < px(NARROW))
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme

@@ -9,7 +9,7 @@ from pathlib import Path
 from situ.document.beginning import project_name
 from situ.errors import SituError
 from situ_studio import projects
-from situ_studio.opening import is_large, read_into
+from situ_studio.opening import Reading, is_large
 from situ_studio.situation_commands import SituationCommands
 
 
@@ -79,7 +79,7 @@ class FileCommands(SituationCommands):
     def _read(self, path: Path) -> None:
         """Opens a project here; a large one is read beside the window, and can be cancelled."""
         if is_large(path):
-            read_into(self._window, path, self._window.dialogs.tell)
+            Reading(self._window, path, lambda window, why: window.dialogs.tell(why))
         else:
             self._window.open_project(path)
 

@@ -206,7 +206,7 @@ class FindAnything(QFrame):
         """
         self._every = every
         self._used = used
-        width = min(WIDTH, self._window.width() - 32)
+        width = min(px(WIDTH), self._window.width() - 32)
         self.setGeometry((self._window.width() - width) // 2, 64, width, 400)
         self.field.clear()
         self._filter("")

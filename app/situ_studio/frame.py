@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, Qt
+from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -66,13 +66,16 @@ class Frame(QMainWindow):
     settings: where it was, and which colours were chosen.
     """
 
+    looks_changed = Signal()
+    """The desktop has other letters or colours."""
+
     def __init__(self, settings: QSettings, theme: str | None) -> None:
         super().__init__()
         self.settings = settings
         self.theme_choice = theme or str(settings.value("theme", "system"))
         self.theme = self._chosen_theme()
         self.docking = Docking(self)
-        self._bottom_high = BOTTOM
+        self._bottom_high = px(BOTTOM)
         self.setWindowTitle(self.tr("Situ Studio"))
         self.setMinimumSize(800, 500)
         self.setDockOptions(
@@ -330,6 +333,8 @@ class Frame(QMainWindow):
         if event.type() == QEvent.Type.DevicePixelRatioChange and hasattr(self, "actions_"):
             # The icons hold pictures for the screens that there were.
             self.set_theme(self.theme)
+        if event.type() == QEvent.Type.ThemeChange:
+            self.looks_changed.emit()
         if event.type() == QEvent.Type.MouseButtonPress:
             self.docking.watch(event)
         handled = super().event(event)
@@ -341,7 +346,7 @@ class Frame(QMainWindow):
         """The panels' usual sizes, unless a person has changed them before."""
         if self.docking.sized:
             return
-        small = self.width() < 1360
+        small = self.width() < px(1360)
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         self.resizeDocks(
             [self.docks["project"], self.docks["inspector"]],
@@ -358,15 +363,15 @@ class Frame(QMainWindow):
 
     def _on_bottom(self, name: str) -> None:
         """Tables of what a robot tells want more room than problems and what was found do."""
-        if name not in ("problems", "find") and self.docks["bottom"].height() < ROBOT_PANEL:
-            room = min(ROBOT_PANEL, self.height() // 3)
+        if name not in ("problems", "find") and self.docks["bottom"].height() < px(ROBOT_PANEL):
+            room = min(px(ROBOT_PANEL), self.height() // 3)
             self.resizeDocks([self.docks["bottom"]], [room], Qt.Orientation.Vertical)
 
     def _on_folded(self, folded: bool) -> None:
         """What is unfolded is as high as it was."""
         dock = self.docks["bottom"]
         if folded:
-            self._bottom_high = max(BOTTOM, dock.height())
+            self._bottom_high = max(px(BOTTOM), dock.height())
         else:
             self.resizeDocks([dock], [self._bottom_high], Qt.Orientation.Vertical)
 
@@ -374,13 +379,13 @@ class Frame(QMainWindow):
         """Panels where they lie at first, of their usual sizes."""
         self.docking.reset()
         self.bottom.set_folded(False)
-        self._bottom_high = BOTTOM
+        self._bottom_high = px(BOTTOM)
         self.size_docks()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self.palette_.set_dense(self.height() < LOW)
-        self._palette_room.set_low(self.height() < LOWER)
+        self.palette_.set_dense(self.height() < px(LOW))
+        self._palette_room.set_low(self.height() < px(LOWER))
         if self.stack.currentIndex() == 1:
             self.size_docks()
 

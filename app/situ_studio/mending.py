@@ -24,6 +24,7 @@ from situ_studio import icons, places
 from situ_studio.alike_mending import AlikeMending, Plan, Wanted
 from situ_studio.edit import Document, Place
 from situ_studio.language import said
+from situ_studio.letters import px
 from situ_studio.panels.problems import PROBLEM
 from situ_studio.problem_places import ProblemPlaces
 from situ_studio.working import Work
@@ -163,7 +164,7 @@ class MendingSide(QObject):
         metrics = QFontMetrics(menu.font())
         for problem in problems[:MOST]:
             words = metrics.elidedText(
-                said(problem.message), Qt.TextElideMode.ElideRight, WIDE
+                said(problem.message), Qt.TextElideMode.ElideRight, px(WIDE)
             ).replace("&", "&&")
             below = menu.addMenu(self._icon(problem.severity, problem.severity), words)
             below.setToolTipsVisible(True)

@@ -83,29 +83,47 @@ class Opening(QObject):
             self.read.emit(found)
 
 
-def read_into(window: MainWindow, path: Path, refused: Callable[[str], object]) -> None:
-    """Reads a project beside ``window`` and opens it there; its strip shows it, with *Cancel*.
+class Reading(QObject):
+    """A project that is read beside a window and opened there; its strip shows it, with *Cancel*.
 
-    refused: gets why it can not be opened, in one line; "" where a fault was told already.
+    refused: gets the window, and why it can not be opened, in one line; "" where a fault was told
+    already.
     """
-    opening = Opening(window)
-    work = window.status.work.begin(tr("Reading {0}").format(path.name), opening.cancel)
-    work.ended.connect(opening.deleteLater)
 
-    def on_read(found: Found) -> None:
-        work.end()
+    def __init__(
+        self, window: MainWindow, path: Path, refused: Callable[[MainWindow, str], object]
+    ) -> None:
+        super().__init__(window)
+        self._path, self._refused = path, refused
+        self._opening = Opening(self)
+        self._opening.read.connect(self._on_read)
+        self._opening.refused.connect(self._on_refused)
+        self._show_in(window)
+        self._opening.start(path)
+
+    def move_to(self, window: MainWindow) -> None:
+        """Goes on for a window that stands in place of the one before."""
+        self._work.ended.disconnect(self.deleteLater)
+        self._work.end()
+        self.setParent(window)
+        self._show_in(window)
+
+    def _show_in(self, window: MainWindow) -> None:
+        self._window = window
+        words = tr("Reading {0}").format(self._path.name)
+        self._work = window.status.work.begin(words, self._opening.cancel)
+        self._work.ended.connect(self.deleteLater)
+
+    def _on_read(self, found: Found) -> None:
+        self._work.end()
         # Somebody may have gone on with the one that is still open.
-        if not window.may_leave():
+        if not self._window.may_leave():
             return
         try:
-            window.take_project(found, path)
+            self._window.take_project(found, self._path)
         except (SituError, OSError) as error:
-            refused(str(error))
+            self._refused(self._window, str(error))
 
-    def on_refused(why: str) -> None:
-        work.end()
-        refused(why)
-
-    opening.read.connect(on_read)
-    opening.refused.connect(on_refused)
-    opening.start(path)
+    def _on_refused(self, why: str) -> None:
+        self._work.end()
+        self._refused(self._window, why)

@@ -1,4 +1,4 @@
-"""Preferences (Ctrl+,): language, colours, and the keys of the commands."""
+"""Preferences (Ctrl+,): language, letters, colours, and the keys of the commands."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
+from situ_studio import letters
 from situ_studio.actions import COMMANDS
 from situ_studio.keys import headed, written
 from situ_studio.language import LANGUAGES, SYSTEM
@@ -54,6 +55,14 @@ class Preferences(QDialog):
         self.language.setCurrentIndex(self.language.findData(windows.language))
         self.language.activated.connect(self._on_language)
         form.addRow(self.tr("Language"), self.language)
+        self.letters = Choice(window.theme)
+        as_system = self.tr("Like the system ({0} %)").format(letters.of_system())
+        self.letters.addItem(as_system, letters.SYSTEM)
+        for size in letters.SIZES:
+            self.letters.addItem(f"{size} %", str(size))
+        self.letters.setCurrentIndex(self.letters.findData(windows.letters))
+        self.letters.activated.connect(self._on_letters)
+        form.addRow(self.tr("Letters"), self.letters)
         self.colours = Choice(window.theme)
         for choice, name in (
             ("system", self.tr("Like the system")),
@@ -143,11 +152,17 @@ class Preferences(QDialog):
         if refused:
             self.told.setText(refused)
 
-    # -- language and colours ----------------------------------------------------------
+    # -- language, letters and colours ----------------------------------------------------------
 
     def _on_colours(self) -> None:
         for window in self._windows.windows:
             window.choose_theme(self.colours.currentData())
+
+    def _on_letters(self) -> None:
+        """The windows are made anew, this one not."""
+        chosen = self.letters.currentData()
+        self.close()
+        self._windows.choose_letters(chosen)
 
     def _on_language(self) -> None:
         """The windows are made anew in another language, this one not."""

@@ -22,7 +22,6 @@ from PySide6.QtWidgets import (
 from situ_studio.breadcrumbs import Breadcrumbs
 from situ_studio.document_tabs import DocumentTabs
 from situ_studio.document_view import DocumentView
-from situ_studio.letters import px
 from situ_studio.panels.notice import Notice
 from situ_studio.showing import Shown
 from situ_studio.theme import Theme
@@ -45,7 +44,7 @@ class Group(QWidget):
         self.ways: dict[str, tuple[str, ...]] = {}
         self.waiting: dict[str, Shown] = {}
         self.current_file: str | None = None
-        self.setMinimumWidth(px(NARROWEST))
+        self.setMinimumWidth(NARROWEST)
         self.column = QVBoxLayout(self)
         self.column.setContentsMargins(0, 0, 0, 0)
         self.column.setSpacing(0)

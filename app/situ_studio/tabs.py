@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QPushButton,
+    QSizePolicy,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -168,6 +169,7 @@ class BottomPanels(QWidget):
         self._line.insertWidget(len(self._buttons), button)
         self._buttons[name], self._panels[name] = button, panel
         self._stack.addWidget(panel)
+        self._settle_room()
         if len(self._buttons) == 1:
             button.setChecked(True)
 
@@ -195,8 +197,19 @@ class BottomPanels(QWidget):
         """Shows a panel, unfolded."""
         self._buttons[name].setChecked(True)
         self._stack.setCurrentWidget(self._panels[name])
+        self._settle_room()
         self.set_folded(False)
         self.chosen.emit(name)
+
+    def _settle_room(self) -> None:
+        """Only the panel that is shown asks for width."""
+        for panel in self._panels.values():
+            shown = panel is self._stack.currentWidget()
+            policy = panel.sizePolicy()
+            policy.setHorizontalPolicy(
+                QSizePolicy.Policy.Preferred if shown else QSizePolicy.Policy.Ignored
+            )
+            panel.setSizePolicy(policy)
 
     def button(self, name: str) -> QPushButton:
         return self._buttons[name]

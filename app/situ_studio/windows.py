@@ -1,4 +1,4 @@
-"""The windows of the studio, and what they have in common: settings and language."""
+"""The windows of the studio, and what they have in common: settings, language, letters."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from PySide6.QtCore import QByteArray, QEvent, QObject, QPoint, QSettings, QTime
 from PySide6.QtWidgets import QApplication
 
 from situ.errors import SituError
+from situ_studio import letters
 from situ_studio.language import SYSTEM, Speaking, language_of
 from situ_studio.log_file import LogFile
-from situ_studio.opening import is_large, read_into
+from situ_studio.opening import Reading, is_large
 from situ_studio.project_pictures import Example
 from situ_studio.session import Session
 from situ_studio.showing import keep, recall, show_again, showing
@@ -32,7 +33,7 @@ class Kept(Struct, frozen=True):
 
 
 class Windows(QObject):
-    """Makes windows, and makes them anew where the language changes.
+    """Makes windows, and makes them anew where the language changes, or the size of letters.
 
     examples: what the welcome page offers. theme: in place of the one in the settings.
     language: in place of the one in the settings.
@@ -57,6 +58,8 @@ class Windows(QObject):
         self.windows: list[MainWindow] = []
         self.language = language or str(settings.value("language", SYSTEM))
         self._speak()
+        self.letters = str(settings.value("letters", letters.SYSTEM))
+        letters.use(letters.percent_of(self.letters))
 
     def _speak(self) -> None:
         code = language_of(self.language)
@@ -86,6 +89,7 @@ class Windows(QObject):
         window.windows = self
         window.welcome.languages.show_choice(self._speaking.code)
         window.closed.connect(self._on_closed)
+        window.looks_changed.connect(self.settle_letters)
         self.windows.append(window)
         return window
 
@@ -127,7 +131,7 @@ class Windows(QObject):
             return
         window = self.open_window()
         self._show(window)
-        read_into(window, path, lambda why: self._on_refused(window, why))
+        Reading(window, path, self._on_refused)
 
     def _on_refused(self, window: MainWindow, why: str) -> None:
         """A project can not be read into its window: it is not in the way of the others."""
@@ -239,7 +243,7 @@ class Windows(QObject):
         # Whoever quits before it is read has it open at the next start all the same.
         self._reading[window] = one
         self._show_again(window, one)
-        read_into(window, Path(one.root), lambda why: self._on_refused(window, why))
+        Reading(window, Path(one.root), self._on_refused)
 
     def new_window(self) -> None:
         """A window with the welcome page, beside the others."""
@@ -262,6 +266,23 @@ class Windows(QObject):
         # The window whose menu was used is still in the middle of it.
         QTimer.singleShot(0, self, self._renew_all)
 
+    def choose_letters(self, choice: str) -> None:
+        """Letters of another size, in percent, or as large as the system's: in all windows, at once
+        and at the next start."""
+        self.letters = choice
+        self._settings.setValue("letters", choice)
+        self.settle_letters()
+
+    def settle_letters(self) -> None:
+        """Where letters shall have another size than they have, every window is made anew."""
+        percent = letters.percent_of(self.letters)
+        if percent == round(100 * letters.factor()):
+            for window in self.windows:
+                window.actions_.refresh()
+            return
+        letters.use(percent)
+        QTimer.singleShot(0, self, self._renew_all)
+
     def _renew_all(self) -> None:
         for window in list(self.windows):
             self._renew(window)
@@ -271,8 +292,13 @@ class Windows(QObject):
         old.keep()
         shown, visible = showing(old), old.isVisible()
         old.recovery.forget()
+        reading = self._reading.get(old)
         self._forget(old)
         new = self._made(old.session, old.session.project is not None, old)
+        if reading is not None:
+            self._reading[new] = reading
+        for one in old.findChildren(Reading):
+            one.move_to(new)
         new.claim, old.claim = old.claim, new.claim
         new.take_over()
         new.setGeometry(old.geometry())

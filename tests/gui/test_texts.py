@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHeaderView,
     QLabel,
+    QLineEdit,
     QToolButton,
     QWidget,
 )
@@ -206,6 +207,11 @@ def cut(window: QWidget, ours: set[str]) -> Iterator[str]:
         if not widget.isVisibleTo(window) or widget.visibleRegion().isEmpty():
             continue
         name = type(widget).__name__
+        if isinstance(widget, QLabel | QAbstractButton | QLineEdit | QComboBox):
+            told = widget.currentText() if isinstance(widget, QComboBox) else widget.text()
+            high = widget.fontMetrics().tightBoundingRect(told).height()
+            if high > widget.height():
+                yield f"{name}: {told}, {high} px into {widget.height()} of height"
         if isinstance(widget, Elided):
             if widget.text() in ours and widget.toolTip():
                 yield f"{name}: {widget.text()}, {widget.width()} px"
@@ -230,7 +236,7 @@ def cut(window: QWidget, ours: set[str]) -> Iterator[str]:
                     yield f"heading {text}"
 
 
-@pytest.mark.parametrize("code", ["en", "ja"])
+@pytest.mark.parametrize(("code", "size"), [("en", 100), ("ja", 100), ("en", 150), ("ja", 150)])
 @pytest.mark.parametrize("name", PLACES)
 def test_no_text_is_cut(
     studio: Callable[..., Studio],
@@ -239,10 +245,12 @@ def test_no_text_is_cut(
     settings: QSettings,
     name: str,
     code: str,
+    size: int,
 ) -> None:
     speaking = qt.findChild(language.Speaking) or language.Speaking(qt)
     # The windows speak what the settings say.
     settings.setValue("language", code)
+    settings.setValue("letters", size)
     try:
         made = studio(project(name))
         window = made.window

@@ -8,13 +8,18 @@ import weakref
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.conftest import Studio
 
+from situ.document import folder
+from situ.document.problem import Problem
+from situ.document.project import Project
 from situ_studio.claim import Claim
 from situ_studio.language import Speaking
+from situ_studio.opening import NAME
 from situ_studio.showing import showing
 from situ_studio.windows import Windows
 
@@ -193,6 +198,49 @@ def test_large_projects_are_read_again_each_by_itself_while_their_windows_are_se
     assert again.windows == [whole]
     assert failing not in again.windows
     assert "situ.toml" in whole.status.said.text()
+
+
+def test_a_large_project_is_read_on_where_its_window_is_made_anew_for_another_language(
+    studio: Start,
+    project: Copy,
+    settings: QSettings,
+    qt: QApplication,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    used = studio(project("reception"))
+    root = used.session.root
+    press(used, Qt.Key.Key_Q, CONTROL)
+    (root / "unused.xml").write_text(LARGE)
+    renewed, load = threading.Event(), folder.load
+
+    def slow(path: Path) -> tuple[Project | None, list[Problem]]:
+        # The pictures of the welcome page are read meanwhile.
+        if threading.current_thread().name == NAME:
+            assert renewed.wait(60)
+        return load(path)
+
+    monkeypatch.setattr(folder, "load", slow)
+    speaking = qt.findChild(Speaking)
+    assert speaking is not None
+    again = Windows(settings, speaking, list)
+    first = again.restore()
+    assert first is not None
+    try:
+        again.choose_language("ja")
+        while first in again.windows:
+            QApplication.processEvents()
+        (window,) = again.windows
+        assert [len(w.status.work.going) for w in (first, window)] == [0, 1]
+        again.remember()
+        assert str(root) in settings.value("open")
+        renewed.set()
+        while window.session.project is None:
+            QApplication.processEvents()
+        assert window.status.work.going == []
+        assert window.current_file == "reception.rbd.xml"
+    finally:
+        renewed.set()
+        speaking.use("en")
 
 
 def test_a_large_project_whose_reading_is_cancelled_leaves_the_welcome_page(

@@ -107,7 +107,7 @@ class MoreModules(QWidget):
         self._model.clear()
         for one in shown:
             self._model.appendRow(self._row(one))
-        self.list.setMaximumHeight(HIGH * min(ROWS, len(shown)))
+        self.list.setMaximumHeight(px(HIGH) * min(ROWS, len(shown)))
         self.list.setMinimumHeight(px(HIGH))
         self.setVisible(bool(shown))
 

@@ -19,6 +19,7 @@ from situ_studio.icon_widgets import ThemedButton
 from situ_studio.kinds import KINDS, MIME, Kind
 from situ_studio.language import translated
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 
@@ -91,7 +92,7 @@ class PaletteRoom(QScrollArea):
     def _settle(self) -> None:
         height = self._palette.maximumHeight()
         self.setMaximumHeight(height)
-        self.setMinimumHeight(min(height, LOWEST) if self._low else height)
+        self.setMinimumHeight(min(height, px(LOWEST)) if self._low else height)
         bar = self.verticalScrollBar().sizeHint().width() if self._low else 0
         self.setMinimumWidth(self._palette.minimumSizeHint().width() + bar)
 
@@ -147,7 +148,7 @@ class Palette(QWidget):
         long: list[PaletteItem] = []
         for kind in self._kinds:
             item = self._item(kind)
-            if item.sizeHint().width() > NARROW:
+            if item.sizeHint().width() > px(NARROW):
                 long.append(item)
             else:
                 self._grid.addWidget(item, row, column)
@@ -162,7 +163,7 @@ class Palette(QWidget):
         rows = row + (column or len(long) > 0)
         self._grid.setColumnStretch(0, 1)
         self._grid.setColumnStretch(1, 1)
-        gap, high = (2, 24) if self._dense else (4, 28)
+        gap, high = (2, px(24)) if self._dense else (4, px(28))
         self._grid.setVerticalSpacing(gap)
         self.setFixedHeight(max(8, rows * (high + gap) + 8 - gap))
         self.filled.emit()

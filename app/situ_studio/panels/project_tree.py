@@ -142,7 +142,7 @@ class ProjectTree(QWidget):
             top.appendRow(item)
         self.tree.expandAll()
         height = self.height_wanted()
-        self.setMinimumHeight(min(height, 9 * 24 + 8))
+        self.setMinimumHeight(min(height, px(9 * 24 + 8)))
         self.setMaximumHeight(height)
 
     def show_document(

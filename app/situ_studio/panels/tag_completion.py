@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QObject, QRect, QStringListModel, Qt
 from PySide6.QtGui import QKeyEvent, QTextCursor
 from PySide6.QtWidgets import QAbstractItemView, QCompleter, QLineEdit, QPlainTextEdit
 
+from situ_studio.letters import px
 from situ_studio.theme import FORM, font
 
 BEGUN = re.compile(r"\{([^{}\s]*)$")
@@ -104,7 +105,7 @@ class TagCompletion(QObject):
             shown.setStyleSheet(looks)
         shown.setFont(font(FORM))
         at = self._field.cursorRect()
-        completer.complete(QRect(at.left(), at.top(), WIDE, at.height()))
+        completer.complete(QRect(at.left(), at.top(), px(WIDE), at.height()))
         shown.setCurrentIndex(completer.completionModel().index(0, 0))
 
     def _take(self, tag: str) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ_studio.edit import Place
 from situ_studio.language import tr
@@ -45,10 +45,11 @@ class Why(QWidget):
         self.title, self.more = QLabel(), QLabel()
         self.title.setProperty("role", "subject")
         self.more.setProperty("role", "dim")
-        self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        for label, share in ((self.title, 1), (self.more, 0)):
+        self.more.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        for label in (self.title, self.more):
             label.setTextFormat(Qt.TextFormat.PlainText)
-            line.addWidget(label, share)
+            label.setWordWrap(True)
+            line.addWidget(label, 1)
         column.addLayout(line)
         titles = (tr("Time"), tr("What happened"), tr("Values then"))
         self.table = RowsTable(tr("Why?"), titles, (90, 400), theme)

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Qt
 from situ.document.check import structure
 from situ.document.folder import resolve
 from situ_studio.icon_widgets import IconButton
+from situ_studio.letters import px
 from situ_studio.panels.header import PanelHeader
 from situ_studio.rehearsing.desk import WIDE, Desk
 from situ_studio.rehearsing.running import Running
@@ -72,7 +73,7 @@ class RehearsingSide(QObject):
         self._away = not window.docks[AWAY].isHidden()
         window.docks[AWAY].hide()
         self._dock.show()
-        window.resizeDocks([self._dock], [WIDE], Qt.Orientation.Horizontal)
+        window.resizeDocks([self._dock], [px(WIDE)], Qt.Orientation.Horizontal)
         self.desk.screen_.setFocus()
 
     def start_again(self) -> None:

@@ -1,0 +1,141 @@
+"""Letters as large as the system's, or as a person chose; drawings and the robot's screen keep
+theirs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEvent, QRectF, QSettings, Qt
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel
+from tests.gui.conftest import Studio
+
+from situ.document.rbd import Application
+from situ_studio import letters, picture
+from situ_studio.preferences import Preferences
+from situ_studio.screens.painting import paint_screen
+from situ_studio.theme import BODY, face, font
+from situ_studio.windows import Windows
+
+Start = Callable[..., Studio]
+Copy = Callable[[str], Path]
+
+
+@pytest.fixture(autouse=True)
+def usual(qt: QApplication) -> Iterator[None]:
+    """Whatever a test chose, the next one begins with letters of the usual size."""
+    yield
+    letters.use(100)
+
+
+@pytest.mark.parametrize(
+    ("points", "platform", "percent"),
+    [
+        (9.0, "linux", 100), (10.0, "linux", 100), (11.0, "linux", 100), (12.0, "linux", 120),
+        (8.0, "linux", 80), (40.0, "linux", 150), (3.0, "linux", 80), (9.0, "win32", 100),
+        (11.25, "win32", 125), (13.0, "darwin", 100), (-1.0, "linux", 100),
+    ],
+)  # fmt: skip
+def test_letters_are_by_so_much_larger_as_the_system_s_are_than_usual(
+    points: float, platform: str, percent: int
+) -> None:
+    assert letters.of_system(points, platform) == percent
+
+
+def sizes(used: Studio) -> tuple[int, int, int]:
+    """Px of a panel's heading, of a row of the outline, and of a field."""
+    window = used.window
+    title = window.headers["outline"].title
+    assert isinstance(title, QLabel)
+    form = window.inspector.form
+    assert form is not None
+    row = window.outline.list.visualRect(window.outline.list.model().index(0, 0)).height()
+    return title.fontInfo().pixelSize(), row, form.field("name").height()
+
+
+def renewed(windows: Windows, before: Studio) -> Studio:
+    while before.window in windows.windows:
+        QApplication.processEvents()
+    made = Studio(windows.windows[0])
+    made.settle()
+    return made
+
+
+def test_another_size_of_letters_holds_at_once_in_all_windows_and_at_the_next_start(
+    studio: Start, project: Copy, settings: QSettings
+) -> None:
+    folder = project("reception")
+    used = studio(folder)
+    used.select("state", "2")
+    windows = used.window.windows
+    assert windows is not None
+    windows.open_window()
+    assert sizes(used) == (12, 22, 28)
+    used.key(Qt.Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
+    (shown,) = used.window.findChildren(Preferences)
+    assert shown.letters.currentData() == "system"
+    shown.letters.setFocus()
+    for _ in letters.SIZES:
+        QTest.keyClick(shown.letters, Qt.Key.Key_Down)
+    made = renewed(windows, used)
+    assert len(windows.windows) == 2
+    assert made.session is used.session
+    assert made.window.current_view is not None
+    assert made.window.current_view.selected == (("state", "2"),)
+    assert sizes(made) == (18, 33, 41)
+    assert all(w.status.fontInfo().pixelSize() == round(1.5 * 13) for w in windows.windows)
+    again = studio(folder)
+    again.select("state", "2")
+    assert sizes(again) == (18, 33, 41)
+    used = Studio(again.window)
+    again.window.commands.choose_letters("system")
+    assert again.window.windows is not None
+    made = renewed(again.window.windows, again)
+    assert sizes(made) == (12, 22, 28)
+    assert settings.value("letters") == "system"
+
+
+def test_windows_follow_the_system_s_letters_unless_a_person_chose(
+    studio: Start, project: Copy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used = studio(project("reception"))
+    used.select("state", "2")
+    windows = used.window.windows
+    assert windows is not None
+    monkeypatch.setattr(letters, "of_system", lambda: 125)
+    QApplication.sendEvent(used.window, QEvent(QEvent.Type.ThemeChange))
+    made = renewed(windows, used)
+    assert sizes(made)[0] == 15
+    windows.choose_letters("100")
+    made = renewed(windows, made)
+    QApplication.sendEvent(made.window, QEvent(QEvent.Type.ThemeChange))
+    made.settle()
+    assert windows.windows == [made.window]
+    assert sizes(made)[0] == 12
+
+
+def test_drawings_and_the_robot_s_screen_keep_their_letters(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    document = studio(project("reception")).session.document("reception.rbd.xml")
+    assert isinstance(document, Application)
+    screen = document.states[3].screen
+    assert screen is not None
+    drawn: list[tuple[bytes, QImage]] = []
+    for size in (100, 150):
+        letters.use(size)
+        file = tmp_path / f"{size}.svg"
+        picture.draw(document, file, "reception")
+        image = QImage(640, 400, QImage.Format.Format_RGB32)
+        image.fill(Qt.GlobalColor.white)
+        painter = QPainter(image)
+        paint_screen(painter, QRectF(image.rect()), screen)
+        painter.end()
+        drawn.append((file.read_bytes(), image))
+    assert drawn[0] == drawn[1]
+    assert font(BODY).pixelSize() == 20
+    assert face(BODY).pixelSize() == 13
