@@ -229,6 +229,13 @@ class Designer(QWidget):
         application, place = self.shown.application, self.shown.place
         if application is None or not self.shown.may_add():
             return
+        project = self._project()
+        if self._own is not None and project is not None:
+            try:
+                template = self._own.brought(template, project)
+            except UsageError as error:
+                self.status.emit(str(error))
+                return
         had = self.shown.screen is not None and self.shown.screen.components
         after = templates.applied(application, place, template)
         where = words.place_words(application, place)
@@ -252,8 +259,10 @@ class Designer(QWidget):
 
     def keep_template(self, name: str) -> None:
         """Keeps the screen that is shown as a template of that name; as ``OwnTemplates``."""
-        if self._own is not None and self.shown.screen is not None:
-            self._own.keep(name, self.shown.screen)
+        project = self._project()
+        if self._own is not None and self.shown.screen is not None and project is not None:
+            file_of = partial(media_import.file_of, project)
+            self._own.keep(name, self.shown.screen, file_of)
             self.side.templates.show_own(self._own.all())
             self.status.emit(self.tr("Template {0} is kept for all your projects.").format(name))
 

@@ -41,15 +41,33 @@ def bring(project: Project, source: Path, endings: tuple[str, ...] = (*PICTURES,
             said = tr("{0}: has {1} MB, and {2} MB is the most: make it smaller first")
             most = LARGEST // 2**20
             raise UsageError(said.format(source.name, f"{size / 2**20:.0f}", most))
-        folder, prefix = _folder(project)
+    except OSError as error:
+        raise UsageError(f"{source}: {error.strerror or error}") from None
+    folder, prefix = _folder(project)
+    return prefix + put(folder, source)
+
+
+def put(folder: Path, source: Path) -> str:
+    """Copies a file into a folder, unless its bytes are there already; what it is called there.
+
+    Raises UsageError where it can not be copied.
+    """
+    try:
         folder.mkdir(parents=True, exist_ok=True)
-        name = _twin(folder, source, size)
+        name = _twin(folder, source, source.stat().st_size)
         if name is None:
             name = free_name(folder, source.name)
             shutil.copyfile(source, folder / name)
     except OSError as error:
         raise UsageError(f"{source}: {error.strerror or error}") from None
-    return prefix + name
+    return name
+
+
+def file_of(project: Project, src: str) -> Path | None:
+    """The file that an ``image`` or ``movie`` of a project calls so; None where there is none."""
+    root = Path(project.root).resolve()
+    found = (root / (project.media or "") / src).resolve()
+    return found if src and found.is_relative_to(root) and found.is_file() else None
 
 
 def bring_bytes(project: Project, data: bytes, name: str) -> str:

@@ -368,6 +368,22 @@ def test_a_screen_is_kept_as_a_template_used_and_removed(desk: Desk) -> None:
     assert not tiles.own
 
 
+def test_a_template_brings_its_pictures_along(desk: Desk) -> None:
+    """As into another project, in which there are none of them."""
+    designer, tiles = desk.designer, desk.designer.side.templates
+    designer.use_templates(OwnTemplates(desk.root.parent / "settings"))
+    designer.template_asked.connect(lambda usual: designer.keep_template("mine"))
+    desk.go_to("2")
+    desk.click(designer.side.keep)
+    picture = desk.root / "media" / "robot.png"
+    kept = picture.read_bytes()
+    picture.unlink()
+    desk.go_to("3")
+    desk.click(tiles.own["mine"])
+    assert picture.read_bytes() == kept
+    assert desk.components("3") == desk.components("2")
+
+
 def test_what_lies_on_the_screen_is_selected_and_dragged_into_another_order(desk: Desk) -> None:
     desk.go_to("2")
     layers = desk.designer.side.layers
