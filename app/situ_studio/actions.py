@@ -1168,7 +1168,20 @@ COMMANDS: tuple[Command, ...] = (
         argument="toggle_breakpoint",
         tip="The robot pauses when it comes to this state, takes this transition, or is in this "
         "situation.",
-        contexts="state exit",
+        contexts="state exit thing cells",
+    ),
+    _c(
+        "operate.while",
+        "Breakpoint with a condition",
+        "operate",
+        icon="guard",
+        shortcut="Shift+F9",
+        menu="Robot",
+        when="can_break",
+        shown="can_operate",
+        argument="break_while",
+        tip="The robot pauses here only while something holds, such as a value above a limit.",
+        contexts="state exit thing cells",
     ),
     _c(
         "operate.clear",

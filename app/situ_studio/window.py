@@ -50,7 +50,7 @@ from situ_studio.session import Looking, Session
 from situ_studio.showing import keep as keep_shown
 from situ_studio.showing import recall, show_as, show_beside
 from situ_studio.theme import Theme
-from situ_studio.vocabulary import Lexicon
+from situ_studio.vocabulary import Lexicon, Vocabulary
 from situ_studio.working import follow
 
 if TYPE_CHECKING:
@@ -440,10 +440,14 @@ class MainWindow(Frame):
     @property
     def media(self) -> tuple[str, ...]:
         """The files of the project's media folder."""
-        project, document = self.session.project, self.current_document
+        return self.vocabulary(self.current_document).media
+
+    def vocabulary(self, document: Document | None) -> Vocabulary:
+        """The words that can be used in a document; none where there is none."""
+        project = self.session.project
         if project is None or document is None:
-            return ()
-        return self._lexicon.vocabulary(project, document).media
+            return Vocabulary()
+        return self._lexicon.vocabulary(project, document)
 
     def go_to(self, file: str, place: Place) -> None:
         """Shows a document and a place in it."""

@@ -1,4 +1,4 @@
-"""Breakpoints: where the connected robot pauses, who set it, one a row."""
+"""Breakpoints: where the connected robot pauses, who set it, and what must hold then."""
 
 from __future__ import annotations
 
@@ -7,49 +7,163 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
-from situ_studio.language import tr
+from situ.document import when_text, words
+from situ.document.condition import Condition
+from situ_studio.icon_widgets import ThemedButton, retheme
+from situ_studio.language import say, tr
+from situ_studio.live.breaking import Point, point_of
+from situ_studio.panels.conditions import AddTest, ConditionEditor
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.theme import Theme
+from situ_studio.vocabulary import Vocabulary
 
-Breakpoint = dict[str, Any]
-"""As the tag ``debugger.breakpoints`` has it."""
+EARLIER = "earlier "
+"""What the keys of rows begin with that are not set on this robot."""
+WIDE = 300
 
 
-class Breakpoints(RowsTable):
-    """state_name: what a designer calls an application's state. Delete takes a row's away."""
+class Breakpoints(QWidget):
+    """``table`` has one a row: those of the robot, then those that were set in this project before
+    and that it has not. ``condition`` is that of the current row.
 
-    removed = Signal(int)
-    """Its number."""
+    state_name: what a designer calls an application's state.
+    """
+
+    removed = Signal(str)
+    """The key of a row."""
+    conditioned = Signal(str, object)
+    """The key of a row of the robot's, and its other ``Condition``, or None."""
+    wanted_again = Signal()
+    """The earlier ones shall be set on this robot."""
 
     def __init__(
         self, theme: Theme, state_name: Callable[[str, str], str], parent: QWidget | None = None
     ) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._state_name = state_name
+        self._points: dict[str, Point] = {}
+        self._vocabulary = Vocabulary()
+        self._adds: Point | None = None
+        self.setProperty("role", "panel")
         titles = (tr("No."), tr("The robot pauses"), tr("Application"), tr("Set by"))
-        super().__init__(tr("Breakpoints"), titles, (50, 320, 160), theme, parent)
-        self.rows.tips = (
+        self.table = BreakpointTable(tr("Breakpoints"), titles, (40, 250, 90), theme)
+        self.table.rows.tips = (
             tr("The breakpoint's number; green where something waits at it"),
             tr("A click goes there, Delete takes the breakpoint away"),
             tr("Which application pauses"),
             tr("The operator who set it"),
         )
-        self._state_name = state_name
+        self.table.removed.connect(self.removed)
+        self.table.selectionModel().currentChanged.connect(lambda *_: self._show_condition())
+        self.again = ThemedButton(theme, "breakpoint", "", "link", "error", 14)
+        self.again.clicked.connect(self.wanted_again)
+        self.again.hide()
+        left = QVBoxLayout()
+        left.setContentsMargins(0, 0, 0, 0)
+        left.setSpacing(0)
+        left.addWidget(self.again, 0, Qt.AlignmentFlag.AlignLeft)
+        left.addWidget(self.table, 1)
+        line = QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.setSpacing(0)
+        line.addLayout(left, 1)
+        line.addWidget(self._side(theme))
+        self.setFocusProxy(self.table)
+        self._show_condition()
 
-    def show_breakpoints(self, every: Sequence[Breakpoint], stopped: frozenset[int]) -> None:
-        """stopped: those at which something waits now."""
-        self.rows.show([self._row(one, one["id"] in stopped) for one in every])
+    def _side(self, theme: Theme) -> QWidget:
+        """Beside the table: the condition of the current row."""
+        side = QFrame()
+        side.setProperty("role", "panel")
+        column = QVBoxLayout(side)
+        column.setContentsMargins(12, 6, 12, 8)
+        column.setSpacing(6)
+        head = QHBoxLayout()
+        title = QLabel(tr("Pauses only while"))
+        title.setProperty("role", "heading")
+        head.addWidget(title, 1)
+        self.condition = ConditionEditor(theme)
+        self.condition.changed.connect(self._on_changed)
+        self.add = AddTest(theme, self.condition.add)
+        head.addWidget(self.add)
+        column.addLayout(head)
+        self.hint = QLabel()
+        self.hint.setProperty("role", "dim")
+        self.hint.setWordWrap(True)
+        column.addWidget(self.hint)
+        column.addWidget(self.condition)
+        column.addStretch(1)
+        room = QScrollArea()
+        room.setFrameShape(QFrame.Shape.NoFrame)
+        room.setWidgetResizable(True)
+        room.setFixedWidth(WIDE)
+        room.setWidget(side)
+        return room
 
-    def _row(self, one: Breakpoint, stopped: bool) -> Row:
+    def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self.table.set_theme(theme)
+        retheme(self, theme)
+        self._show_condition()
+
+    def show_breakpoints(
+        self,
+        every: Sequence[Point],
+        stopped: frozenset[int],
+        earlier: Sequence[Point],
+        vocabulary: Vocabulary,
+    ) -> None:
+        """every: as the tag ``debugger.breakpoints`` has them. stopped: those at which something
+        waits now. earlier: those that the robot has not. vocabulary: for conditions.
+        """
+        self._vocabulary = vocabulary
+        before = self.current
+        self._points = {str(one["id"]): one for one in every}
+        self._points |= {f"{EARLIER}{n}": one for n, one in enumerate(earlier)}
+        self.table.rows.show(
+            [self._row(key, one, one.get("id") in stopped) for key, one in self._points.items()]
+        )
+        self.again.setVisible(bool(earlier))
+        self.again.setText(tr("Set {0} from before on this robot, too").format(len(earlier)))
+        wanted = self._adds or (point_of(before) if before is not None else None)
+        same = [key for key, one in self._points.items() if point_of(one) == wanted]
+        if same:
+            row = list(self._points).index(same[0])
+            self.table.setCurrentIndex(self.table.rows.index(row, 0))
+        self._show_condition()
+        if self._adds is not None and same:
+            self._adds = None
+            self.condition.add("test")
+
+    @property
+    def current(self) -> Point | None:
+        """The breakpoint of the current row."""
+        row = self.table.currentIndex().row()
+        return self._points.get(self.table.rows.rows[row].key) if row >= 0 else None
+
+    def point(self, key: str) -> Point | None:
+        """The breakpoint of a row."""
+        return self._points.get(key)
+
+    def add_test(self, point: Point) -> None:
+        """The breakpoint that stands there gets a condition, at once or when it is there."""
+        self._adds = point
+
+    def _row(self, key: str, one: Point, stopped: bool) -> Row:
+        writer = str(one.get("writer", "")).removeprefix("operator:")
+        earlier = key.startswith(EARLIER)
         cells = (
-            str(one["id"]),
+            "–" if earlier else key,
             self._where(one),
             one.get("application") or tr("all"),
-            str(one["writer"]).removeprefix("operator:"),
+            tr("not on this robot") if earlier else writer,
         )
-        return Row(str(one["id"]), cells, stopped)
+        return Row(key, cells, stopped)
 
-    def _where(self, one: Breakpoint) -> str:
+    def _where(self, one: Point) -> str:
         def name(state: str) -> str:
             return self._state_name(one.get("application") or "", state)
 
@@ -63,9 +177,34 @@ class Breakpoints(RowsTable):
             said = tr("before it comes to state {0}").format(name(one["to"]))
         else:
             said = tr("between state {0} and state {1}").format(name(one["from"]), name(one["to"]))
-        if one.get("when"):
-            said += " " + tr("(with a condition)")
+        condition = _condition(one)
+        if condition is not None:
+            said = tr("{0}, while {1}").format(said, words.condition(condition, say))
         return said
+
+    # -- its condition -----------------------------------------------------------------
+
+    def _show_condition(self) -> None:
+        one = self.current
+        settable = one is not None and "id" in one
+        condition = _condition(one) if one is not None and settable else None
+        self.condition.show_value(self._theme, condition, self._vocabulary)
+        self.add.setEnabled(settable)
+        self.hint.setVisible(condition is None)
+        if settable:
+            self.hint.setText(tr("Always. Add a test, as in a guard."))
+        else:
+            self.hint.setText(tr("Select a breakpoint of this robot."))
+
+    def _on_changed(self, condition: Condition | None, _: str) -> None:
+        one = self.current
+        if one is not None:
+            self.conditioned.emit(str(one["id"]), condition)
+
+
+class BreakpointTable(RowsTable):
+    removed = Signal(str)
+    """The key of the row on which Delete was pressed."""
 
     def event(self, event: QEvent) -> bool:
         ours = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Delete
@@ -78,6 +217,11 @@ class Breakpoints(RowsTable):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         row = self.currentIndex().row()
         if event.key() == Qt.Key.Key_Delete and row >= 0:
-            self.removed.emit(int(self.rows.rows[row].key))
+            self.removed.emit(self.rows.rows[row].key)
         else:
             super().keyPressEvent(event)
+
+
+def _condition(one: dict[str, Any]) -> Condition | None:
+    found = when_text.read(one["when"]) if one.get("when") else None
+    return found if isinstance(found, Condition) else None

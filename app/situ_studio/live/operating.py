@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QLabel
 
+from situ.document import when_text
+from situ.document.condition import Condition
 from situ.document.rbd import Application
-from situ.document.spds import Spds
+from situ.rehearse.ways import frames
 from situ_studio import places
 from situ_studio.context_menus import context_of
 from situ_studio.edit import Place
 from situ_studio.language import said
+from situ_studio.live.breaking import KeptBreakpoints, Point, point_of, points_at
 from situ_studio.live.breakpoints import Breakpoints
 from situ_studio.live.moment import ApplicationMoment
+from situ_studio.live.views import runs_of
 from situ_studio.theme import Theme
 
 if TYPE_CHECKING:
@@ -43,11 +48,16 @@ class OperatingSide(QObject):
         self.waiting.hide()
         window.status.insertWidget(1, self.waiting)
         self.panel = Breakpoints(window.theme, window.robot.state_name)
-        self.panel.removed.connect(lambda number: self._ask("unbreak", breakpoint=number))
-        self.panel.when_chosen(self._go_to_breakpoint)
+        self.panel.removed.connect(self._remove)
+        self.panel.conditioned.connect(self._condition)
+        self.panel.wanted_again.connect(self._set_again)
+        self.panel.condition.refused.connect(self._refused)
+        self.panel.table.when_chosen(self._go_to_breakpoint)
+        self._kept = KeptBreakpoints(window.settings)
         window.bottom.add("breakpoints", self.tr("Breakpoints"), self.panel)
         window.bottom.set_shown("breakpoints", False)
         self._seen: object = None
+        window.session.opened.connect(self._settle)
         link.moment_changed.connect(self._settle)
         link.state_changed.connect(self._settle)
 
@@ -69,11 +79,11 @@ class OperatingSide(QObject):
 
     @property
     def can_break(self) -> bool:
-        return self.can_operate and self._point is not None
+        return self.can_operate and bool(self._points)
 
     @property
     def can_go_to(self) -> bool:
-        return self.can_operate and self.application is not None and self._state is not None
+        return self.can_operate and any("state" in point for point in self._points)
 
     @property
     def has_breakpoints(self) -> bool:
@@ -83,10 +93,17 @@ class OperatingSide(QObject):
     def application(self) -> str | None:
         """The name of the one that is worked in."""
         window = self._window
-        document, file = window.current_document, window.current_file
-        if isinstance(document, Application) and not window.parts.is_part(file or ""):
+        document, file, project = (
+            window.current_document,
+            window.current_file or "",
+            window.session.project,
+        )
+        if not isinstance(document, Application) or project is None:
+            return None
+        if not window.parts.is_part(file):
             return document.name
-        return None
+        every = {name for name, _ in runs_of(project).get(file, ())}
+        return every.pop() if len(every) == 1 else None
 
     # -- what is done ----------------------------------------------------------
 
@@ -102,24 +119,97 @@ class OperatingSide(QObject):
         self._ask("step", application=self.application or paused[0])
 
     def go_to(self) -> None:
-        """The application leaves its state for the selected one."""
-        self._ask("goto", application=self.application, state=self._state)
+        """The application leaves its state for the selected one: in the part that it is in now,
+        where that runs in several states.
+        """
+        every = [point for point in self._points if "state" in point]
+        now = self._link.log.now.applications
+
+        def here(point: Point) -> bool:
+            state = now[point["application"]].state if point["application"] in now else None
+            return bool((state or "").rpartition("/")[0] == point["state"].rpartition("/")[0])
+
+        point = next(filter(here, every), every[0])
+        self._ask("goto", application=point["application"], state=point["state"])
 
     def toggle_breakpoint(self) -> None:
         """One stands where there was none, or none where there was one."""
-        point = self._point
-        if point is None:
+        points = self._points
+        standing = [one for one in self._standing if point_of(one) in points]
+        for one in standing:
+            self._unbreak(one)
+        if not standing:
+            for point in points:
+                self._break(point)
+
+    def break_while(self) -> None:
+        """The selected place gets a breakpoint, if it has none, and that a condition."""
+        points = self._points
+        if not points:
             return
-        for one in self._link.log.now.breakpoints:
-            if all(one.get(key) == point.get(key) for key in _POINT):
-                self._ask("unbreak", breakpoint=one["id"])
-                return
-        # The protocol's word is a keyword of Python.
-        fields = {"source" if key == "from" else key: value for key, value in point.items()}
-        self._ask("break", **fields)
+        self._window.bottom.set_shown("breakpoints", True)
+        self._window.bottom.choose("breakpoints")
+        self.panel.add_test(points[0])
+        if all(point_of(one) != points[0] for one in self._standing):
+            self._break(points[0])
+        else:
+            self._show()
 
     def clear_breakpoints(self) -> None:
-        self._ask("unbreak")
+        root = self._root
+
+        def done() -> None:
+            if root is not None:
+                self._kept.clear(root)
+                self._show()
+
+        self._ask("unbreak", done)
+
+    def _break(self, point: Point, done: Callable[[], None] = lambda: None) -> None:
+        root = self._root
+
+        def kept() -> None:
+            if root is not None:
+                self._kept.add(root, point)
+            done()
+
+        # The protocol's word is a keyword of Python.
+        fields = {"source" if key == "from" else key: value for key, value in point.items()}
+        self._ask("break", kept, **fields)
+
+    def _unbreak(self, one: Point) -> None:
+        root = self._root
+
+        def forgotten() -> None:
+            if root is not None:
+                self._kept.remove(root, one)
+                self._show()
+
+        self._ask("unbreak", forgotten, breakpoint=one["id"])
+
+    def _remove(self, key: str) -> None:
+        one = self.panel.point(key)
+        if one is None:
+            return
+        if "id" in one:
+            self._unbreak(one)
+        elif self._root is not None:
+            self._kept.remove(self._root, one)
+            self._show()
+
+    def _condition(self, key: str, condition: Condition | None) -> None:
+        """The robot knows no other condition for one that stands: it gets another in its place."""
+        one = self.panel.point(key)
+        if one is None:
+            return
+        point = point_of(one)
+        if condition is not None:
+            point = {**point, "when": when_text.write(condition)}
+        self._break(point, lambda: self._ask("unbreak", breakpoint=one["id"]))
+
+    def _set_again(self) -> None:
+        for point in self._earlier:
+            self._break(point)
 
     def raise_event(self) -> None:
         """Asks which one; the selected transition's unless another is named."""
@@ -161,47 +251,53 @@ class OperatingSide(QObject):
         return view.selected[0] if view is not None and len(view.selected) == 1 else ()
 
     @property
-    def _state(self) -> str | None:
-        place = self._selected
-        return place[1] if len(place) == 2 and place[0] == "state" else None
+    def _points(self) -> list[Point]:
+        """The breakpoints that the selection means."""
+        window, project = self._window, self._window.session.project
+        document, file = window.current_document, window.current_file
+        if project is None or document is None or file is None:
+            return []
+        return points_at(project, file, document, self._selected)
 
     @property
-    def _point(self) -> dict[str, Any] | None:
-        """The breakpoint that the selection means."""
-        place, application = self._selected, self.application
-        if place[:1] == ("situation",) and len(place) == 2:
-            return {"situation": place[1]}
-        if application is None or place[:1] != ("state",):
-            return None
-        if self._state is not None:
-            return {"application": application, "state": self._state}
-        document = self._window.current_document
-        if document is None or context_of((place,)) != "exit":
-            return None
-        leaving = places.get(document, place)
-        to = getattr(leaving, "next", None)
-        if not to or to.startswith("#"):
-            return {"application": application, "from": place[1]}
-        return {"application": application, "from": place[1], "to": to}
+    def _standing(self) -> tuple[Point, ...]:
+        return self._link.log.now.breakpoints if self.can_operate else ()
 
-    def _ask(self, verb: DebugVerb, **fields: Any) -> None:
-        def done(_: object) -> None:
-            return
+    @property
+    def _root(self) -> str | None:
+        project = self._window.session.project
+        return str(project.root) if project is not None else None
 
-        self._link.ask(lambda dialog: dialog.debug(verb, **fields), done, self._refused)
+    @property
+    def _earlier(self) -> list[Point]:
+        """Those that were set in this project before, and that the robot has not."""
+        if self._root is None or not self.can_operate:
+            return []
+        standing = [point_of(one) for one in self._standing]
+        return [one for one in self._kept.of(self._root) if point_of(one) not in standing]
+
+    def _ask(self, verb: DebugVerb, done: Callable[[], None] = lambda: None, **fields: Any) -> None:
+        def answered(_: object) -> None:
+            done()
+
+        def refused(why: str) -> None:
+            self._refused(why)
+            self._show()
+
+        self._link.ask(lambda dialog: dialog.debug(verb, **fields), answered, refused)
 
     def _go_to_breakpoint(self, key: str) -> None:
         """Shows what it stands on."""
-        for one in self._link.log.now.breakpoints:
-            if str(one["id"]) != key:
-                continue
-            state = one.get("state") or one.get("from") or one.get("to")
-            for file, document in self._window.robot.live_documents().items():
-                if isinstance(document, Spds) and one.get("situation") is not None:
-                    self._window.go_to(file, ("situation", one["situation"]))
-                mine = isinstance(document, Application) and document.name == one.get("application")
-                if mine and state is not None:
-                    self._window.go_to(file, ("state", state.partition("/")[0]))
+        one, project = self.panel.point(key), self._window.session.project
+        if one is None or project is None:
+            return
+        if one.get("situation") is not None and project.spds_file is not None:
+            self._window.go_to(project.spds_file, ("situation", one["situation"]))
+            return
+        path = one.get("state") or one.get("from") or one.get("to") or ""
+        active = frames(project, one.get("application") or "", path)
+        if active:
+            self._window.go_to(active[-1].file, ("state", active[-1].state.no))
 
     def set_theme(self, theme: Theme) -> None:
         self.panel.set_theme(theme)
@@ -216,25 +312,31 @@ class OperatingSide(QObject):
         paused = {n: (one.state, one.stopped) for n, one in now.applications.items() if one.paused}
         if not self.can_operate:
             paused = {}
-        seen = (self.can_operate, paused, now.breakpoints, self.can_pause)
+        seen = (self.can_operate, paused, now.breakpoints, self.can_pause, self._root)
         if seen == self._seen:
             return
         self._seen = seen
         self.waiting.setText(", ".join(self._waiting(name, *one) for name, one in paused.items()))
         self.waiting.setVisible(bool(paused))
-        stopped = frozenset(number for _, number in paused.values() if number is not None)
-        self.panel.show_breakpoints(now.breakpoints, stopped)
-        self._window.bottom.set_shown("breakpoints", self.has_breakpoints)
+        self._show()
         self._window.actions_.refresh()
+
+    def _show(self) -> None:
+        """The panel is there while there is something in it."""
+        every = self._link.log.now.applications.values()
+        stopped = frozenset(one.stopped for one in every if one.paused and one.stopped is not None)
+        earlier, window = self._earlier, self._window
+        project = window.session.project
+        document = project.spds if project is not None else None
+        vocabulary = window.vocabulary(document or window.current_document)
+        self.panel.show_breakpoints(self._standing, stopped, earlier, vocabulary)
+        window.bottom.set_shown("breakpoints", bool(self._standing or earlier))
 
     def _waiting(self, name: str, state: str | None, stopped: int | None) -> str:
         where = self._window.robot.state_name(name, state or "")
         if stopped is None:
             return self.tr("{0} is paused at {1}").format(name, where)
         return self.tr("{0} is paused at {1}, at breakpoint {2}").format(name, where, stopped)
-
-
-_POINT = ("application", "state", "from", "to", "situation")
 
 
 def read(text: str) -> Any:

@@ -35,8 +35,6 @@ def live_view(application: Application, moment: ApplicationMoment, t: float) -> 
 
     Transitions of a document that is not the robot's are left out where they fit nothing.
     """
-    if moment.state is None and not moment.entered:
-        return LiveView()
     counted: dict[tuple[str, str], int] = {}
     gave_up: Counter[str] = Counter()
     for (source, to, event, timeout), count in moment.crossed.items():

@@ -18,19 +18,13 @@ from situ.decide.conditions import Compiled, Conditions
 from situ.decide.machine import Machine
 from situ.decide.priorities import RUNTIME
 from situ.decide.world import BREAKPOINTS, PAUSED, World
-from situ.document import codec
-from situ.document.check import check
-from situ.document.condition import Condition, Group
-from situ.document.project import Project
-from situ.document.rbd import Application
+from situ.document import when_text
+from situ.document.condition import Condition
 
 ONE_KIND = (
     "a breakpoint stands on a state, on a transition (from, to or both) or on a situation: "
     "name one of these"
 )
-_WHEN = """<application name="x"><state no="1"><expectedevents><event next="1"><when>
-{}
-</when></event></expectedevents></state></application>"""
 
 
 class Breakpoint(Struct, omit_defaults=True):
@@ -80,7 +74,7 @@ class Debugger:
         self.state, self._guards = state, {}
         for one in state.breakpoints:
             if one.when is not None:
-                condition = _condition(one.when)
+                condition = when_text.read(one.when)
                 assert isinstance(condition, Condition)
                 self._guard(one.id, condition)
         self._settle()
@@ -156,7 +150,7 @@ class Debugger:
             return no
         if given.situation is None:
             application = application or self._machines[0].name
-        condition = None if given.when is None else _condition(given.when)
+        condition = None if given.when is None else when_text.read(given.when)
         if isinstance(condition, str):
             return condition
         self.state.made += 1
@@ -348,26 +342,3 @@ def _no_state(machine: Machine, path: str) -> str:
 
 def _there_is(known: list[str]) -> str:
     return f"there is {', '.join(known) or 'none'}"
-
-
-def _condition(text: str) -> Condition | str:
-    """What stands inside of a ``<when>``; or what is wrong with it."""
-    read, problems = codec.read(_WHEN.format(text).encode(), "when")
-    if isinstance(read, Application) and not problems:
-        problems = check(Project(root=".", name="when", applications={"when": read}))
-    for problem in problems:
-        if problem.severity == "error":
-            return f"the condition can not be read: {problem.message}"
-    assert isinstance(read, Application)
-    condition = read.states[0].events[0].when
-    if condition is None or _counts(condition):
-        return "a breakpoint's condition is judged at its moment: it can not have “for”"
-    return condition
-
-
-def _counts(part: Condition | Group) -> bool:
-    """Whether a test in it has ``for``."""
-    return any(
-        _counts(child) if isinstance(child, Group) else child.hold is not None
-        for child in part.children
-    )

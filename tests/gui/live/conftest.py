@@ -52,11 +52,11 @@ class Running:
 
 @pytest.fixture
 def robot(tmp_path: Path) -> Iterator[Callable[..., Running]]:
-    """``robot(project, endpoint=…)``: a running robot with that project."""
+    """``robot(project, endpoint=…)``: a running robot with that project. state: its folder."""
     every: list[Running] = []
 
-    def start(project: Path, endpoint: str = "tcp://127.0.0.1:0") -> Running:
-        every.append(Running(project, tmp_path / "state", endpoint))
+    def start(project: Path, endpoint: str = "tcp://127.0.0.1:0", state: str = "state") -> Running:
+        every.append(Running(project, tmp_path / state, endpoint))
         return every[-1]
 
     yield start
