@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QImageReader, QPixmap
+
+from situ_studio.screens.kept_pictures import KeptPictures
+
+MOST = 128 * 2**20
+"""Bytes of pictures that are kept: some photographs as they are, and all of a screen scaled."""
 
 
 class Picture(NamedTuple):
@@ -18,14 +22,15 @@ class Picture(NamedTuple):
 
     def whole(self) -> QPixmap:
         """All its px, upright; null where the file is no picture."""
-        return _read(self)
+        return _kept.get(self, lambda: _read(self))
 
     def at(self, size: QSize) -> QPixmap:
         """It in that many px; as it is where it has fewer."""
         whole = self.whole()
         if size.isEmpty() or whole.width() <= size.width():
             return whole
-        return _scaled(self, size.width(), size.height())
+        of = (self, size.width(), size.height())
+        return _kept.get(of, lambda: _scaled(whole, size))
 
 
 def picture(media: Path | None, name: str) -> Picture | None:
@@ -40,15 +45,15 @@ def picture(media: Path | None, name: str) -> Picture | None:
     return None if found.whole().isNull() else found
 
 
-@lru_cache(maxsize=32)
+_kept = KeptPictures(MOST)
+
+
 def _read(picture: Picture) -> QPixmap:
     reader = QImageReader(picture.path)
     reader.setAutoTransform(True)
     return QPixmap.fromImageReader(reader)
 
 
-@lru_cache(maxsize=64)
-def _scaled(picture: Picture, width: int, height: int) -> QPixmap:
+def _scaled(whole: QPixmap, size: QSize) -> QPixmap:
     way = Qt.TransformationMode.SmoothTransformation
-    whole = picture.whole()
-    return whole.scaled(width, height, Qt.AspectRatioMode.IgnoreAspectRatio, way)
+    return whole.scaled(size, Qt.AspectRatioMode.IgnoreAspectRatio, way)

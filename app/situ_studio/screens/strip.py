@@ -46,8 +46,8 @@ from situ_studio.theme import CAPTION, Theme, font
 WIDE, HIGH = 104, 84
 """Px of a state's place."""
 PICTURE = QRectF(10, 9, 84, 52)
-MOST = 400
-"""Pictures that are kept."""
+MOST = 48 * 2**20
+"""Bytes of the pictures that are kept: of 800 states, of 200 on a screen of twice the px."""
 AnyIndex = QModelIndex | QPersistentModelIndex
 NOWHERE = QModelIndex()
 PART = int(Qt.ItemDataRole.UserRole) + 1
@@ -145,9 +145,9 @@ class _Pictures(QStyledItemDelegate):
         kept = self._painted.get(key)
         if kept is not None and kept[0][0] is screen and kept[0][1:] == of[1:]:
             return kept[1]
-        if len(self._painted) > MOST:
-            self._painted.clear()
         made = QPixmap(PICTURE.size().toSize() * ratio)
+        if (len(self._painted) + 1) * 4 * made.width() * made.height() > MOST:
+            self._painted.clear()
         made.setDevicePixelRatio(ratio)
         made.fill(Qt.GlobalColor.transparent)
         painter = QPainter(made)
