@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject, QRectF
-from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog
+from PySide6.QtPrintSupport import QPrintDialog, QPrinter, QPrintPreviewDialog
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -173,6 +173,16 @@ class Dialogs(QObject):
         dialog.paintRequested.connect(paint)
         try:
             dialog.exec()
+        finally:
+            dialog.deleteLater()
+
+    def printer(self, printer: QPrinter) -> bool:
+        """Asks on which printer, and sets it up so; whether a person wants to print at all."""
+        dialog = QPrintDialog(printer, self._window)
+        # All pages belong together: there is no telling beforehand which one shows what.
+        dialog.setOption(QPrintDialog.PrintDialogOption.PrintPageRange, False)
+        try:
+            return dialog.exec() == QDialog.DialogCode.Accepted
         finally:
             dialog.deleteLater()
 

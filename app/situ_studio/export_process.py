@@ -1,4 +1,4 @@
-"""Drawing pictures in a process of its own: a document comes in, its file is written.
+"""Drawing and printing in a process of its own: a document comes in, its file is written.
 
 Started as ``python -m situ_studio.export_process`` by ``LargeExport``.
 """
@@ -8,10 +8,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 
-from situ.errors import SituError
-from situ_studio import picture
+from situ.errors import SituError, UsageError
+from situ_studio import picture, printing
 from situ_studio.answering import answer
-from situ_studio.large_export import Drawing
+from situ_studio.large_export import Drawing, Printing
 from situ_studio.main import application
 
 
@@ -22,13 +22,28 @@ def main() -> None:
     answer(_draw)
 
 
-def _draw(wanted: Drawing, _: Callable[[], bool]) -> str:
+def _draw(wanted: Drawing | Printing, _: Callable[[], bool]) -> str:
     """Why it could not be written, in one line; "" where it is."""
     try:
-        picture.draw(wanted.document, wanted.out, wanted.title)
-    except SituError as error:
+        if isinstance(wanted, Printing):
+            _print(wanted)
+        else:
+            picture.draw(wanted.document, wanted.out, wanted.title)
+    except (SituError, OSError) as error:
         return str(error)
     return ""
+
+
+def _print(wanted: Printing) -> None:
+    drawn = picture.paper(wanted.document)
+    try:
+        printer = wanted.printer.printer(wanted.begun)
+        if not printing.print_paper(printer, drawn, wanted.title, wanted.at):
+            raise UsageError("the printer does not begin; is it there, and is there room?")
+    finally:
+        drawn.close()
+    if wanted.begun:
+        os.replace(wanted.begun, wanted.printer.file)
 
 
 if __name__ == "__main__":

@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QApplication
 
 from situ.document.rbd import Application
 from situ.document.spds import Spds
-from situ.errors import UsageError
 from situ_studio import picture, printing
+from situ_studio.chosen_printer import chosen
 from situ_studio.export_dialog import What
-from situ_studio.large_export import Drawing, LargeExport
+from situ_studio.large_export import Drawing, LargeExport, Printing
 from situ_studio.panels.project_tree import stem
 from situ_studio.working import Work
 
@@ -57,7 +57,8 @@ class ExportingSide(QObject):
         picture.format_of(name)
         document = window.current_document
         if document is not None and _cards(document) > MOST_CARDS:
-            self._export_large(Drawing(document, name, stem(file)))
+            words = self.tr("Drawing {0}").format(Path(name).name)
+            self._begin(words, Drawing(document, name, stem(file)))
             return
         with self._drawn() as whole:
             areas = self._areas(whole)
@@ -72,22 +73,24 @@ class ExportingSide(QObject):
         self._folder = Path(name).parent
         window.say(self.tr("{0} is written.").format(name))
 
-    def _export_large(self, drawing: Drawing) -> None:
+    def _begin(self, words: str, wanted: Drawing | Printing) -> None:
         """The whole drawing, by another process; the window stays in use."""
         self._end_work()
-        words = self.tr("Drawing {0}").format(Path(drawing.out).name)
         self._work = self._window.status.work.begin(words, self._give_up)
-        self._large.start(drawing)
+        self._large.start(wanted)
 
     def _give_up(self) -> None:
         # The work ends itself.
         self._work = None
         self._large.cancel()
 
-    def _on_written(self, name: str) -> None:
+    def _on_written(self, done: Drawing | Printing) -> None:
         self._end_work()
-        self._folder = Path(name).parent
-        self._window.say(self.tr("{0} is written.").format(name))
+        if isinstance(done, Printing):
+            self._window.say(self.tr("{0} is printed.").format(done.title))
+            return
+        self._folder = Path(done.out).parent
+        self._window.say(self.tr("{0} is written.").format(done.out))
 
     def _on_refused(self, why: str) -> None:
         self._end_work()
@@ -99,14 +102,22 @@ class ExportingSide(QObject):
             work.end()
 
     def print_(self) -> None:
-        """Shows the drawing as it comes on paper, to be printed from there."""
+        """Shows the drawing as it comes on paper, to be printed from there; one that is too large
+        for that is printed beside the window once a printer is chosen."""
         file, project = self._window.current_file, self._window.session.project
-        if file is None or project is None:
+        document, view = self._window.current_document, self._window.current_view
+        if file is None or project is None or document is None or view is None:
             return
         title = self.tr("{0} — {1}").format(stem(file), project.name)
+        printer = QPrinter(QPrinter.PrinterMode.HighResolution)
+        printer.setDocName(stem(file))
+        if _cards(document) > MOST_CARDS:
+            printing.lay(printer, view.canvas.extent())
+            if self._window.dialogs.printer(printer):
+                words = self.tr("Printing {0}").format(stem(file))
+                self._begin(words, Printing(document, title, self._now(), chosen(printer)))
+            return
         with self._drawn() as drawn:
-            printer = QPrinter(QPrinter.PrinterMode.HighResolution)
-            printer.setDocName(stem(file))
             printing.lay(printer, drawn.area)
             at = self._now()
             self._window.dialogs.preview(
@@ -119,13 +130,6 @@ class ExportingSide(QObject):
         view, document = self._window.current_view, self._window.current_document
         assert view is not None
         assert document is not None
-        if _cards(document) > MOST_CARDS:
-            raise UsageError(
-                self.tr(
-                    "The drawing is too large to be printed from here: export it as PDF, "
-                    "and print that"
-                )
-            )
         with _waiting():
             only = view.selected if selected else None
             drawn = picture.paper(document, view.canvas, only)

@@ -1,12 +1,15 @@
-"""Pictures of drawings that are too large for the window to wait: another process draws them."""
+"""Drawings that are too large for the window to wait: another process draws or prints them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from datetime import datetime
+from pathlib import Path
 
 from msgspec import Struct
 from PySide6.QtCore import QObject, Signal
 
+from situ_studio.chosen_printer import ChosenPrinter
 from situ_studio.edit import Document
 from situ_studio.worker import Worker, module
 
@@ -21,32 +24,57 @@ class Drawing(Struct, frozen=True):
     title: str
 
 
-class LargeExport(QObject):
-    """One picture at a time; what was begun before is given up."""
+class Printing(Struct, frozen=True):
+    """What shall be printed, with ``title`` and the day ``at`` at the foot of each page."""
 
-    written = Signal(str)
-    """The file that is there now."""
+    document: Document
+    title: str
+    at: datetime
+    printer: ChosenPrinter
+
+    @property
+    def out(self) -> str:
+        """The file that is printed into, else the printer."""
+        return self.printer.file or self.printer.name
+
+    @property
+    def begun(self) -> str:
+        """The file as it is while it is not whole; "" where there is none."""
+        return self.printer.file and f"{self.printer.file}.part"
+
+
+class LargeExport(QObject):
+    """One drawing at a time; what was begun before is given up."""
+
+    written = Signal(object)
+    """The Drawing or Printing that is done."""
     refused = Signal(str)
     """There is none: why, in one line."""
 
     def __init__(self, parent: QObject, command: Sequence[str] = COMMAND) -> None:
         super().__init__(parent)
-        self._out = ""
+        self._wanted: Drawing | Printing | None = None
         self._said = ""
         self._worker = Worker(command, self)
         self._worker.answered.connect(self._on_answer)
         self._worker.said.connect(self._on_said)
         self._worker.gone.connect(self._on_gone)
 
-    def start(self, drawing: Drawing) -> None:
-        """Draws this document as it is now."""
+    def start(self, wanted: Drawing | Printing) -> None:
+        """Draws or prints this document as it is now."""
         self.cancel()
-        self._out, self._said = drawing.out, ""
-        self._worker.ask(drawing)
+        self._wanted, self._said = wanted, ""
+        self._worker.ask(wanted)
 
     def cancel(self) -> None:
-        """Nothing more is written, and nobody is told."""
+        """Nothing more is written or printed, and nobody is told."""
         self._worker.end()
+        self._take_away()
+
+    def _take_away(self) -> None:
+        """A file that was printed in part."""
+        if isinstance(self._wanted, Printing) and self._wanted.begun:
+            Path(self._wanted.begun).unlink(missing_ok=True)
 
     def _on_answer(self, refused: str) -> None:
         # Large drawings are rare: the process does not wait for another.
@@ -54,7 +82,7 @@ class LargeExport(QObject):
         if refused:
             self._refuse(refused)
         else:
-            self.written.emit(self._out)
+            self.written.emit(self._wanted)
 
     def _on_said(self, said: str) -> None:
         self._said = (said.splitlines() or [self._said])[-1]
@@ -63,4 +91,12 @@ class LargeExport(QObject):
         self._refuse(self._said or self.tr("its process ended early"))
 
     def _refuse(self, why: str) -> None:
-        self.refused.emit(self.tr("{0} can not be drawn: {1}").format(self._out, why))
+        self._take_away()
+        assert self._wanted is not None
+        printed = isinstance(self._wanted, Printing)
+        words = (
+            self.tr("{0} can not be printed: {1}")
+            if printed
+            else self.tr("{0} can not be drawn: {1}")
+        )
+        self.refused.emit(words.format(self._wanted.out, why))

@@ -150,6 +150,14 @@ class Answers:
         printer.setOutputFileName(str(self._take("preview")))
         paint(printer)
 
+    def printer(self, printer: QPrinter) -> bool:
+        """The person chooses the PDF that was put in, or None: does not print."""
+        out = self._take("printer")
+        if out is not None:
+            printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
+            printer.setOutputFileName(str(out))
+        return out is not None
+
     def where(self, name: str) -> Any:
         return self._take("where")
 

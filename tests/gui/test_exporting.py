@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import itertools
+import pickle
+import re
 import sys
 from collections.abc import Callable
 from datetime import datetime
@@ -12,17 +14,17 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from PySide6.QtCore import QEvent, QRectF, QSizeF, Qt, QTimer
-from PySide6.QtGui import QImage, QPageLayout
+from PySide6.QtCore import QEvent, QMarginsF, QRectF, QSizeF, Qt, QTimer
+from PySide6.QtGui import QImage, QPageLayout, QPageSize
 from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog, QPrintPreviewWidget
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication
 
 from situ.document import folder
-from situ.errors import UsageError
 from situ.resources import example
 from situ_studio import exporting, picture, printing
+from situ_studio.chosen_printer import chosen
 from situ_studio.dialogs import Dialogs
 from situ_studio.export_dialog import ExportDialog
 from situ_studio.large_export import Drawing, LargeExport
@@ -101,13 +103,15 @@ def test_what_can_not_be_written_is_told_in_one_line(
     export(used, tmp_path / "none" / "a.png", "whole")
     export(used, tmp_path / "a.gif", "whole")
     monkeypatch.setattr(exporting, "MOST_CARDS", 3)
-    with pytest.raises(UsageError, match="export it as PDF"):
-        used.window.exporting.print_()
+    used.answers.put("printer", tmp_path / "none" / "a.pdf")
+    used.window.exporting.print_()
+    unprinted = QSignalSpy(used.window.exporting._large.refused)
+    assert unprinted.count() or unprinted.wait(PATIENCE)
     used.answers.put("picture_file", str(tmp_path / "none" / "b.png"))
     used.window.exporting.export()
     refused = QSignalSpy(used.window.exporting._large.refused)
     assert refused.count() or refused.wait(PATIENCE)
-    told = ("can not be written", ".svg, .pdf or .png", "can not be drawn")
+    told = ("can not be written", ".svg, .pdf or .png", "can not be printed", "can not be drawn")
     assert len(used.answers.told) == len(told)
     for text, said in zip(told, used.answers.told, strict=True):
         assert text in said
@@ -216,6 +220,11 @@ def pages_of(pdf: Path) -> int:
     return pdf.read_bytes().count(b"/Type /Page\n")
 
 
+def boxes_of(pdf: Path) -> list[bytes]:
+    """How large its pages are."""
+    return re.findall(rb"/MediaBox \[[^]]*\]", pdf.read_bytes())
+
+
 def test_ctrl_p_prints_the_drawing_in_lines(studio: Start, project: Copy, tmp_path: Path) -> None:
     used, out = studio(project("reception")), tmp_path / "paper.pdf"
     used.answers.put("preview", out)
@@ -225,6 +234,55 @@ def test_ctrl_p_prints_the_drawing_in_lines(studio: Start, project: Copy, tmp_pa
     assert b"Inter-Medium" in found
     assert b"/Subtype /Image" not in found
     assert used.answers.told == []
+
+
+def test_a_large_drawing_is_printed_by_another_process_as_the_window_would(
+    studio: Start, project: Copy, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used, out, alone = studio(project("reception")), tmp_path / "a.pdf", tmp_path / "alone.pdf"
+    used.answers.put("preview", alone)
+    used.key(Qt.Key.Key_P, CONTROL)
+    monkeypatch.setattr(exporting, "MOST_CARDS", 3)
+
+    def begin() -> list[Any]:
+        used.key(Qt.Key.Key_P, CONTROL)
+        return list(used.window.status.work.going)
+
+    used.answers.put("printer", None)
+    assert begin() == []
+    out.write_text("what was there before")
+    used.answers.put("printer", out)
+    (work,) = begin()
+    work.cancel()
+    assert used.window.status.work.going == []
+    assert [file.name for file in tmp_path.glob("a.pdf*")] == ["a.pdf"]
+    assert out.read_text() == "what was there before"
+    used.answers.put("printer", out)
+    (work,) = begin()
+    assert "reception" in work.words
+    ended = QSignalSpy(work.ended)
+    assert ended.count() or ended.wait(PATIENCE)
+    assert used.answers.told == []
+    assert "is printed" in used.window.status.said.text()
+    assert not Path(f"{out}.part").exists()
+    assert pages_of(out) == pages_of(alone) >= 1
+    assert boxes_of(out) == boxes_of(alone)
+    assert b"Inter-Medium" in out.read_bytes()
+
+
+def test_a_printer_is_set_up_elsewhere_as_it_was_chosen(qt: QApplication) -> None:
+    printer = QPrinter(QPrinter.PrinterMode.HighResolution)
+    printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
+    printer.setOutputFileName("a.pdf")
+    printer.setPageSize(QPageSize(QPageSize.PageSizeId.A3))
+    printer.setPageOrientation(QPageLayout.Orientation.Landscape)
+    printer.setPageMargins(QMarginsF(20, 30, 40, 50), QPageLayout.Unit.Point)
+    printer.setCopyCount(3)
+    printer.setColorMode(QPrinter.ColorMode.GrayScale)
+    found = pickle.loads(pickle.dumps(chosen(printer)))
+    assert found.printer("b.pdf").outputFileName() == "b.pdf"
+    assert chosen(found.printer("a.pdf")) == found
+    assert found.printer("").pageLayout().pageSize().id() == QPageSize.PageSizeId.A3
 
 
 @settings(deadline=None)
