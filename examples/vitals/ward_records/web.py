@@ -25,6 +25,7 @@ from typing import Any, Literal
 from aiohttp import web
 from msgspec import Struct
 
+from situ.resources import resource
 from ward_records import page
 from ward_records.store import LIMITS, Locked, Store, Unfit, Unknown, WrongPin, number_in
 
@@ -59,6 +60,7 @@ def application(store: Store, tokens: Tokens) -> web.Application:
     made.router.add_post("/readings", ward.keep)
     made.router.add_get("/", ward.page)
     made.router.add_get("/page.css", ward.style)
+    made.router.add_static("/fonts", resource("fonts"))
     made.router.add_get("/residents/{id:[0-9]{1,9}}", ward.resident)
     made.router.add_post("/residents/{id:[0-9]{1,9}}", ward.set_limits)
     made.router.add_post("/calls/{id:[0-9]{1,9}}", ward.see)
@@ -67,23 +69,23 @@ def application(store: Store, tokens: Tokens) -> web.Application:
 
 @web.middleware
 async def _careful(request: web.Request, handler: Handler) -> web.StreamResponse:
-    """No answer is kept by a browser, shown in another page, or may load or run anything."""
+    """No answer but a font is kept by a browser, shown in another page, or may run anything."""
     try:
         answer = await handler(request)
     except web.HTTPException as said:
-        _guard(said)
+        _guard(said, "no-store")
         raise
-    _guard(answer)
+    _guard(answer, "max-age=86400" if request.path.startswith("/fonts/") else "no-store")
     return answer
 
 
-def _guard(answer: web.StreamResponse) -> None:
-    answer.headers["Cache-Control"] = "no-store"
+def _guard(answer: web.StreamResponse, kept: str) -> None:
+    answer.headers["Cache-Control"] = kept
     answer.headers["Referrer-Policy"] = "no-referrer"
     answer.headers["X-Content-Type-Options"] = "nosniff"
     answer.headers["Content-Security-Policy"] = (
-        "default-src 'none'; style-src 'self'; img-src data:; form-action 'self'; "
-        "frame-ancestors 'none'; base-uri 'none'"
+        "default-src 'none'; style-src 'self'; font-src 'self'; img-src data:; "
+        "form-action 'self'; frame-ancestors 'none'; base-uri 'none'"
     )
 
 
