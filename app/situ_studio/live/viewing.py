@@ -85,6 +85,14 @@ class Viewing(QObject):
             return f"{t:.1f} s"
         return (begun + timedelta(seconds=t)).strftime("%H:%M:%S")
 
+    def written(self, t: float, finest: bool = True) -> str:
+        """A moment by the clock on the wall, or in seconds of the trace. finest: to the ms."""
+        begun = self.wall()
+        if begun is None:
+            return f"{t:.3f} s" if finest else f"{t:.10g} s"
+        at = (begun + timedelta(seconds=t)).strftime("%H:%M:%S.%f")
+        return at[:-3] if finest else at.rstrip("0").rstrip(".")
+
     def seek(self, t: float) -> None:
         """Puts the cursor there, as far as there is something."""
         start, end = self.span

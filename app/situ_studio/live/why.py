@@ -20,9 +20,9 @@ from situ_studio.live.moment import TraceFields
 
 ThingKind = Literal[
     "event", "tag", "held", "resource", "module", "situation", "condition",
-    "application", "state", "transition",
+    "application", "halt", "state", "transition",
 ]  # fmt: skip
-"""``resource`` is what it does, ``held`` who holds it."""
+"""``resource`` is what it does, ``held`` who holds it; ``halt``: an application stands still."""
 
 
 class Thing(Struct, frozen=True):
@@ -191,6 +191,7 @@ def _fits(project: Project, thing: Thing) -> Fits:
         "situation": lambda e: e["kind"] == "situation" and e["to"] == name,
         "condition": lambda e: e["kind"] == "condition" and e["situation"] == name,
         "application": lambda e: e["kind"] == "enter" and e["application"] == name,
+        "halt": lambda e: e["kind"] in ("suspend", "paused") and e["application"] == name,
         "state": state,
         "transition": transition,
     }  # fmt: skip

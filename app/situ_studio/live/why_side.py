@@ -23,6 +23,7 @@ from situ_studio.live.why_menus import WhyMenus
 from situ_studio.live.why_not import Question, Wanted, events_until, wanted_at
 from situ_studio.live.why_not_asking import AskingWhyNot
 from situ_studio.live.why_places import priorities, tags_of, thing_at, where
+from situ_studio.panels.blackboard import ago
 from situ_studio.panels.why import Link, Why
 from situ_studio.theme import Theme
 
@@ -106,9 +107,15 @@ class WhySide(QObject):
         if thing is None and document is project.spds and not place:
             current = self._viewing.moment().situation
             return (Thing("situation", current) if current is not None else None), None
+        if thing is not None and thing.kind == "application" and self._stands_still(thing.name):
+            return Thing("halt", thing.name), thing
         if places.is_component(place):
             return thing, thing_at(project, view.file, document, places.root(place))
         return thing, None
+
+    def _stands_still(self, application: str) -> bool:
+        one = self._viewing.moment().applications.get(application)
+        return one is not None and (one.suspended or one.paused)
 
     @staticmethod
     def _place_meant(view: DocumentView) -> Place:
@@ -187,12 +194,12 @@ class WhySide(QObject):
         every = trail(log, place)
         links = [self._link(teller, project, one) for one in every]
         last = log.time(place)
-        passed = last - log.time(every[0])
-        more = self.tr("at {0} s").format(f"{last:.3f}")
+        passed, since = last - log.time(every[0]), self._viewing.t - last
+        more = self.tr("at {0}").format(self._viewing.written(last))
         if passed > 0:
-            more = self.tr("at {0} s, {1} s after what began it").format(
-                f"{last:.3f}", f"{passed:.3f}"
-            )
+            more = self.tr("{0}, {1} s after what began it").format(more, f"{passed:.3f}")
+        if since >= 0.1:
+            more = self.tr("{0}; {1} ago").format(more, ago(since))
         self.panel.answer(said(teller.tell(log[place])), more, links, len(links) - 1)
 
     def _link(self, teller: Teller, project: Project, place: int) -> Link:
@@ -214,7 +221,8 @@ class WhySide(QObject):
             else self.tr("{0} has no priority").format(module)
             for module, number in priorities(project, event, moment).items()
         ]
-        return Link(event["t"], words, ", ".join(values), where(project, event))
+        at = self._viewing.written(event["t"])
+        return Link(event["t"], at, words, ", ".join(values), where(project, event))
 
     # -- what did not happen ---------------------------------------------------------------
 
@@ -245,7 +253,7 @@ class WhySide(QObject):
             self._answer(place)
             return
         title = self.question(Teller(project), answer.wanted)
-        more = self.tr("at {0} s").format(f"{answer.at:.3f}")
+        more = self.tr("at {0}").format(self._viewing.written(answer.at))
         if answer.reasons and answer.reasons[0].code == "already":
             more = self.tr("{0}: it was so already").format(more)
         elif self._robot.follower.same is False:
@@ -286,7 +294,8 @@ class WhySide(QObject):
         if place is not None:
             t, about = log.time(place), where(project, log[place])
         values = ", ".join(f"{tag} {in_text(value)}" for tag, value in reason.values.items())
-        return Link(t, INDENT * depth + said(reason.text), values, about)
+        at = self._viewing.written(t)
+        return Link(t, at, INDENT * depth + said(reason.text), values, about)
 
     # -- going there ---------------------------------------------------------------------
 

@@ -15,13 +15,14 @@ from situ_studio.theme import Theme
 
 
 class Link(Struct, frozen=True):
-    """An event of a chain of causes, or a reason. t: seconds of the trace. values: what it hung on,
-    then.
+    """An event of a chain of causes, or a reason. t: seconds of the trace, ``at`` how that is
+    written. values: what it hung on, then.
 
     where: the file and place that it is about; None where it is about none.
     """
 
     t: float
+    at: str
     words: str
     values: str = ""
     where: tuple[str, Place] | None = None
@@ -54,7 +55,7 @@ class Why(QWidget):
         titles = (tr("Time"), tr("What happened"), tr("Values then"))
         self.table = RowsTable(tr("Why?"), titles, (90, 400), theme)
         self.table.rows.tips = (
-            tr("When it happened, since the robot started."),
+            tr("When it happened: by the clock, or in seconds since the robot started."),
             tr("What it was, the input that began it first."),
             tr("The values that decided it, as they were then."),
         )
@@ -89,7 +90,7 @@ class Why(QWidget):
         self.links = links
         self.table.rows.show(
             [
-                Row(str(n), (f"{link.t:.3f} s", link.words, link.values), n == asked)
+                Row(str(n), (link.at, link.words, link.values), n == asked)
                 for n, link in enumerate(links)
             ]
         )

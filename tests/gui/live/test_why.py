@@ -297,7 +297,7 @@ def test_cards_and_arrows_answer_by_menu_and_by_keys(replayed: Any) -> None:
     it.key(Qt.Key.Key_F7)
     assert seen(it)[-1] == "converse enters 3 glad"
     assert panel.title.text() == "converse enters 3 glad"
-    assert panel.more.text().startswith(f"at {entered['t']:.3f} s")
+    assert panel.more.text().startswith(f"at {viewing.written(entered['t'])}")
     assert panel.table.hasFocus()
     assert panel.table.currentIndex().row() == len(panel.links) - 1
     # By keys to the first link, and there.

@@ -84,7 +84,7 @@ def test_what_kept_a_module_a_situation_and_a_state(replayed: Any) -> None:
     hand.choose(window.context_menus.shown, "Why not?")
     assert hand.count == 2
     assert panel.title.text() == "Why does nod not hold head?"
-    assert panel.more.text() == f"at {slap['t']:.3f} s"
+    assert panel.more.text() == f"at {viewing.written(slap['t'])}"
     (gave,) = [e for e in events if e["kind"] == "abandon" and e["module"] == "nod"]
     assert seen(it)[0].startswith("nod gave head back at 5.3 s")
     # The third click goes to the moment of it.

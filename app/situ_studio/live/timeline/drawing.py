@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from datetime import timedelta
-
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QFontMetricsF,
@@ -189,14 +187,8 @@ class TimelineDrawing(QAbstractScrollArea):
     # -- the clock ---------------------------------------------------------------------
 
     def clock(self, t: float, finest: bool = True) -> str:
-        """How that moment is written: by the clock on the wall, or in seconds of the trace."""
-        begun = self.viewing.wall()
-        if begun is None:
-            return f"{t:.3f} s" if finest else f"{t:.10g} s"
-        at = (begun + timedelta(seconds=t)).strftime("%H:%M:%S.%f")
-        if finest:
-            return at[:-3]
-        return at.rstrip("0").rstrip(".")
+        """How that moment is written."""
+        return self.viewing.written(t, finest)
 
     # -- painting ----------------------------------------------------------------------
 
