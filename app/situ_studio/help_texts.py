@@ -229,12 +229,19 @@ PAGES: tuple[Page, ...] = (
         do differently is told before in words. If it fails in its first minute the robot goes
         back by itself; Roll back does so at any time.
 
+        The drawing moves along with the robot (Follow where it is). On a card stands how often
+        it came there, how long it stayed, and behind the clock how often the time ran out
+        before anybody went on.
+
         An operator may do more: a breakpoint (F9) pauses an application at a state, before a
-        transition, or in a situation; Step does the next thing that waits; an event is raised,
-        a value set, the robot sent to a state. Who did it stands in the trace.
+        transition, or in a situation, with a condition (Shift+F9) only while that holds; what
+        was set in a project is offered to the next robot. Step does the next thing that waits;
+        an event is raised, a value set, the robot sent to a state. Who did it stands in the
+        trace.
         """,
         (
-            "command/deploy", "command/versions", "command/operate.break", "panel/breakpoints",
+            "command/deploy", "command/versions", "command/operate.break",
+            "command/operate.while", "panel/breakpoints", "command/follow",
             "command/connect", "panel/blackboard", "panel/authority", "panel/trace",
             "panel/why", "command/why", "command/why_not",
             "status/link",
@@ -387,7 +394,9 @@ PANELS: dict[str, Panel] = {
         "Authority", "Which module holds which part of the robot, who else asks, and why not they."
     ),
     "panel/breakpoints": Panel(
-        "Breakpoints", "Where the robot pauses. A click goes there, Delete takes one away."
+        "Breakpoints",
+        "Where the robot pauses, and beside it while what. A click goes there, Delete takes one "
+        "away.",
     ),
     "panel/trace": Panel("Trace", "What the robot did, one line each, the latest at the end."),
     "panel/why": Panel(
