@@ -5,6 +5,7 @@ A lane is two columns of the same length, times in order; a value holds until th
 
 from __future__ import annotations
 
+import sys
 from array import array
 from bisect import bisect_right
 from collections.abc import Callable
@@ -22,8 +23,12 @@ class Lane(Struct):
     value: list[str | None] = field(default_factory=list)
 
     def add(self, t: float, value: str | None) -> None:
+        while self.t and self.t[-1] > t:
+            # It stood there, and the trace tells only now what was before.
+            del self.t[-1], self.value[-1]
         self.t.append(t)
-        self.value.append(value)
+        # Few names, however many events.
+        self.value.append(value if value is None else sys.intern(value))
 
     def at(self, t: float) -> str | None:
         """What holds at ``t``; None before the first."""
@@ -75,6 +80,19 @@ class Lanes(Struct):
     start: float = 0.0
     end: float = 0.0
 
+    def stand(self, tag: str, value: Any, writer: str | None, t: float) -> None:
+        """What stands on the blackboard since ``t``: begins a lane that no event has begun."""
+        lane: Lane | None = None
+        if tag.startswith("application/") and isinstance(value, dict):
+            lane = _lane(self.states, tag.removeprefix("application/"))
+            name = value["state"]
+        elif tag == "situation" and isinstance(value, dict):
+            lane, name = self.situation, value["name"]
+        elif tag.startswith("robot/") and value is not None and writer is not None:
+            lane, name = _lane(self.holders, tag.removeprefix("robot/")), writer
+        if lane is not None and not lane.t:
+            lane.add(t, name)
+
     def forget(self, before: float) -> None:
         """Drops what ended before that, of everything."""
         self.start = before
@@ -90,7 +108,12 @@ def _data(lanes: Lanes, event: dict[str, Any]) -> None:
     if isinstance(value, int | float):
         if series is None:
             series = lanes.data[event["tag"]] = Series(truth=isinstance(value, bool))
-        series.add(event["t"], value)
+        try:
+            y = float(value)
+        except OverflowError:
+            # An integer that no floating point number is near: it can not be drawn.
+            y = NAN
+        series.add(event["t"], y)
     elif series is not None:
         series.add(event["t"], NAN)
 

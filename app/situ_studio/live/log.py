@@ -2,11 +2,12 @@
 
 Fed by the live link, by recordings and rehearsals: all speak the same trace. No Qt, no clock: time
 is the trace's own ``t``. Events are kept packed, some hundred in a block, each block with the
-moment before its first event; so a moment costs the events of one block at most.
+moment before its first event, packed too; so a moment costs the events of one block at most.
 """
 
 from __future__ import annotations
 
+import math
 from array import array
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Mapping
@@ -23,18 +24,28 @@ from situ_studio.live.moment import Moment, TraceFields
 BLOCK = 500
 """Events in a block: what one moment of the past costs at most, about 1 ms."""
 LIMIT = 2_000_000
-"""Events that are kept, about 40 MB."""
+"""Events that are kept, about 90 MB."""
+FORGOTTEN = 64
+"""Parts of the limit, of which the oldest is forgotten at once: each time much is moved."""
 
 _pack = zstandard.ZstdCompressor(level=1)
 _unpack = zstandard.ZstdDecompressor()
 _decode = msgspec.json.Decoder(TraceFields).decode
 
 
+def _packed(data: bytes) -> bytes:
+    # What the library gives holds the room that the worst case needs: several times as much.
+    return memoryview(_pack.compress(data)).tobytes()
+
+
 class _Block(Struct, frozen=True):
     """BLOCK events, and what the robot was like before them."""
 
-    before: Moment
+    begun: bytes
     packed: bytes
+
+    def before(self) -> Moment:
+        return moment.unpacked(_unpack.decompress(self.begun))
 
     def events(self) -> list[TraceFields]:
         return [_decode(line) for line in _unpack.decompress(self.packed).split(b"\n")]
@@ -44,8 +55,9 @@ class TraceLog:
     """A sequence of trace events, as they came; ``limit`` and some are kept.
 
     Events come in order of ``seq``; one that was seen before is passed over, so that a link that
-    came back may send its backlog again. ``now`` is the robot after the last and knows of all,
-    ``lanes`` is everything over time.
+    came back may send its backlog again. Time does not go back: an event that says so counts as of
+    the one before. ``now`` is the robot after the last and knows of all, ``lanes`` is everything
+    over time.
     """
 
     def __init__(self, limit: int = LIMIT, block: int = BLOCK) -> None:
@@ -78,23 +90,35 @@ class TraceLog:
 
     def add(self, events: Iterable[TraceFields]) -> list[TraceFields]:
         """Takes what is new and gives it back."""
-        before = self._seq
-        new = [event for event in events if event["seq"] > before]
+        seq, new = self._seq, []
+        for event in events:
+            if event["seq"] > seq:
+                seq = event["seq"]
+                new.append(event)
         self._take(zip(new, map(msgspec.json.encode, new), strict=True))
         return new
 
     def add_lines(self, lines: Iterable[bytes]) -> None:
-        """Takes what is new of events as JSON, one each; raises msgspec.DecodeError."""
+        """Takes what is new of events as JSON, one each.
+
+        Raises msgspec.DecodeError, and KeyError where a field is missing; the log is of no use
+        then.
+        """
         self._take((_decode(line), line) for line in lines)
 
     def _take(self, pairs: Iterable[tuple[TraceFields, bytes]]) -> None:
         # A million of them come at once: what is the same for all is looked up once.
         seq, now, told, over_time = self._seq, self.now, self._told, self.lanes
         on_moment, on_lanes = moment.ACCEPT.get, lanes.TAKE.get
+        begins = not self._times
+        t = -math.inf if begins else self._times[-1]
         for event, line in pairs:
             if event["seq"] <= seq:
                 continue
-            seq, kind = event["seq"], event["kind"]
+            if event["t"] < t:
+                event = {**event, "t": t}
+                line = msgspec.json.encode(event)
+            seq, kind, t = event["seq"], event["kind"], event["t"]
             accept = on_moment(kind)
             if accept is not None:
                 accept(now, event)
@@ -103,30 +127,39 @@ class TraceLog:
             take = on_lanes(kind)
             if take is not None:
                 take(over_time, event)
-            self._times.append(event["t"])
+            self._times.append(t)
             self._open.append(event)
             self._lines.append(line)
             if len(self._open) == self._size:
-                self._come_to(seq, event["t"])
+                self._come_to(seq, t)
                 self._close()
         if self._times:
-            self._come_to(seq, self._times[-1])
+            self._come_to(seq, t)
+        if begins and self._times:
+            self.lanes.start = self._times[0]
 
     def _come_to(self, seq: int, t: float) -> None:
         self._seq, self.now.t, self._told.t, self.lanes.end = seq, t, t, t
 
     def _close(self) -> None:
         """The open block is full: it is packed."""
-        self._blocks.append(_Block(self._open_before, _pack.compress(b"\n".join(self._lines))))
+        lines = b"\n".join(self._lines)
+        if lines.count(b"\n") >= len(self._lines):
+            # JSON may have line breaks, if ours has none.
+            lines = b"\n".join(map(msgspec.json.encode, self._open))
+        before = moment.packed(self._open_before)
+        self._blocks.append(_Block(_packed(before), _packed(lines)))
         self._open, self._lines, self._open_before = [], [], self._told.copy()
-        if len(self._times) > self._limit + self._size:
-            self._forget()
+        many = max(1, self._limit // self._size // FORGOTTEN)
+        if len(self._times) > self._limit + many * self._size:
+            self._forget(many)
 
-    def _forget(self) -> None:
-        """The oldest block goes, and the cursor's places go down by as many."""
-        del self._blocks[0]
-        del self._times[: self._size]
-        self.gone += self._size
+    def _forget(self, blocks: int) -> None:
+        """The oldest go, and the cursor's places go down by as many events."""
+        events = blocks * self._size
+        del self._blocks[:blocks]
+        del self._times[:events]
+        self.gone += events
         self.lanes.forget(self._times[0])
         self._unpacked, self._shown = (-1, []), (-1, self.now)
 
@@ -141,6 +174,7 @@ class TraceLog:
         for tag, (value, writer, t) in entries.items():
             self._standing[tag, t] = (value, writer)
             self.now.stand(tag, value, writer, t)
+            self.lanes.stand(tag, value, writer, t)
 
     # -- what there is ---------------------------------------------------------------
 
@@ -209,13 +243,12 @@ class TraceLog:
             return then
         whole = then.copy()
         for (tag, t), (value, writer) in told:
-            if whole.gone.get(tag, t) <= t:
-                whole.stand(tag, value, writer, t)
+            whole.stand(tag, value, writer, t)
         return whole
 
     def _before(self, number: int) -> Moment:
         last = number == len(self._blocks)
-        return self._open_before if last else self._blocks[number].before
+        return self._open_before if last else self._blocks[number].before()
 
     def _block(self, number: int) -> list[TraceFields]:
         if number == len(self._blocks):

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import msgspec
 from msgspec import Struct, field
 from msgspec.structs import replace
 
@@ -36,12 +37,14 @@ class ApplicationMoment(Struct):
     begun: since when it is in each state that it is in, those around a part too. spent: seconds in
     each state that it has left. crossed: (from, to, event, timeout) to how often. paused: by an
     operator or at a breakpoint, ``stopped`` is that one's number. breakpoints: those that stand on
-    it, as the tag ``debugger.breakpoints`` has them.
+    it, as the tag ``debugger.breakpoints`` has them. suspended_told, paused_told: when the trace
+    said last whether it is; None where it never did.
     """
 
     state: str | None = None
     since: float = 0.0
     suspended: bool = False
+    suspended_told: float | None = None
     missing: tuple[str, ...] = ()
     entered: dict[str, int] = field(default_factory=dict)
     begun: dict[str, float] = field(default_factory=dict)
@@ -49,6 +52,7 @@ class ApplicationMoment(Struct):
     taken: list[Taken] = field(default_factory=list)
     crossed: dict[tuple[str, str, str | None, bool], int] = field(default_factory=dict)
     paused: bool = False
+    paused_told: float | None = None
     stopped: int | None = None
     breakpoints: tuple[dict[str, Any], ...] = ()
 
@@ -113,24 +117,39 @@ class Moment(Struct):
         )
 
     def stand(self, tag: str, value: Any, writer: str | None, t: float) -> None:
-        """What stands on the blackboard since ``t``, where the trace does not tell it."""
+        """What stands on the blackboard since ``t``; what the trace told later counts more."""
         known = self.board.get(tag)
-        if value is not None and (known is None or known.t <= t):
-            self.board[tag] = Entry(value, writer, t)
-            if tag == BREAKPOINTS:
-                self.put_breakpoints()
-        if tag == PAUSED and isinstance(value, dict):
+        if value is None or self.gone.get(tag, t) > t or (known is not None and known.t > t):
+            return
+        self.board[tag] = Entry(value, writer, t)
+        if tag == BREAKPOINTS:
+            self.put_breakpoints()
+        elif tag.startswith("robot/"):
+            resource = tag.removeprefix("robot/")
+            if resource not in self.robot:
+                self.robot[resource] = value
+                if writer is not None:
+                    self.holders.setdefault(resource, (writer, t))
+        elif not isinstance(value, dict):
+            return
+        elif tag == PAUSED:
             for name, stopped in value.items():
                 one = self.application(name)
-                one.paused, one.stopped = True, stopped
-        if tag.startswith("application/") and isinstance(value, dict):
-            application = self.application(tag.removeprefix("application/"))
-            if application.state is None:
-                application.state, application.since = value["state"], t
-                application.begun[value["state"]] = t
-                application.suspended = value["suspended"]
-        elif tag == "situation" and isinstance(value, dict) and self.situation is None:
+                if one.paused_told is None or one.paused_told <= t:
+                    one.paused, one.stopped = True, stopped
+        elif tag.startswith("application/"):
+            self._stand_application(self.application(tag.removeprefix("application/")), value, t)
+        elif tag == "situation" and self.situation_since <= t and value["name"] != self.situation:
             self.situation, self.situation_since = value["name"], t
+
+    @staticmethod
+    def _stand_application(one: ApplicationMoment, value: dict[str, Any], t: float) -> None:
+        # Events between what was known and now may be lost: the robot forgets the oldest.
+        if one.state is None or (one.since < t and one.state != value["state"]):
+            one.state, one.since = value["state"], t
+            one.begun = {value["state"]: t}
+        if one.suspended_told is None or one.suspended_told <= t:
+            one.suspended = value["suspended"]
 
     @property
     def breakpoints(self) -> tuple[dict[str, Any], ...]:
@@ -148,6 +167,28 @@ class Moment(Struct):
 
     def application(self, name: str) -> ApplicationMoment:
         return self.applications.setdefault(name, ApplicationMoment())
+
+
+_Ways = dict[str, list[tuple[tuple[str, str, str | None, bool], int]]]
+"""``crossed`` of each application: JSON has no keys but texts."""
+
+
+def packed(moment: Moment) -> bytes:
+    """A moment to be kept: a tenth of it or less."""
+    bare = {name: replace(one, crossed={}) for name, one in moment.applications.items()}
+    ways = {name: [*one.crossed.items()] for name, one in moment.applications.items()}
+    return msgspec.json.encode((replace(moment, applications=bare), ways))
+
+
+def unpacked(data: bytes) -> Moment:
+    """What was packed."""
+    moment, ways = _decode(data)
+    for name, one in moment.applications.items():
+        one.crossed = dict(ways[name])
+    return moment
+
+
+_decode = msgspec.json.Decoder(tuple[Moment, _Ways]).decode
 
 
 def _data(now: Moment, event: TraceFields) -> None:
@@ -225,21 +266,25 @@ def _transition(now: Moment, event: TraceFields) -> None:
 def _suspend(now: Moment, event: TraceFields) -> None:
     application = now.application(event["application"])
     application.suspended, application.missing = True, tuple(event["missing"])
+    application.suspended_told = event["t"]
 
 
 def _resume(now: Moment, event: TraceFields) -> None:
     application = now.application(event["application"])
     application.suspended, application.missing = False, ()
+    application.suspended_told = event["t"]
 
 
 def _paused(now: Moment, event: TraceFields) -> None:
     application = now.application(event["application"])
     application.paused, application.stopped = True, event["breakpoint"]
+    application.paused_told = event["t"]
 
 
 def _resumed(now: Moment, event: TraceFields) -> None:
     application = now.application(event["application"])
     application.paused, application.stopped = False, None
+    application.paused_told = event["t"]
 
 
 ACCEPT: dict[str, Callable[[Moment, TraceFields], None]] = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import tracemalloc
 from pathlib import Path
 from typing import Any
 
@@ -256,15 +257,137 @@ def test_what_stood_there_counts_in_the_past_from_its_time_on() -> None:
     assert "late" in log.at(5.0).board
 
 
+def told(seq: int, t: float, kind: str = "data", **fields: Any) -> dict[str, Any]:
+    if kind == "data":
+        fields = {"tag": "a.b", "writer": "w", "value": seq, **fields}
+    return {"kind": kind, "seq": seq, "t": t, "cause": None, **fields}
+
+
+def test_what_stood_there_gives_way_to_what_the_trace_told_later() -> None:
+    log = TraceLog(block=2)
+    log.add(
+        [
+            told(11, 7.0, "resumed", application="a", state="1", breakpoint=3, writer="ann"),
+            told(12, 7.0, "resume", application="a", missing=[]),
+            told(13, 7.0, "situation", **{"from": "sound", "to": None}),
+            told(14, 7.0, "mapping", resource="head", module=None, value=None),
+            told(15, 7.0, value=None),
+            told(16, 8.0, tag="c"),
+        ]
+    )
+    # Read at the robot before, answered after.
+    log.stand(
+        {
+            "debugger.paused": ({"a": 3}, "situ", 5.0),
+            "application/a": ({"state": "1", "name": "one", "suspended": True}, "situ", 5.0),
+            "situation": ({"name": "sound", "priorities": {}}, "situ", 5.0),
+            "robot/head": ([0, 30], "gaze", 5.0),
+            "a.b": (1, "w", 5.0),
+        }
+    )
+    log.add([told(17, 9.0, tag="c")])
+    for moment in (log.now, log.at(8.0)):
+        one = moment.applications["a"]
+        assert (one.state, one.paused, one.suspended) == ("1", False, False)
+        assert moment.situation is None
+        assert "head" not in moment.holders
+        assert "a.b" not in moment.board
+
+
+def test_of_a_robot_met_late_lanes_begin_with_its_events_and_with_what_stood_there() -> None:
+    log = TraceLog()
+    log.stand(
+        {
+            "application/a": ({"state": "5", "name": "five", "suspended": False}, "situ", 60.0),
+            "situation": ({"name": "sound", "priorities": {}}, "situ", 20.0),
+            "robot/head": ([0, 30], "gaze", 30.0),
+        }
+    )
+    log.add([told(20_001, 50.0), told(20_002, 55.0, "enter", application="a", state="4")])
+    lanes = log.lanes
+    assert (lanes.start, lanes.end) == (50.0, 55.0)
+    assert lanes.situation.at(51.0) == "sound"
+    assert lanes.holders["head"].at(51.0) == "gaze"
+    assert log.now.holders["head"] == ("gaze", 30.0)
+    assert log.now.robot["head"] == [0, 30]
+    # What stands there since later than the events that come only now waits for its own.
+    assert [*lanes.states["a"].t] == [55.0]
+    log.add([told(20_003, 60.0, "enter", application="a", state="5")])
+    assert [*lanes.states["a"].t] == [55.0, 60.0]
+
+
+def test_a_robot_that_forgot_its_last_events_is_where_its_blackboard_says() -> None:
+    log = TraceLog()
+    log.add([told(1, 1.0, "enter", application="a", state="4")])
+    log.stand({"application/a": ({"state": "9", "name": "n", "suspended": True}, "situ", 60.0)})
+    log.add([told(30_000, 70.0)])
+    one = log.now.applications["a"]
+    assert (one.state, one.since, one.suspended) == ("9", 60.0, True)
+    assert log.at(2.0).applications["a"].state == "4"
+
+
+def test_events_twice_or_backwards_in_one_delivery_are_taken_and_given_back_once() -> None:
+    log = TraceLog()
+    new = log.add([told(5, 1.0), told(4, 1.0), told(5, 1.0), told(6, 2.0)])
+    assert [event["seq"] for event in new] == [event["seq"] for event in log] == [5, 6]
+
+
+def test_time_that_goes_back_counts_as_of_the_event_before() -> None:
+    log = TraceLog(block=2)
+    log.add([told(1, 1.0), told(2, 5.0), told(3, 3.0), told(4, 4.0), told(5, 6.0)])
+    assert [event["t"] for event in log] == [1.0, 5.0, 5.0, 5.0, 6.0]
+    assert log.at(4.0).board["a.b"].value == 1
+    assert log.at(5.0).board["a.b"].value == 4
+    assert [*log.lanes.data["a.b"].t] == sorted(log.lanes.data["a.b"].t)
+
+
+def test_an_integer_that_no_float_is_near_is_kept_but_not_drawn() -> None:
+    log = TraceLog(block=1)
+    line = msgspec.json.encode(told(1, 1.0, value=0)).replace(
+        b'"value":0', b'"value":1' + b"0" * 400
+    )
+    log.add_lines([line])
+    assert log[0]["value"] == 10**400
+    assert log.lanes.data["a.b"].at(1.0) != log.lanes.data["a.b"].at(1.0)
+
+
+def test_json_with_line_breaks_is_one_event_still() -> None:
+    log = TraceLog(block=2)
+    events = [told(1, 1.0), told(2, 2.0)]
+    log.add_lines(msgspec.json.format(msgspec.json.encode(event)) for event in events)
+    assert list(log) == events
+
+
+def test_a_full_log_forgets_a_part_at_a_time_and_never_more_than_it_has_too_many() -> None:
+    log = TraceLog(limit=640, block=2)
+    for seq in range(1, 1_000):
+        log.add([told(seq, float(seq))])
+        assert log[0]["seq"] == log.gone + 1
+        assert log.gone % 10 == 0
+        assert min(seq, 640) <= len(log) < 640 + 10 + 2
+    assert log.gone > 300
+
+
+def test_what_is_kept_takes_hardly_more_room_than_it_is_packed() -> None:
+    log = TraceLog()
+    tracemalloc.start()
+    begun, _ = tracemalloc.get_traced_memory()
+    log.add_lines(
+        msgspec.json.encode(told(seq, seq / 100, tag=f"tag.{seq % 60}")) for seq in range(1, 20_001)
+    )
+    now, _ = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert (now - begun) / len(log) < 80
+
+
 def test_a_row_that_is_read_before_the_table_is_told_is_never_another_events() -> None:
-    def told(first: int, last: int) -> list[dict[str, Any]]:
-        same = {"kind": "data", "tag": "a.b", "writer": "w", "value": 1}
-        return [{**same, "seq": seq, "t": float(seq)} for seq in range(first, last + 1)]
+    def those(first: int, last: int) -> list[dict[str, Any]]:
+        return [told(seq, float(seq)) for seq in range(first, last + 1)]
 
     log = TraceLog(limit=4, block=2)
-    log.add(told(1, 6))
+    log.add(those(1, 6))
     rows = LogRows(log, lambda event: Row(str(event["seq"]), ("", "", "", "")))
-    log.add(told(7, 8))
+    log.add(those(7, 8))
     assert rows.news() == (2, 2)
     assert [row.key for row in rows] == ["", "", "3", "4", "5", "6"]
     rows.drop(2)
