@@ -28,6 +28,7 @@ class DocumentView(QWidget):
     activated = Signal(tuple)
     status = Signal(str)
     menu_requested = Signal(tuple, QPoint)
+    mends_asked = Signal()
     module_dropped = Signal(str, tuple)
     """A context menu is wanted: of what, and where on the screen."""
     part_asked = Signal(object, tuple)
@@ -223,6 +224,7 @@ class DocumentView(QWidget):
             "activated",
             "status",
             "menu_requested",
+            "mends_asked",
             "module_dropped",
             "part_asked",
             "filled_in",

@@ -8,9 +8,9 @@ tells what a person does in it:
   without telling it; ``set_theme(theme)``;
 - ``edited(document, str)`` tells a new value and the name of the step, ``selection_changed(tuple)``
   the places that a person selected. Where it has them, ``activated(place)``, ``status(str)``,
-  ``menu_requested(places, point)``, ``filled_in(place)``, ``work_begun(words, job)`` and
-  ``part_asked(corner, exit)`` are heard too, and ``set_live`` is called; what it says to be
-  ``supposed(live)`` the others show, too.
+  ``menu_requested(places, point)``, ``mends_asked()``, ``filled_in(place)``,
+  ``work_begun(words, job)`` and ``part_asked(corner, exit)`` are heard too, and ``set_live`` is
+  called; what it says to be ``supposed(live)`` the others show, too.
 """
 
 from __future__ import annotations

@@ -413,3 +413,22 @@ def _inside(menu: QMenu) -> list[str]:
         below = action.menu()
         found += _inside(below) if isinstance(below, QMenu) else [action.text()]
     return found
+
+
+def test_the_sign_on_a_pipe_opens_the_mends_of_its_priority(ward: Any) -> None:
+    window = ward.window
+    window.open_file(SCRIPT)
+    ward.settle()
+    canvas = window.current_view.piece("graph")
+    place = ("situation", "day", "entry", "2")
+    pipes = map(canvas.graph.pipe, canvas.graph.links)
+    pipe = next(one for one in pipes if one.link.place == place)
+    viewer = canvas.viewer
+    at = viewer.mapFromScene(pipe.sign_area().center())
+    QTest.mouseClick(viewer.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    ward.settle()
+    assert window.current_view.selected == (place,)
+    choose(ward, window.mending.shown, 'Give "nod" the priority 6 in "day"')
+    assert "tie" not in codes(ward)
+    pipes = map(canvas.graph.pipe, canvas.graph.links)
+    assert all(one.sign_area().isEmpty() for one in pipes)

@@ -505,7 +505,8 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             super()._choose_exit(card, exit)
 
     def _on_clicked(self, item: Any, spot: QPointF) -> None:
-        if isinstance(item, RoutedPipe) and item.route.folded and item.link is not None:
+        folded = isinstance(item, RoutedPipe) and item.route.folded and item.link is not None
+        if folded and not item.sign_area().contains(spot):
             if self.viewer.held & Qt.KeyboardModifier.AltModifier:
                 self._piping.draw(self._picture, item.link.id)
             else:

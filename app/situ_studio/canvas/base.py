@@ -43,6 +43,8 @@ class Canvas(Choosing):
     status = Signal(str)
     zoomed = Signal(float)
     menu_requested = Signal(tuple, QPoint)
+    mends_asked = Signal()
+    """The sign of a problem was clicked, of what is selected now."""
     module_dropped = Signal(str, tuple)
     """The name of a module that was dragged here, and the place of what it was dropped on."""
     """A right click: the place under it (empty for the ground), where on the screen."""
@@ -144,6 +146,11 @@ class Canvas(Choosing):
         if self.viewer.spoken_as is not None:
             self.viewer.spoken_as.on_shown()
         self._moved_timer.stop()
+        for uid in changed:
+            for id in self.graph.links_at(uid):
+                pipe = self.graph.pipe(id)
+                if pipe is not None:
+                    pipe.update_sign()
         few = len(links) <= self.few or first or 3 * len(changed) > len(cards)
         self._route(None if few and not self.filling.is_filling else changed)
         self.minimap.redraw()
@@ -338,8 +345,13 @@ class Canvas(Choosing):
     def _on_clicked(self, item: Any, spot: QPointF) -> None:
         if isinstance(item, Spot) and item.node is not None:
             self._choose_exit(item.node, item.name)
-        elif isinstance(item, RoutedPipe) and item.link is not None and not item.isSelected():
-            self.select([self.link_place(item.link.id)])
+        elif isinstance(item, RoutedPipe) and item.link is not None:
+            on_sign = item.sign_area().contains(spot)
+            link = item.wrong() if on_sign else item.link
+            if on_sign or not item.isSelected():
+                self.select([self.link_place(link.id)])
+            if on_sign:
+                self.mends_asked.emit()
 
     def _choose_exit(self, card: NodeFace, exit: str) -> None:
         """A click on an exit selects its transition."""

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas.cards import arrow
 from situ_studio.canvas.live import LiveScript
+from situ_studio.canvas.pipe_labels import LEAST, PIXELS
 from situ_studio.canvas.pipes import ABOVE, HIT, RoutedPipe
 from situ_studio.canvas.routes import Route
 from situ_studio.canvas.script_faces import Inherited, ScriptLink
@@ -24,6 +25,11 @@ from situ_studio.canvas.style import Label, Look
 from situ_studio.language import tr
 
 PILL = 18.0
+FAR_SIGN = 16.0
+"""Px on screen that the sign of a problem keeps in the smallest drawings."""
+DOT = 2.5
+REACH = 0.45
+"""How much wider and higher a pill can be painted at each side, as a part of its own size."""
 
 
 def curve(start: QPointF, end: QPointF) -> QPainterPath:
@@ -68,7 +74,7 @@ class CurvedPipe(RoutedPipe):
         self._pill_text = None
         if link.kind == "priority":
             said = tr("none") if link.priority is None else str(link.priority)
-            self._pill_text = Label(said, 12, 600)
+            self._pill_text = Label(said, PIXELS, 600)
         self.route = Route(points=((start.x(), start.y()), (end.x(), end.y())))
         way = self._way = curve(start, end)
         stroker = QPainterPathStroker()
@@ -84,7 +90,10 @@ class CurvedPipe(RoutedPipe):
         if self._pill_text is not None:
             self._hit = QPainterPath(self._stroke)
             self._hit.addRect(self._pill)
-            self._rect = self._rect.united(self._pill.adjusted(-3, -3, 3, 3))
+            more_x, more_y = self._pill.width() * REACH, max(self._pill.height() * REACH, 44.0)
+            self._rect = self._rect.united(
+                self._pill.adjusted(-more_x - 3, -more_y, more_x + 3, more_y)
+            )
         self.update()
 
     def pill(self, part: float | None = None) -> QRectF:
@@ -118,7 +127,23 @@ class CurvedPipe(RoutedPipe):
             return True
         return bool(self.chosen)
 
+    def update_sign(self) -> None:
+        self.update()
+
+    def wrong(self) -> ScriptLink | None:
+        return self.link if self.link.mark else None
+
+    def sign_area(self) -> QRectF:
+        """In the pill, behind the number."""
+        box = self.pill()
+        if self._pill_text is None or not self.link.mark:
+            return QRectF()
+        return QRectF(box.right() - 22, box.top(), 22, box.height())
+
     def _hint(self) -> str:
+        return "\n".join((self._told(), *self.link.wrong.told()))
+
+    def _told(self) -> str:
         link = self.link
         source, target = self._output_port.node.face, self._input_port.node.face
         if link.kind == "priority":
@@ -134,6 +159,8 @@ class CurvedPipe(RoutedPipe):
             return tr("{0} uses {1}").format(source.name, target.name)
         return str(source.hint())
 
+    roomy = True
+    """Whether its priority has room to be enlarged in a small drawing."""
     chosen = False
     """On the way to the selected situation, or on from it, without touching it."""
 
@@ -174,7 +201,17 @@ class CurvedPipe(RoutedPipe):
         painter.setOpacity(1.0)
         if self._pill_text is None:
             return
+        painted = self.painted_pill()
+        if painted.isEmpty():
+            self._paint_far(painter)
+            return
         box = self.pill()
+        if look.level == "half":
+            scale = painted.width() / (box.width() - 6)
+            box = box.adjusted(3, 2, -3, -2)
+            painter.translate(box.center())
+            painter.scale(scale, scale)
+            painter.translate(-box.center())
         if link.mark:
             painter.setPen(QPen(look[link.mark], 1.25))
             painter.setBrush(look[f"{link.mark}_soft"])
@@ -192,6 +229,37 @@ class CurvedPipe(RoutedPipe):
             look.icon(painter, link.mark, box.right() - 20, centre.y() - 7, 14, ink)
         else:
             self._pill_text.draw_middle(painter, centre.x(), centre.y() + 4.5, ink)
+
+    def painted_pill(self) -> QRectF:
+        """The pill as it is painted at this zoom, in the scene: its number can be read; empty where
+        it has no room for that, and where cards are too small.
+        """
+        look, box = self.look, self.pill()
+        if look.level == "full":
+            return box
+        if look.level != "half" or not (self.roomy or self.selected() or self.hovered):
+            return QRectF()
+        # Enlarged as a whole, it would reach the pills above and below.
+        scale = max(1.0, LEAST / PIXELS / look.zoom)
+        made = QRectF(0, 0, (box.width() - 6) * scale, (box.height() - 4) * scale)
+        made.moveCenter(box.center())
+        return made
+
+    def _paint_far(self, painter: QPainter) -> None:
+        """Where a number has no room to be read: that there is one, and what is wrong with it."""
+        look, mark = self.look, self.link.mark
+        if not mark and look.level == "half":
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(look["module"])
+            painter.drawEllipse(self.pill().center(), DOT / look.zoom, DOT / look.zoom)
+        elif mark and look.level != "tiny":
+            side = FAR_SIGN / look.zoom
+            area = QRectF(0, 0, side, side)
+            area.moveCenter(self.pill().center())
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(look["panel"])
+            painter.drawEllipse(area)
+            look.icon(painter, mark, area.left(), area.top(), side, look[mark])
 
 
 class InheritedPipe(QGraphicsPathItem):
@@ -241,7 +309,14 @@ class InheritedPipe(QGraphicsPathItem):
         painter.drawPath(self.path())
         arrow(painter, look["accent"], self._end.x(), self._end.y())
         painter.setOpacity(1.0)
+        if look.level in ("quarter", "tiny"):
+            return
         box = self.pill()
+        if look.level != "full":
+            scale = max(1.0, LEAST / PIXELS / look.zoom)
+            painter.translate(box.center())
+            painter.scale(scale, scale)
+            painter.translate(-box.center())
         pen = QPen(look["line_strong"], 1)
         pen.setDashPattern([3, 2])
         painter.setPen(pen)

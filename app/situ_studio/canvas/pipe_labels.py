@@ -44,6 +44,10 @@ class PipeLabel:
         """Of the words alone."""
         return self._text.width
 
+    def is_shown(self, look: Look) -> bool:
+        """Whether it is painted though no mouse is on it: small drawings leave the guards."""
+        return self._pill or look.level == "full"
+
     def leave_free(self, points: Sequence[Point]) -> list[tuple[Point, ...]]:
         """The way before the label and the way after it."""
         x, y = self._x, self._y

@@ -1,4 +1,4 @@
-"""Pipes: routed, labelled and folded as mockups/tokens.md says; and the one being drawn."""
+"""Pipes: routed, labelled and folded as mockups/tokens.md says."""
 
 from __future__ import annotations
 
@@ -14,13 +14,17 @@ from situ_studio.canvas.cards import STUB, arrow, chip_width, paint_chip
 from situ_studio.canvas.library import PipeItem
 from situ_studio.canvas.live import LiveView, strength
 from situ_studio.canvas.pipe_labels import PipeLabel
+from situ_studio.canvas.problem_marks import Sign
+from situ_studio.canvas.projection import Card
 from situ_studio.canvas.routes import Point, Route
 from situ_studio.canvas.style import Look
 from situ_studio.language import tr
 
 CORNER = 8.0
-UNDER, ABOVE = -1.0, -0.5
-"""Pipes lie under the cards; those of the selection above the others."""
+UNDER, SIGNED, ABOVE = -1.0, -0.75, -0.5
+"""Pipes lie under the cards; those with a sign above the others, the selection's above these."""
+SIGN = 16.0
+"""How large the sign of a problem is."""
 HIT = 12.0
 """How wide a pipe is for the mouse."""
 
@@ -46,6 +50,12 @@ def rounded(points: tuple[Point, ...], shorten: float = 0.0) -> QPainterPath:
 
 def _sign(value: float) -> int:
     return (value > 0) - (value < 0)
+
+
+def _long(stretch: tuple[Point, Point]) -> float:
+    """How long, one across before one down."""
+    (ax, ay), (bx, by) = stretch
+    return 2 * abs(bx - ax) + abs(by - ay)
 
 
 def _from_segment(spot: QPointF, a: Point, b: Point) -> float:
@@ -80,6 +90,7 @@ class RoutedPipe(PipeItem):
         self._way: QPainterPath | None = None
         self._gap: QPainterPath | None = None
         self._chip = ""
+        self._wrong: tuple[Sign, Any] | None = None
         # Without a way it lies in the drawing's corner: Qt would paint it there at each frame.
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, True)
         self.setZValue(UNDER)
@@ -97,18 +108,18 @@ class RoutedPipe(PipeItem):
         self._shown = route, said, pill, chip
         self.route, self._chip = route, chip
         self._label = PipeLabel(route, said, pill) if route.label is not None else None
-        self._hit = self._way = self._gap = None
+        self._hit = self._way = self._gap = self._wrong = None
         if route.folded:
             x, y = self.output_port.centre().toTuple()
-            area = QRectF(x, y - 10, STUB + chip_width(chip) + 2, 20)
+            area = QRectF(x, y - 10, STUB + chip_width(chip) + SIGN + 6, 20)
         elif len(route.points) < 2:
             area = QRectF()
         else:
             xs, ys = [p[0] for p in route.points], [p[1] for p in route.points]
-            left, top = min(xs) - 8, min(ys) - 8
-            area = QRectF(left, top, max(xs) + 8 - left, max(ys) + 8 - top)
+            left, top = min(xs) - SIGN, min(ys) - SIGN
+            area = QRectF(left, top, max(xs) + SIGN - left, max(ys) + SIGN - top)
             if self._label is not None:
-                area = area.united(self._label.reach().adjusted(-2, -2, 2, 2))
+                area = area.united(self._label.reach().adjusted(-2 * SIGN, -SIGN, 2, SIGN))
         self._rect = area
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, area.isEmpty())
         self.update()
@@ -146,6 +157,7 @@ class RoutedPipe(PipeItem):
             if route.trunk is None:
                 x, y = self.output_port.centre().toTuple()
                 hit.addRect(QRectF(x + 5, y - 8, STUB - 4 + chip_width(self._chip), 16))
+                hit.addRect(self.sign_area())
             return hit
         if len(route.points) < 2:
             return hit
@@ -155,7 +167,50 @@ class RoutedPipe(PipeItem):
         hit = stroker.createStroke(self.path())
         if self._label is not None:
             hit.addRect(self._label.area)
+        hit.addRect(self.sign_area())
         return hit
+
+    def sign_area(self) -> QRectF:
+        """Where the sign is of what is wrong with the transitions drawn here, in the scene: before
+        their name, else in the middle of the longest stretch, or behind the chip; empty where
+        nothing is wrong, and for a pipe that joins another.
+        """
+        route, side = self.route, SIGN * max(1.0, 0.8 / self.look.zoom)
+        if self.wrong() is None or route.trunk is not None:
+            return QRectF()
+        if route.folded:
+            x, y = self.output_port.centre().toTuple()
+            centre = QPointF(x + STUB + chip_width(self._chip) + SIGN / 2 + 2, y)
+        elif self._label is not None and self._label.is_shown(self.look):
+            area = self._label.area
+            centre = QPointF(area.left() - side / 2, area.center().y())
+        elif len(route.points) > 1:
+            (ax, ay), (bx, by) = max(pairwise(route.points), key=_long)
+            centre = QPointF((ax + bx) / 2, (ay + by) / 2)
+        else:
+            return QRectF()
+        return QRectF(centre.x() - side / 2, centre.y() - side / 2, side, side)
+
+    def wrong(self) -> Any:
+        """Of the transitions drawn here the link of the one with the worst problem; None where
+        there is none.
+        """
+        if self._wrong is None:
+            signs: dict[Sign, Any] = {}
+            for pipe in (self, *self._siblings()) if self._output_port is not None else ():
+                source = pipe.output_port.node.face
+                if isinstance(source, Card) and pipe.link is not None:
+                    leaving = source.exit(pipe.link.exit)
+                    if leaving is not None:
+                        signs.setdefault(leaving.mark.sign, pipe.link)
+            worst: Sign = "error" if "error" in signs else "warning"
+            self._wrong = worst, signs.get(worst)
+        return self._wrong[1]
+
+    def update_sign(self) -> None:
+        """What is wrong with the transition may be other than before."""
+        self._hit = self._wrong = None
+        self.refresh()
 
     def label_area(self) -> QRectF | None:
         """Where the label is painted at 100 %, in the scene; None without one."""
@@ -164,13 +219,15 @@ class RoutedPipe(PipeItem):
     def distance(self, spot: QPointF) -> float:
         """How far a spot is from the line, 0 on its label or chip: who is meant of several."""
         points = self.route.points
-        if self._label is not None and self._label.area.contains(spot):
+        on_label = self._label is not None and self._label.area.contains(spot)
+        if on_label or self.sign_area().contains(spot):
             return 0.0
         return min((_from_segment(spot, a, b) for a, b in pairwise(points)), default=0.0)
 
     def refresh(self) -> None:
         """Painted anew, above the others where it belongs to the selection."""
-        self.setZValue(ABOVE if self.selected() or self.hovered else UNDER)
+        rest = UNDER if self.sign_area().isEmpty() else SIGNED
+        self.setZValue(ABOVE if self.selected() or self.hovered else rest)
         self.update()
 
     def selected(self) -> bool:
@@ -188,6 +245,20 @@ class RoutedPipe(PipeItem):
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
     ) -> None:
+        self._paint_way(painter)
+        look, area = self.look, self.sign_area()
+        if area.isEmpty() or look.level in ("quarter", "tiny"):
+            return
+        if self._wrong is None or (self.route.folded and look.level != "full"):
+            return
+        token, side = self._wrong[0], area.width()
+        painter.setPen(QPen(look[token], max(1.0, 1 / look.zoom)))
+        painter.setBrush(look["panel"])
+        painter.drawEllipse(area)
+        x, y = area.topLeft().toTuple()
+        look.icon(painter, token, x + side * 0.14, y + side * 0.12, side * 0.72, look[token])
+
+    def _paint_way(self, painter: QPainter) -> None:
         look, route = self.look, self.route
         strong = self.selected() or self.hovered
         color = look["accent"] if strong else look["pipe"]
@@ -297,6 +368,9 @@ class RoutedPipe(PipeItem):
         source, target = self._output_port.node.face, self._input_port.node.face
         goal = tr("leads to {0}").format(target.hint().splitlines()[0])
         lines = [source.hint(self._output_port.name), goal]
+        wrong = self.wrong()
+        if wrong is not None and wrong is not self.link:
+            lines.append(source.hint(wrong.exit))
         if self.route.folded:
             lines.append(tr("Click to go there, Alt and click to draw the way"))
         return "\n".join(lines)
@@ -328,76 +402,3 @@ class RoutedPipe(PipeItem):
         if viewer is not None:
             viewer.bury(self)
             viewer.release_pipe(self)
-
-
-class LivePipe(PipeItem):
-    """The pipe between an exit and the cursor, while somebody draws one."""
-
-    def __init__(self, look: Look) -> None:
-        QGraphicsPathItem.__init__(self)
-        self._input_port = self._output_port = None
-        self._color, self._style = (0, 0, 0, 255), 0
-        self._active = self._highlight = False
-        self.look = look
-        self.shift_selected = False
-        self._end: QPointF | None = None
-        self._good = False
-        self.setZValue(5)
-        self.setCacheMode(QGraphicsItem.CacheMode.NoCache)
-        self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
-
-    def shape(self) -> QPainterPath:
-        return QPainterPath()
-
-    def boundingRect(self) -> QRectF:
-        return QRectF(self.path().boundingRect().adjusted(-16, -16, 16, 16))
-
-    def draw_path(
-        self, start_port: Any, end_port: Any = None, cursor_pos: Any = None, color: Any = None
-    ) -> None:
-        if start_port is None or cursor_pos is None:
-            return
-        self.draw_index_pointer(start_port, cursor_pos, color)
-
-    def draw_index_pointer(self, start_port: Any, cursor_pos: Any, color: Any = None) -> None:
-        self.prepareGeometryChange()
-        start = start_port.centre()
-        end = QPointF(cursor_pos)
-        self._end = end
-        path = QPainterPath(start)
-        reach = max(24.0, min(120.0, abs(end.x() - start.x()) / 2))
-        path.cubicTo(start + QPointF(reach, 0), end - QPointF(reach, 0), end)
-        self.setPath(path)
-
-    def aim(self, good: bool) -> None:
-        """Whether what is under the cursor would take the pipe."""
-        if good != self._good:
-            self._good = good
-            self.update()
-
-    def reset_path(self) -> None:
-        self.prepareGeometryChange()
-        self._end, self._good = None, False
-        self.setPath(QPainterPath())
-
-    def reset(self) -> None:
-        return
-
-    def paint(
-        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
-    ) -> None:
-        if self._end is None:
-            return
-        look = self.look
-        pen = QPen(look["accent"], 2)
-        if not self._good:
-            pen.setDashPattern([3, 2])
-        painter.setPen(pen)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawPath(self.path())
-        painter.setBrush(look["accent"])
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.drawEllipse(self._end, 4.5, 4.5)
-
-    def delete(self) -> None:
-        return

@@ -382,7 +382,8 @@ class ScriptCanvas(ScriptCommands):
             self._on_row(item, item.mapFromScene(spot), several)
             return
         super()._on_clicked(item, spot)
-        if isinstance(item, CurvedPipe) and item.pill().contains(spot) and not several:
+        on_pill = isinstance(item, CurvedPipe) and item.pill().contains(spot)
+        if on_pill and not several and not item.sign_area().contains(spot):
             self.select([self.link_place(item.link.id)])
             self.priorities.edit(item)
 

@@ -6,11 +6,11 @@ from typing import Literal
 
 from msgspec import Struct
 
+from situ_studio.canvas.problem_marks import NONE, Mark, Sign
 from situ_studio.edit import Place
 from situ_studio.language import tr, translated
 
 Kind = Literal["data", "condition", "situation", "module", "resource"]
-Mark = Literal["", "warning", "error"]
 Line = Literal["name", "extends", "times", "detail", ""]
 
 LEFT: dict[str, float] = {
@@ -72,8 +72,8 @@ class ScriptNode(Struct, frozen=True):
 
     rows: a condition's tests and groups. joint: what joins them, with the place of that group in
     ``joined`` (() where it is not written). until: whether a condition ends its situation.
-    extends, times: lines of a situation. number: its precedence. note: what somebody wrote about
-    it, told where the mouse rests on it and to those who hear it.
+    extends, times: lines of a situation. number: its precedence. wrong, note: what is wrong with
+    it, and what somebody wrote about it, told where the mouse rests on it and to those who hear it.
     """
 
     uid: str
@@ -91,8 +91,13 @@ class ScriptNode(Struct, frozen=True):
     joined: Place = ()
     until: bool = False
     number: int = 0
-    mark: Mark = ""
+    wrong: Mark = NONE
     note: str = ""
+
+    @property
+    def mark(self) -> Sign:
+        """The worst that is wrong with it."""
+        return self.wrong.sign
 
     @property
     def width(self) -> float:
@@ -138,8 +143,8 @@ class ScriptNode(Struct, frozen=True):
             return tr("Drag to where it leads")
         if self.kind == "condition":
             told = (f"{row.tag} {row.text}".strip() for row in self.rows)
-            return "\n".join((self.called(), *told, *self._noted()))
-        return "\n".join((self.called(), *self.lines(), *self._noted()))
+            return "\n".join((self.called(), *told, *self._noted(), *self.wrong.told()))
+        return "\n".join((self.called(), *self.lines(), *self._noted(), *self.wrong.told()))
 
     def _noted(self) -> tuple[str, ...]:
         return (tr("Note: {0}").format(self.note),) if self.note else ()
@@ -202,7 +207,11 @@ class ScriptLink(Struct, frozen=True):
     place: Place = ()
     priority: int | None = None
     none: bool = False
-    mark: Mark = ""
+    wrong: Mark = NONE
+
+    @property
+    def mark(self) -> Sign:
+        return self.wrong.sign
 
     @property
     def id(self) -> tuple[str, str, str, str]:

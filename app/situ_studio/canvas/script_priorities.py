@@ -14,10 +14,12 @@ from situ_studio.canvas.script_faces import OUT, ScriptPicture
 from situ_studio.canvas.script_layout import Pills
 from situ_studio.canvas.script_projection import inherited, keyed
 
-PARTS = (0.62, 0.7, 0.54, 0.78, 0.46, 0.38, 0.86, 0.3)
+PARTS = (0.62, 0.7, 0.54, 0.78, 0.46, 0.38, 0.86, 0.3, 0.22, 0.16)
 """Where along its pipe a priority may stand, the best first."""
 OVER = (0.22, 0.28, 0.34, 0.4, 0.16, 0.46, 0.52, 0.58, 0.25)
 """The same for one that is taken over."""
+ROOM = 12.0, 8.0
+"""What a pill has free at its sides, above and below, where it can: small drawings enlarge it."""
 LEAST, MOST = -(2**53), 2**53
 """What every program reads exactly."""
 
@@ -54,8 +56,17 @@ class Priorities:
         self._pills.remove(id)
         if pipe.link.kind != "priority":
             return
-        free = (part for part in PARTS if self._pills.is_free(pipe.pill(part)))
-        pipe.move_pill(next(free, PARTS[0]))
+        across, down = ROOM
+        wide = (
+            part
+            for part in PARTS
+            if self._pills.is_free(pipe.pill(part).adjusted(-across, -down, across, down))
+        )
+        part = next(wide, None)
+        pipe.roomy = part is not None
+        if part is None:
+            part = next((one for one in PARTS if self._pills.is_free(pipe.pill(one))), PARTS[0])
+        pipe.move_pill(part)
         self._pills.put(id, pipe.pill())
 
     # -- taken over ---------------------------------------------------------------------

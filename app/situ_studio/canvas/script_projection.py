@@ -13,6 +13,7 @@ from situ.document.condition import Condition
 from situ.document.problem import Problem
 from situ.document.spds import Entry, Observed, Situation, Spds
 from situ_studio import kinds, places
+from situ_studio.canvas.problem_marks import NONE, Mark
 from situ_studio.canvas.script_faces import (
     IN,
     LEFT,
@@ -22,7 +23,6 @@ from situ_studio.canvas.script_faces import (
     TOP,
     UNTIL,
     Inherited,
-    Mark,
     ScriptLink,
     ScriptNode,
     ScriptPicture,
@@ -159,7 +159,7 @@ class _Drawing:
                     x=LEFT["data"],
                     y=tops[tag],
                     detail=_type(self._observed.get(tag)),
-                    mark=self._marks.get(place, ""),
+                    wrong=self._marks.get(place, NONE),
                     note=note_of(self._observed[tag]) if tag in self._observed else "",
                 )
             )
@@ -191,7 +191,7 @@ class _Drawing:
                 joint=shape.joint,
                 joined=(*place, "0") if shape.whole else (),
                 until=until,
-                mark=self._marks.get(place, ""),
+                wrong=self._marks.get(place, NONE),
                 note=note_of(condition),
             )
         )
@@ -220,7 +220,7 @@ class _Drawing:
                 extends=extends or (tr("always") if always else ""),
                 times=_times(situation),
                 number=number,
-                mark=self._marks.get(place, ""),
+                wrong=self._marks.get(place, NONE),
                 note=note_of(situation),
             )
         )
@@ -246,7 +246,7 @@ class _Drawing:
                     y=tops[name],
                     height=LOW,
                     detail="" if every[name] is not None else tr("not declared"),
-                    mark=self._marks.get(place, ""),
+                    wrong=self._marks.get(place, NONE),
                     note=next((note_of(m) for m in self._script.modules if m.name == name), ""),
                 )
             )
@@ -281,7 +281,7 @@ class _Drawing:
                     place=where,
                     priority=entry.priority,
                     none=entry.priority is None,
-                    mark=self._marks.get(where, ""),
+                    wrong=self._marks.get(where, NONE),
                 )
             )
 
@@ -309,7 +309,7 @@ def _mean(values: Sequence[float], otherwise: float) -> float:
 def _marks(problems: Iterable[Problem], script: Spds) -> dict[Place, Mark]:
     """Marks by place: of nodes, and of entries for their pills, of a tie both."""
     marks: dict[Place, Mark] = {}
-    for problem in problems:
+    for problem in sorted(problems, key=lambda one: one.severity):
         place = problem.place
         if place[:1] == ("situation",) and len(place) > 3 and place[2] == "entry":
             root = place[:4]
@@ -317,11 +317,14 @@ def _marks(problems: Iterable[Problem], script: Spds) -> dict[Place, Mark]:
             root = place[:3]
         else:
             root = place[:2]
-        if root and (problem.severity == "error" or root not in marks):
-            marks[root] = problem.severity
+        roots = [root] if root else []
         if problem.code == "tie":
-            for other in _tied_with(script, place):
-                marks.setdefault(other, problem.severity)
+            roots += _tied_with(script, place)
+        for one in roots:
+            before = marks.get(one, NONE)
+            if problem.message not in before.messages:
+                messages = (*before.messages, problem.message)
+                marks[one] = Mark(before.sign or problem.severity, messages)
     return marks
 
 

@@ -59,7 +59,7 @@ def _pipe(picture: ScriptPicture, link: ScriptLink) -> Spoken:
     else:
         name = tr("priority {0} for {1}").format(link.priority, target.name)
         told = tr("priority in {0}").format(source.name)
-    described = "; ".join(part for part in (told, wrong) if part)
+    described = "; ".join(part for part in (told, wrong, *link.wrong.told()) if part)
     return Spoken(" ".join(link.place), "transition", name, described, link.place)
 
 

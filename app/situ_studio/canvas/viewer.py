@@ -22,9 +22,10 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QApplication
 from PySide6.QtWidgets import QWidget as Widget
 
+from situ_studio.canvas.drawn_pipe import DrawnPipe
 from situ_studio.canvas.ground import Ground
 from situ_studio.canvas.nodes import OUT, NodeFace, Spot
-from situ_studio.canvas.pipes import LivePipe, RoutedPipe
+from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.style import Look
 from situ_studio.kinds import MIME, MODULE_MIME
 
@@ -96,7 +97,7 @@ class Viewer(Ground):
         stock: Any = self._LIVE_PIPE
         self.scene().removeItem(stock)
         self._old = [stock]
-        self._LIVE_PIPE = LivePipe(look)
+        self._LIVE_PIPE = DrawnPipe(look)
         self._LIVE_PIPE.setVisible(False)
         self.scene().addItem(self._LIVE_PIPE)
         self._cursor_text.setVisible(False)

@@ -410,7 +410,7 @@ def test_nodes_are_heard_in_the_order_of_reading_with_their_pipes(made: Any) -> 
         ("  priority 20 for nod", "taken over from rest"),
         ("  priority 10 for talk", "taken over from rest"),
         ("rest", "situation; number 3; always"),
-        ("  priority 20 for nod", "priority in rest; with a warning"),
+        ("  priority 20 for nod", "priority in rest; with a warning; t"),
         ("  priority 10 for talk", "priority in rest"),
         ("nod", "module"),
         ("  uses head", "resource of nod"),
