@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
+from situ.document.folder import media_of
 from situ.document.modules import Modules
 from situ.document.rbd import Application
 from situ.document.spds import Spds
@@ -47,9 +48,7 @@ class Setting(Struct, frozen=True):
     def media(self) -> Path | None:
         """The folder of the project's pictures, at the time of the call."""
         project = self.project()
-        if project is None or project.media is None:
-            return None
-        return Path(project.root) / project.media
+        return media_of(project) if project is not None else None
 
 
 class View(Struct, frozen=True, kw_only=True):

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import compress, count
 from operator import is_not
-from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
 
 from situ.document import rbd
 from situ.document.condition import Condition, Group, Test
+from situ.document.folder import media_of
 from situ.document.names import references
 from situ.document.project import Project
 from situ.document.rbd import Application
@@ -151,10 +151,8 @@ def _called(part: rbd.State | rbd.Always) -> tuple[str, str]:
 
 
 def _media(project: Project) -> tuple[str, ...]:
-    if project.media is None:
-        return ()
-    folder = Path(project.root) / project.media
-    if not folder.is_dir():
+    folder = media_of(project)
+    if folder is None or not folder.is_dir():
         return ()
     every = (f for f in folder.rglob("*") if f.is_file())
     return tuple(sorted(f.relative_to(folder).as_posix() for f in every))

@@ -7,6 +7,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from situ.document.folder import media_of
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ_studio.edit import Document, Place
@@ -34,6 +35,4 @@ class Subject(Struct, frozen=True, kw_only=True):
     @property
     def media(self) -> Path | None:
         """The folder of the project's pictures."""
-        if self.project is None or self.project.media is None:
-            return None
-        return Path(self.project.root) / self.project.media
+        return media_of(self.project) if self.project is not None else None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import Qt, Signal
@@ -19,8 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ.decide import inputs
-from situ.document.folder import resolve
-from situ.document.project import Project
+from situ.document.folder import media_of
 from situ.document.values import read
 from situ.rehearse.scenario import WRITER
 from situ_studio import kinds
@@ -294,11 +292,6 @@ class Desk(OverScroll):
         """Somebody says how it went."""
         text = answer.text() if answer is not None else ""
         self._give(pending.finish(ok, read(text) if text else None))
-
-
-def media_of(project: Project) -> Path | None:
-    """The folder of a project's pictures."""
-    return resolve(project.root, project.media) if project.media is not None else None
 
 
 def _show(rows: QVBoxLayout, shown: bool) -> None:

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 
 from situ.document.change import Change, Kind
-from situ.document.folder import resolve
+from situ.document.folder import media_of
 from situ.document.project import Project
 from situ.errors import UsageError
 
@@ -38,7 +38,7 @@ def _change(name: str, project: Project, what: str, kind: Kind) -> Change:
 
 
 def _files(project: Project) -> dict[str, Path]:
-    folder = None if project.media is None else resolve(project.root, project.media)
+    folder = media_of(project)
     if folder is None:
         return {}
     found = {}

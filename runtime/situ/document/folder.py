@@ -97,6 +97,11 @@ def resolve(root: str | Path, path: str) -> Path | None:
     return found if found.is_relative_to(home) else None
 
 
+def media_of(project: Project) -> Path | None:
+    """The folder of a project's pictures and movies; None where it has none inside of its own."""
+    return None if project.media is None else resolve(project.root, project.media)
+
+
 def stays_inside(path: str) -> bool:
     """Whether a path, by its words alone, is one of a project."""
     if not path or "\\" in path or "\0" in path or Path(path).is_absolute():

@@ -31,7 +31,7 @@ from msgspec.structs import replace
 
 from situ.blackboard.protocol import Sent, Turn
 from situ.document.check import merge, structure
-from situ.document.folder import LOCAL_FILE, PROJECT_FILE, load, resolve, sources, write
+from situ.document.folder import LOCAL_FILE, PROJECT_FILE, load, media_of, sources, write
 from situ.document.project import Project
 from situ.errors import ProjectError, Refused, SituError, UsageError
 
@@ -251,7 +251,7 @@ def fingerprint(project: Project) -> str:
     with contextlib.suppress(OSError):
         found = sources(project)
     media = []
-    folder = None if project.media is None else resolve(project.root, project.media)
+    folder = media_of(project)
     for where, _, names in os.walk(folder or os.devnull):
         for name in names:
             file = Path(where, name)
