@@ -533,6 +533,18 @@ class Commands(FileCommands):
     def run_scenarios(self) -> None:
         self._window.scenarios.run()
 
+    def take_into_rehearsal(self) -> None:
+        self._window.rehearsing.take_in()
+
+    def can_take_in(self) -> bool:
+        return self._window.rehearsing.can_take_in
+
+    def take_back_in_rehearsal(self) -> None:
+        self._window.rehearsing.go_back()
+
+    def can_go_back(self) -> bool:
+        return self._window.rehearsing.can_go_back
+
     def is_rehearsing(self) -> bool:
         return self._window.rehearsing.running is not None
 

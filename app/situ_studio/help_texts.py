@@ -259,13 +259,20 @@ PAGES: tuple[Page, ...] = (
         ended. The clock goes as fast as the one on the wall, ten times as fast, or from one
         thing that happens to the next.
 
-        An edit does not change what runs: Start again runs it as it is then.
+        What the robot says is shown with how long it still lasts. With Sound it is heard too, at
+        1 ×, where espeak-ng is installed.
+
+        An edit does not change what runs. Take in lets it go on with the changes, by the rules of a
+        deploy: at the next moment at which no action runs, from the state in which it is. What
+        then goes wrong within a minute is gone back from; Go back does so at any time. Start again
+        runs it from the start.
 
         What was done can be saved as a scenario, with what shall happen again. All of them are run
         from the panel Scenarios; what they came through can be painted on the drawings.
         """,
         ("command/rehearse", "command/rehearse.pause", "command/rehearse.step",
-         "command/rehearse.save", "command/rehearse.end", "command/scenarios.run",
+         "command/rehearse.take", "command/rehearse.back", "command/rehearse.save",
+         "command/rehearse.end", "command/scenarios.run",
          "panel/rehearsal", "panel/scenarios"),
     ),
     Page(

@@ -70,6 +70,8 @@ def reasons() -> dict[str, str]:
         "has_two_cards": cards,
         "is_application": application,
         "is_rehearsing": tr("only while you rehearse"),
+        "can_take_in": tr("only while you rehearse something else than is drawn"),
+        "can_go_back": tr("no changes were taken into a rehearsal"),
         "is_script": tr("only in a script"),
         "on_application": tr("only in the graph of an application"),
         "on_graph": graph,

@@ -36,7 +36,7 @@ def _robot(state: Deployment) -> str:
     if state.stands == "checking":
         return tr("The robot checks version {0}.").format(number)
     if state.stands == "waiting":
-        what = ", ".join(map(_waited, state.waits)) or tr("a moment")
+        what = ", ".join(map(waited, state.waits)) or tr("a moment")
         told = tr("Checked. The robot waits for a safe point: {0}.").format(what)
         if state.forced is None:
             return told
@@ -56,7 +56,8 @@ def _robot(state: Deployment) -> str:
     return told
 
 
-def _waited(one: Waits) -> str:
+def waited(one: Waits) -> str:
+    """An action that a version waits for."""
     name = "" if one.name is None else f" {one.name}"
     words = tr("{0} in state {1} of {2}")
     return words.format(f"{one.action}{name}", one.state, one.application)

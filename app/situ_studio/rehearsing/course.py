@@ -10,6 +10,7 @@ from typing import Any
 from msgspec import Struct
 
 from situ.decide import inputs
+from situ.decide.deployment import Deployment
 from situ.decide.expected import Expectation
 from situ.decide.screens import Shown
 from situ.decide.step import SECOND, microseconds
@@ -17,6 +18,7 @@ from situ.decide.trace import TraceEvent, to_fields
 from situ.document.project import Project
 from situ.document.spoken import estimate
 from situ.document.values import is_number
+from situ.rehearse.scenario import WRITER
 from situ.rehearse.simulate import Rehearsal
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
@@ -73,21 +75,36 @@ class Speaking(Struct, frozen=True):
     until: int | None = None
 
 
+class Version(Struct, frozen=True):
+    """What a robot can run. files: its texts by their paths, as in ``inputs.Deploy``.
+
+    The project must have no errors.
+    """
+
+    project: Project
+    files: dict[str, str]
+
+
 class Course:
     """``log`` is what the robot did, ``done`` what was done to it, each in order.
 
-    The project must have no errors. The same ``done`` gives the same ``log``.
+    The project must have no errors. The same ``done`` gives the same ``log``. files: its texts,
+    where another version shall be taken in.
     """
 
-    def __init__(self, project: Project) -> None:
-        self.project = project
+    def __init__(self, project: Project, files: dict[str, str] | None = None) -> None:
+        self._versions = [Version(project, files or {})]
+        self._before: list[int] = []
+        self.failed: str | None = None
+        """Why the version that was taken in last is not run any more; None: it is, or waits."""
         self.log = TraceLog()
         self.done: list[Done] = []
         self.pending: list[Pending] = []
         self._came: list[TraceFields] = []
         self._now = 0
         self._fresh: list[TraceFields] = []
-        self._rehearsal = Rehearsal(project, self._tell)
+        self._running = 0
+        self._rehearsal = Rehearsal(project, self._tell, files=files)
         self._follow()
 
     @property
@@ -126,6 +143,70 @@ class Course:
         """The events since this was asked last; they are in ``log`` from then on."""
         came, self._came = self._came, []
         return self.log.add(came)
+
+    # -- other versions ------------------------------------------------------------------
+
+    @property
+    def project(self) -> Project:
+        """What the robot runs now."""
+        return self._versions[self._rehearsal.robot.version].project
+
+    @property
+    def deployment(self) -> Deployment:
+        """Which version runs, and what another waits for."""
+        return self._rehearsal.robot.deployment()
+
+    @property
+    def awaited(self) -> Project | None:
+        """What waits to be run."""
+        pending = self.deployment.pending
+        return None if pending is None else self._versions[pending].project
+
+    @property
+    def can_return(self) -> bool:
+        """Whether something else ran before."""
+        return bool(self._before)
+
+    def take_in(self, version: Version, at_once: bool = False) -> None:
+        """The robot goes on with another version, by the rules of a deploy: at the next moment at
+        which no action runs, or ``at_once``.
+        """
+        number = len(self._versions)
+        self._versions.append(version)
+        self._deploy(number, force_after=0.0 if at_once else None)
+
+    def hurry(self) -> None:
+        """What waits is run at once; what runs now is broken off."""
+        pending = self.deployment.pending
+        if pending is not None:
+            self._deploy(pending, force_after=0.0)
+
+    def go_back(self) -> None:
+        """What ran before runs again, at once."""
+        if self._before:
+            self._deploy(self._before[-1], returning=True)
+
+    def _deploy(
+        self, number: int, force_after: float | None = None, returning: bool = False
+    ) -> None:
+        self.failed = None
+        version = self._versions[number]
+        # It is known here; where media lie, its texts would not tell.
+        self._rehearsal.robot.prepare(number, version.project)
+        self.give(inputs.Deploy(number, version.files, WRITER, force_after, returning))
+
+    def _turn(self, fields: TraceFields, errors: dict[int, TraceFields]) -> None:
+        """Another version runs. errors: those just before, by their seq."""
+        number = fields["version"]
+        if number in self._before:
+            del self._before[self._before.index(number) :]
+            if fields["writer"] != WRITER:
+                # It says that it returns because of what failed.
+                returned = errors[fields["cause"]]
+                self.failed = errors.get(returned["cause"], returned)["message"]
+        else:
+            self._before.append(self._running)
+        self._running = number
 
     # -- what it is like -------------------------------------------------------------
 
@@ -190,11 +271,16 @@ class Course:
         """What the robot has begun and ended since."""
         came, self._fresh = self._fresh, []
         self._came += came
+        errors: dict[int, TraceFields] = {}
         for fields in came:
             if fields["kind"] == "action" and fields["action"] in LASTING:
                 self._begin(fields)
             elif fields["kind"] in ("finished", "cancelled"):
                 self._end(fields)
+            elif fields["kind"] == "error":
+                errors[fields["seq"]] = fields
+            elif fields["kind"] == "deployed":
+                self._turn(fields, errors)
 
     def _begin(self, fields: TraceFields) -> None:
         text, action = fields.get("text"), fields["action"]

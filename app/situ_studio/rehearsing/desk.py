@@ -36,6 +36,7 @@ from situ_studio.rehearsing.robot_screen import RobotScreen
 from situ_studio.rehearsing.running import Running
 from situ_studio.rehearsing.sounding import Sounding
 from situ_studio.rehearsing.speech_bubble import SpeechBubble
+from situ_studio.rehearsing.taking_notice import TakingNotice
 from situ_studio.screens.shown import Content
 from situ_studio.texts.listening import Listening
 from situ_studio.theme import Theme
@@ -46,13 +47,14 @@ WIDE = 320
 class Desk(OverScroll):
     """Shows one running rehearsal, and does to it what somebody does here."""
 
-    again_asked = Signal()
-    """From the start, with the project as it is now."""
+    settled = Signal()
+    """What can be done with it may be something else now."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
         self._running: Running | None = None
+        self._drawn: Project | None = None
         self._phrases: list[tuple[str, str]] = []
         self._pending: list[Pending] = []
         self.dials: dict[str, DialRow] = {}
@@ -66,10 +68,9 @@ class Desk(OverScroll):
         column.setContentsMargins(12, 8, 12, 12)
         column.setSpacing(8)
         self.clock = ClockBar(theme)
-        self.clock.restart_asked.connect(self.again_asked)
         column.addWidget(self.clock)
-        self.changed = self._notice()
-        column.addWidget(self.changed)
+        self.notice = TakingNotice()
+        column.addWidget(self.notice)
         self.screen_ = RobotScreen(theme)
         self.screen_.used.connect(lambda id, value: self._give(inputs.Use(id, value)))
         self.screen_.touched.connect(lambda: self._give(inputs.Touch()))
@@ -85,21 +86,6 @@ class Desk(OverScroll):
         self._askers = self._section(column, self.tr("Modules"))
         column.addStretch(1)
         self.setWidget(body)
-
-    def _notice(self) -> QWidget:
-        notice = QWidget()
-        line = QHBoxLayout(notice)
-        line.setContentsMargins(0, 0, 0, 0)
-        words = QLabel(self.tr("The project has changed since."))
-        words.setProperty("role", "words")
-        words.setWordWrap(True)
-        line.addWidget(words, 1)
-        self.again = QPushButton(self.tr("Start again"))
-        self.again.setProperty("role", "mend")
-        self.again.clicked.connect(self.again_asked)
-        line.addWidget(self.again)
-        notice.hide()
-        return notice
 
     def _section(self, column: QVBoxLayout, title: str) -> QVBoxLayout:
         whole = QWidget()
@@ -131,6 +117,7 @@ class Desk(OverScroll):
         self._running = running
         running.went.connect(self._on_went)
         running.begun.connect(self._on_begun)
+        running.turned.connect(self._on_turned)
         running.paced.connect(self._on_paced)
         self.clock.pace_asked.connect(running.set_pace)
         self.clock.step_asked.connect(running.step)
@@ -145,9 +132,15 @@ class Desk(OverScroll):
             self.clock.pace_asked.disconnect(running.set_pace)
             self.clock.step_asked.disconnect(running.step)
 
-    def show_changed(self, changed: bool) -> None:
-        """Whether the project is another one than that which runs."""
-        self.changed.setVisible(changed)
+    def show_drawn(self, project: Project | None) -> None:
+        """The project as it is now."""
+        self._drawn = project
+        self._settle_notice()
+
+    def _settle_notice(self) -> None:
+        if self._running is not None:
+            self.notice.show_course(self._running.course, self._drawn)
+            self.settled.emit()
 
     def _give(self, given: inputs.AnyInput) -> None:
         if self._running is not None:
@@ -156,8 +149,13 @@ class Desk(OverScroll):
     def _on_begun(self) -> None:
         assert self._running is not None
         self.sounding.begin(self._heard)
+        self._drawn = self._running.course.project
+        self._on_turned()
+
+    def _on_turned(self) -> None:
+        """What can be done to it is that of another version."""
+        assert self._running is not None
         project = self._running.course.project
-        self.show_changed(False)
         clear(self._data)
         clear(self._askers)
         self.dials, self.modules = {}, {}
@@ -236,6 +234,7 @@ class Desk(OverScroll):
             ]
         )
         self._show_pending(course.pending)
+        self._settle_notice()
         for tag, row in self.dials.items():
             row.show_value(course.look(tag))
         asking, there = course.log.now.asking, course.modules

@@ -7,6 +7,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from situ.decide import inputs
 from situ.decide.step import SECOND, microseconds
 from situ.rehearse import scenario
 from situ.rehearse.expect import Expect
@@ -69,9 +70,10 @@ def chances(events: Iterable[TraceFields]) -> list[Chance]:
 def written(course: Course, expected: Iterable[Chance]) -> bytes:
     """A scenario: what was done in a course, what is expected of it, and its end.
 
-    What is expected at a moment stands behind what is done then.
+    What is expected at a moment stands behind what is done then. That another version was taken in
+    is left out: a scenario runs the project as it is then.
     """
-    done = [(one.at, 0, one.does) for one in course.done]
+    done = [(o.at, 0, o.does) for o in course.done if not isinstance(o.does, inputs.Deploy)]
     wanted = [(one.at, 1, Expect(one.fields)) for one in expected]
     ordered = sorted([*done, *wanted], key=lambda one: one[:2])
     return scenario.write([*((at, does) for at, _, does in ordered), (course.now, End())])

@@ -8,9 +8,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.decide import inputs
 from situ.decide.step import SECOND
-from situ.document.project import Project
 from situ_studio.live.moment import TraceFields
-from situ_studio.rehearsing.course import MILLISECOND, Course
+from situ_studio.rehearsing.course import MILLISECOND, Course, Version
 
 TICK = 40
 """Milliseconds between two looks at the clock."""
@@ -25,17 +24,20 @@ class Running(QObject):
     """What happened: events, perhaps none, for time goes on too."""
     begun = Signal()
     """``course`` is another one, from its start."""
+    turned = Signal()
+    """The course goes on with another version of the project."""
     paced = Signal()
     """``pace`` is another one."""
 
     def __init__(
-        self, project: Project, clock: Callable[[], float], parent: QObject | None = None
+        self, version: Version, clock: Callable[[], float], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._clock = clock
         self._at = clock()
         self.pace = 1
-        self.course = Course(project)
+        self.course = Course(version.project, version.files)
+        self._runs = version.project
         self._ticks = QTimer(self)
         self._ticks.setInterval(TICK)
         self._ticks.timeout.connect(self.catch_up)
@@ -46,10 +48,11 @@ class Running(QObject):
         """The rehearsal's time."""
         return self.course.now / SECOND
 
-    def begin(self, project: Project) -> None:
-        """From the start, with this project."""
+    def begin(self, version: Version) -> None:
+        """From the start, with this version of the project."""
         self._at = self._clock()
-        self.course = Course(project)
+        self.course = Course(version.project, version.files)
+        self._runs = version.project
         self.begun.emit()
         self._tell()
 
@@ -86,12 +89,30 @@ class Running(QObject):
 
     def give(self, given: inputs.AnyInput) -> None:
         """Somebody does something now."""
+        self._do(lambda: self.course.give(given))
+
+    def take_in(self, version: Version) -> None:
+        """It goes on with another version, as after a deploy."""
+        self._do(lambda: self.course.take_in(version))
+
+    def hurry(self) -> None:
+        """What waits to be taken in is, at once."""
+        self._do(self.course.hurry)
+
+    def go_back(self) -> None:
+        """What ran before runs again."""
+        self._do(self.course.go_back)
+
+    def _do(self, does: Callable[[], None]) -> None:
         self.catch_up()
-        self.course.give(given)
+        does()
         self._tell()
 
     def _tell(self) -> None:
         came: list[TraceFields] = self.course.take()
+        if self.course.project is not self._runs:
+            self._runs = self.course.project
+            self.turned.emit()
         self.went.emit(came)
 
 

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ.decide.inputs import Deploy
 from situ.document import folder
 from situ.errors import UsageError
 from situ.rehearse.suite import ENDING
@@ -52,6 +53,13 @@ class SavingScenario(QDialog):
             item.setCheckState(checked)
             self.list.addItem(item)
         column.addWidget(self.list, 1)
+        words = self.tr(
+            "Changes were taken in on the way. The scenario runs all of it with the project as it "
+            "is then: look whether it goes well."
+        )
+        self.on_the_way = self._label(words)
+        self.on_the_way.setVisible(any(isinstance(one.does, Deploy) for one in course.done))
+        column.addWidget(self.on_the_way)
         self.why = QLabel()
         self.why.setProperty("role", "refused")
         self.why.setWordWrap(True)
@@ -75,6 +83,7 @@ class SavingScenario(QDialog):
     def _label(self, text: str) -> QLabel:
         label = QLabel(text)
         label.setProperty("role", "label")
+        label.setWordWrap(True)
         return label
 
     @property

@@ -8,11 +8,15 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
 
+from situ.document import beside
 from situ.document.check import structure
 from situ.document.folder import resolve
+from situ.document.project import Project
+from situ_studio.edit import write
 from situ_studio.icon_widgets import IconButton
 from situ_studio.letters import px
 from situ_studio.panels.header import PanelHeader
+from situ_studio.rehearsing.course import Version
 from situ_studio.rehearsing.desk import WIDE, Desk
 from situ_studio.rehearsing.running import Running
 from situ_studio.rehearsing.saving import SavingScenario
@@ -37,8 +41,14 @@ class RehearsingSide(QObject):
         self._away = False
         """Whether the desk has taken the inspector's place."""
         self.desk = Desk(window.theme)
-        self.desk.again_asked.connect(self.start_again)
+        self.desk.clock.restart_asked.connect(self.start_again)
+        self.desk.notice.again_asked.connect(self.start_again)
+        self.desk.notice.take_asked.connect(self.take_in)
+        self.desk.notice.hurry_asked.connect(self.hurry)
+        self.desk.notice.back_asked.connect(self.go_back)
         self.desk.clock.save_asked.connect(self.save)
+        self.desk.settled.connect(self._settle)
+        self._seen = (False, False)
         header = PanelHeader(self.tr("Rehearsal"))
         close = IconButton(window.theme, "close", self.tr("End the rehearsal"), "text3", 14)
         close.clicked.connect(self.end)
@@ -65,7 +75,7 @@ class RehearsingSide(QObject):
             self._dock.show()
             return
         window.robot.close_recording()
-        running = self.running = Running(project, self.clock, self)
+        running = self.running = Running(self._version(project), self.clock, self)
         running.went.connect(window.robot.follower.take_rehearsed)
         running.begun.connect(self._show_course)
         self.desk.show_running(running)
@@ -80,7 +90,52 @@ class RehearsingSide(QObject):
         """From the start, with the project as it is now."""
         project = self._window.session.project
         if self.running is not None and project is not None and self.may_run():
-            self.running.begin(project)
+            self.running.begin(self._version(project))
+
+    def take_in(self) -> None:
+        """What runs goes on as it is drawn now, at the next moment at which no action runs."""
+        self._window.finish_fields()
+        project = self._window.session.project
+        if self.running is not None and project is not None and self.may_run():
+            self.running.take_in(self._version(project))
+            self.desk.show_drawn(self._window.session.project)
+
+    def hurry(self) -> None:
+        """What waits to be taken in is, at once."""
+        if self.running is not None:
+            self.running.hurry()
+            self.desk.show_drawn(self._window.session.project)
+
+    def go_back(self) -> None:
+        """What ran before the last changes runs again."""
+        if self.running is not None:
+            self.running.go_back()
+            self.desk.show_drawn(self._window.session.project)
+
+    @property
+    def can_take_in(self) -> bool:
+        """Whether something else is drawn than runs, or waits to."""
+        return self.running is not None and not self.desk.notice.take.isHidden()
+
+    @property
+    def can_go_back(self) -> bool:
+        """Whether something else ran before."""
+        return self.running is not None and not self.desk.notice.back.isHidden()
+
+    def _settle(self) -> None:
+        """The commands are offered where they can be done now."""
+        seen = (self.can_take_in, self.can_go_back)
+        if seen != self._seen:
+            self._seen = seen
+            self._window.actions_.refresh()
+
+    def _version(self, project: Project) -> Version:
+        """The project as it is open, with its texts."""
+        session = self._window.session
+        files = (*session.files, *beside.files(project))
+        values = {file: session.value(file) for file in files}
+        known = {file: write(value) for file, value in values.items() if value is not None}
+        return Version(project, {file: data.decode() for file, data in known.items()})
 
     def end(self) -> None:
         """The views show the robot again, if there is one."""
@@ -97,6 +152,7 @@ class RehearsingSide(QObject):
         if follower.viewing.log is running.course.log:
             follower.show_link()
         self._window.robot.settle()
+        self._settle()
 
     def pause(self) -> None:
         """Stands still, or goes on."""
@@ -148,8 +204,7 @@ class RehearsingSide(QObject):
 
     def _on_changed(self, _: str) -> None:
         if self.running is not None:
-            project = self._window.session.project
-            self.desk.show_changed(project is not self.running.course.project)
+            self.desk.show_drawn(self._window.session.project)
 
     def _on_exchanged(self) -> None:
         """Something else is looked at, a recording: that ends it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from situ.decide.effects import AnyEffect
 from situ.decide.inputs import AnyInput, Start
@@ -17,7 +17,10 @@ Carry = Callable[[list[AnyEffect]], None]
 
 
 class Rehearsal:
-    """A robot and its virtual time. ``tell`` gets the trace events of each step."""
+    """A robot and its virtual time. ``tell`` gets the trace events of each step.
+
+    files: the project's texts, as in ``inputs.Deploy``, where other versions are to be deployed.
+    """
 
     def __init__(
         self,
@@ -26,8 +29,9 @@ class Rehearsal:
         seed: int = 0,
         auto_finish: float | None = None,
         carry: Carry | None = None,
+        files: Mapping[str, str] | None = None,
     ) -> None:
-        self.robot = Robot(project)
+        self.robot = Robot(project, files=files)
         self.now = 0
         self._tell = tell
         self._carry = carry

@@ -13,12 +13,14 @@ from hypothesis import strategies as st
 from situ.decide import inputs
 from situ.decide.step import SECOND
 from situ.decide.trace import to_fields
+from situ.document import folder
+from situ.document.folder import sources
 from situ.document.project import Project
 from situ.document.ready import load_ready
 from situ.rehearse.scenario import parse
 from situ.rehearse.simulate import Rehearsal, simulate
 from situ.resources import examples
-from situ_studio.rehearsing.course import Course
+from situ_studio.rehearsing.course import Course, Version
 from situ_studio.rehearsing.dials import dials
 from situ_studio.rehearsing.expecting import chances, written
 
@@ -27,10 +29,12 @@ def ready(name: str) -> Project:
     return load_ready(Path(examples()[name]))
 
 
-def again(course: Course) -> list[dict[str, Any]]:
+def again(
+    course: Course, project: Project, files: dict[str, str] | None = None
+) -> list[dict[str, Any]]:
     """What the simulator makes of what was done."""
     events: list[dict[str, Any]] = []
-    run = Rehearsal(course.project, lambda came: events.extend(map(to_fields, came)))
+    run = Rehearsal(project, lambda came: events.extend(map(to_fields, came)), files=files)
     for one in course.done:
         run.give(one.does, one.at)
     run.advance(course.now)
@@ -79,7 +83,7 @@ def test_what_was_done_gives_the_same_again(deeds: list[tuple[int, Any]]) -> Non
         course.advance(course.now + wait * 1000)
         course.give(deed)
     course.take()
-    assert list(course.log) == again(course)
+    assert list(course.log) == again(course, CONVERSATION)
     # Saved with all that may be expected, it is a scenario that goes well.
     expected = chances(course.log)
     lines = parse(written(course, expected), "x.jsonl", ["converse"])
@@ -89,6 +93,37 @@ def test_what_was_done_gives_the_same_again(deeds: list[tuple[int, Any]]) -> Non
 
 
 CONVERSATION = ready("conversation")
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.lists(st.tuples(st.integers(0, 6000), st.sampled_from(["in", "now", "hurry", "back"]))))
+def test_versions_that_were_taken_in_and_gone_back_from_give_the_same_again(
+    deeds: list[tuple[int, str]],
+) -> None:
+    files = sources(CONVERSATION)
+    course = Course(CONVERSATION, files)
+    for number, (wait, deed) in enumerate(deeds):
+        course.give(inputs.Use("repeat"))
+        course.advance(course.now + wait * 1000)
+        if deed in ("in", "now"):
+            old, new = "Did you sleep well?", f"Did you sleep well, for the {number}th time?"
+            texts = {name: text.replace(old, new) for name, text in files.items()}
+            project, _ = folder.load_texts(texts, CONVERSATION.root)
+            assert project is not None
+            course.take_in(Version(project, texts), at_once=deed == "now")
+        elif deed == "hurry":
+            course.hurry()
+        else:
+            course.go_back()
+        assert course.failed is None
+        assert (course.awaited is None) == (course.deployment.pending is None)
+    course.advance(course.now + 20 * SECOND)
+    assert course.awaited is None
+    while course.can_return:
+        course.go_back()
+    assert course.project is CONVERSATION
+    course.take()
+    assert list(course.log) == again(course, CONVERSATION, files)
 
 
 def test_dials_are_what_the_script_observes_and_modules_bring() -> None:

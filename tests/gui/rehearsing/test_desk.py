@@ -195,16 +195,16 @@ def test_what_a_service_answers_is_given(desk: Any) -> None:
 def test_after_an_edit_it_is_offered_to_start_again(desk: Any) -> None:
     used = desk("conversation")
     used.touch("YES")
-    assert not used.desk.again.isVisible()
+    assert not used.desk.notice.again.isVisible()
     used.studio.select("state", "1")
     used.studio.key(Qt.Key.Key_F2)
     used.studio.type("hi")
     used.studio.key(Qt.Key.Key_Return)
-    assert used.desk.again.isVisible()
-    used.studio.click(used.desk.again)
+    assert used.desk.notice.again.isVisible()
+    used.studio.click(used.desk.notice.again)
     assert used.state == "1"
     assert used.side.running.course.project is used.studio.session.project
-    assert not used.desk.again.isVisible()
+    assert not used.desk.notice.again.isVisible()
 
 
 def test_what_was_done_is_saved_as_a_scenario_with_what_shall_happen_again(desk: Any) -> None:
