@@ -1292,6 +1292,15 @@ COMMANDS: tuple[Command, ...] = (
         tip="The cursor goes to where the runs parted before.",
     ),
     _c(
+        "recording.count",
+        "Count recordings…",
+        "count_recordings",
+        menu="Robot",
+        when="has_project",
+        tip="How often people came to each state, how long, and where they gave up: as a table and "
+        "on the drawings.",
+    ),
+    _c(
         "follow",
         "Follow where it is",
         "follow_robot",

@@ -497,6 +497,9 @@ class Commands(FileCommands):
     def compares(self) -> bool:
         return self._window.robot.comparing.comparing.goes
 
+    def count_recordings(self) -> None:
+        self._window.field.choose_files()
+
     def has_recording(self) -> bool:
         return self._window.robot.recording is not None
 

@@ -133,6 +133,32 @@ class Dialogs(QObject):
         )
         return Path(chosen) if chosen else None
 
+    def field_recordings(self) -> list[Path]:
+        """The files of recorded runs; none: nothing was chosen."""
+        chosen, _ = QFileDialog.getOpenFileNames(
+            self._window,
+            self.tr("Count recordings"),
+            "",
+            self.tr("Recordings ({0})").format("*.mcap"),
+        )
+        return [Path(one) for one in chosen]
+
+    def field_folder(self) -> Path | None:
+        """A folder with recorded runs; None: nothing was chosen."""
+        title = self.tr("Count the recordings of a folder")
+        chosen = QFileDialog.getExistingDirectory(self._window, title)
+        return Path(chosen) if chosen else None
+
+    def usage_file(self, usual: str) -> Path | None:
+        """The file of a table; None: nothing was chosen."""
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window,
+            self.tr("Export the table"),
+            usual,
+            self.tr("Tables ({0})").format("*.csv"),
+        )
+        return Path(chosen) if chosen else None
+
     def media_file(self, endings: tuple[str, ...]) -> str | None:
         """A file for a screen or a sound; None: nothing was chosen."""
         pattern = " ".join(f"*{ending}" for ending in endings)

@@ -238,11 +238,18 @@ PAGES: tuple[Page, ...] = (
         was set in a project is offered to the next robot. Step does the next thing that waits;
         an event is raised, a value set, the robot sent to a state. Who did it stands in the
         trace.
+
+        Compare, in the timeline, puts another recording below the run that is shown. F4 goes
+        to where they part next, and says what each robot did; when it did it does not count.
+        Count recordings tells over many runs how often people came to each state, how long,
+        and where they gave up: in the panel Field, and on the drawings.
         """,
         (
             "command/deploy", "command/versions", "command/operate.break",
             "command/operate.while", "panel/breakpoints", "command/follow",
             "command/connect", "panel/blackboard", "panel/authority", "panel/trace",
+            "command/recording.compare", "command/recording.next_difference",
+            "command/recording.count", "panel/field",
             "panel/why", "command/why", "command/why_not",
             "status/link",
         ),
@@ -404,6 +411,11 @@ PANELS: dict[str, Panel] = {
         "Breakpoints",
         "Where the robot pauses, and beside it while what. A click goes there, Delete takes one "
         "away.",
+    ),
+    "panel/field": Panel(
+        "Field",
+        "How often, how long, and where people gave up, counted over recordings. A click goes to "
+        "the state; a head sorts.",
     ),
     "panel/trace": Panel("Trace", "What the robot did, one line each, the latest at the end."),
     "panel/why": Panel(

@@ -28,6 +28,7 @@ from situ_studio.exporting import ExportingSide
 from situ_studio.frame import Frame
 from situ_studio.helping import HelpSide
 from situ_studio.live.deploying_side import DeployingSide
+from situ_studio.live.field_side import FieldSide
 from situ_studio.live.link import RobotLink
 from situ_studio.live.operating import OperatingSide
 from situ_studio.live.why_side import WhySide
@@ -98,6 +99,7 @@ class MainWindow(Frame):
         self.operating = OperatingSide(self)
         self.rehearsing = RehearsingSide(self)
         self.scenarios = ScenariosSide(self)
+        self.field = FieldSide(self)
         self.disk = DiskSide(self)
         CheckWork(session.checker, self.status.work)
         self.modules = ScriptModules(self)
@@ -681,6 +683,7 @@ class MainWindow(Frame):
         self.why.set_theme(theme)
         self.rehearsing.set_theme(theme)
         self.scenarios.panel.set_theme(theme)
+        self.field.set_theme(theme)
         self.finding.set_theme(theme)
         self.pages.set_theme(theme)
         for view in self.sides.views():
@@ -712,6 +715,7 @@ class MainWindow(Frame):
         self.designing.leave()
         self.rehearsing.end()
         self.scenarios.cancel()
+        self.field.cancel()
         self.keep()
         keep_shown(self.settings, self)
         self.recovery.forget()

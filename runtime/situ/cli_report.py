@@ -57,15 +57,11 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _write(args: argparse.Namespace, rows: list[Row], out: TextIO) -> None:
-    import csv
-
     import msgspec
 
-    from situ.rehearse.usage import Row
+    from situ.rehearse.usage import write_csv
 
     if args.json:
         out.write(msgspec.json.format(msgspec.json.encode(rows), indent=2).decode() + "\n")
         return
-    table = csv.writer(out, lineterminator="\n")
-    table.writerow(Row.__struct_fields__)
-    table.writerows(msgspec.structs.astuple(row) for row in rows)
+    write_csv(rows, out)

@@ -126,6 +126,15 @@ class Answers:
     def recording(self) -> Any:
         return self._take("recording")
 
+    def field_recordings(self) -> Any:
+        return self._take("field_recordings")
+
+    def field_folder(self) -> Any:
+        return self._take("field_folder")
+
+    def usage_file(self, usual: str) -> Any:
+        return self._take("usage_file")
+
     def picture_file(self, usual: str) -> Any:
         return self._take("picture_file")
 

@@ -16,7 +16,8 @@ from tests.rehearse.recorded_robot import LAB, ROOT, Recorded, recorder, ring
 from situ import cli
 from situ.decide import inputs
 from situ.decide.step import SECOND
-from situ.rehearse.usage import Row
+from situ.rehearse import usage as counts
+from situ.rehearse.usage import Crossed, Lasted, Row, Usage, count, counting
 
 RECEPTION = ROOT / "examples" / "reception"
 BUTTON = {"type": "button", "id": "go"}
@@ -241,3 +242,43 @@ def test_a_recording_without_events_has_no_rows(
     run.recorder.close()
     assert cli.main(["report", str(file), "--json"]) == 0
     assert capsys.readouterr().out == "[]\n"
+
+
+# -- what the drawings show of it ----------------------------------------------------------
+
+
+def test_ways_and_situations_are_counted_over_all_runs(tmp_path: Path) -> None:
+    usage = Usage()
+    for n in range(2):
+        trace = Trace().enter(0, "1").go(1, "1", "2").go(4, "2", "1", timeout=True)
+        for t, source, to in ((5, None, "calm"), (7, "calm", "busy"), (8, "busy", None)):
+            trace.add(t, "situation", **{"from": source}, to=to)
+        trace.add(9, "situation", **{"from": None}, to="calm").add(9.5, "lost", module="m")
+        count(usage, trace.file(tmp_path / f"{n}.jsonl"))
+    usage.rows()
+    assert usage.crossed == {
+        Crossed("desk", "1", "2", "e", False): 2,
+        Crossed("desk", "2", "1", None, True): 2,
+    }
+    assert usage.situations == {"calm": Lasted(4, 5.0), "busy": Lasted(2, 2.0)}
+
+
+@pytest.mark.parametrize("kind", ["mcap", "jsonl"])
+def test_it_is_told_how_much_of_a_file_is_read(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(counts, "STEP", 10)
+    trace = Trace()
+    for n in range(30):
+        trace.go(n, "1", "2")
+    file: str | Path = trace.file(tmp_path / "a.jsonl")
+    if kind == "mcap":
+        file = tmp_path / "a.mcap"
+        run = Recorded(LAB, recorder(file))
+        for n in range(40):
+            run.at(n * SECOND, inputs.Raise("nothing"))
+        run.recorder.close()
+    told = list(counting(Usage(), file))
+    assert len(told) > 2
+    assert told == sorted(told)
+    assert 0 < told[0] <= told[-1] <= 1

@@ -1,5 +1,6 @@
 """What a robot has done in a state, on its card: how often it came, how long it stayed, and how
-often the time ran out there before anybody did anything.
+often the time ran out there before anybody did anything; and a situation, how often and how long it
+was current.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPen
 
 from situ.document import words
-from situ_studio.canvas.live import LiveView
+from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.canvas.style import Look, whole_label
 from situ_studio.language import tr
 
@@ -52,11 +53,29 @@ def _pieces(look: Look, live: LiveView, no: str) -> list[tuple[str, str, str]]:
 
 def paint(painter: QPainter, look: Look, live: LiveView, no: str, right: float) -> None:
     """On the upper edge of a card, as far as ``right``."""
+    _paint(painter, look, _pieces(look, live, no), right, "live" if no in live.active else "")
+
+
+def paint_situation(
+    painter: QPainter, look: Look, live: LiveScript, name: str, right: float
+) -> None:
+    """On the upper edge of a situation, as far as ``right``: how often and how long it was
+    current."""
+    found = []
+    if name in live.counts:
+        found.append(("", f"{live.counts[name]}×", "text"))
+    if name in live.times:
+        found.append(("", words.seconds(round(live.times[name])), "text2"))
+    _paint(painter, look, found, right)
+
+
+def _paint(
+    painter: QPainter, look: Look, found: list[tuple[str, str, str]], right: float, edge: str = ""
+) -> None:
     # From afar it is larger: it is what is looked for then.
     scale = 1.0 if look.level == "full" else 1.7
     pieces = [
-        (icon, whole_label(said, round(12 * scale), 600), color)
-        for icon, said, color in _pieces(look, live, no)
+        (icon, whole_label(said, round(12 * scale), 600), color) for icon, said, color in found
     ]
     if not pieces:
         return
@@ -64,7 +83,7 @@ def paint(painter: QPainter, look: Look, live: LiveView, no: str, right: float) 
     wide = sum(label.width + (sign + 3 if icon else 0) for icon, label, _ in pieces)
     wide += gap * (len(pieces) + 1)
     area = QRectF(right - wide, -high / 2 - 2, wide, high)
-    painter.setPen(QPen(look["live" if no in live.active else "card_border"], 1))
+    painter.setPen(QPen(look[edge or "card_border"], 1))
     painter.setBrush(look["card"])
     painter.drawRoundedRect(area, high / 2, high / 2)
     x = area.left() + gap

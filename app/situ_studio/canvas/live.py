@@ -44,7 +44,7 @@ class LiveScript(Struct, frozen=True):
 
     holds: situations whose condition holds. authority: resource to module.
     asking: module to the resources it asks for. values: tag to value. breakpoints: situations that
-    have one.
+    have one. counts, times: how often each situation was current, and seconds in it.
     """
 
     situation: str | None = None
@@ -53,6 +53,8 @@ class LiveScript(Struct, frozen=True):
     asking: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     values: Mapping[str, Any] = field(default_factory=dict)
     breakpoints: frozenset[str] = frozenset()
+    counts: Mapping[str, int] = field(default_factory=dict)
+    times: Mapping[str, float] = field(default_factory=dict)
 
 
 FADE = 12.0

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
-from situ_studio.canvas import operated
+from situ_studio.canvas import counted, operated
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.script_faces import INDENT, LINE, OUT, STRIP, ScriptNode
@@ -166,6 +166,8 @@ class ScriptItem(NodeFace):
         stops = live.breakpoints if isinstance(live, LiveScript) else ()
         if node.kind == "situation" and node.name in stops:
             operated.breakpoint_sign(painter, look, node.height / 2)
+        if node.kind == "situation" and isinstance(live, LiveScript):
+            counted.paint_situation(painter, look, live, node.name, node.width - 10)
         if look.level == "half":
             label = self._texts["short"]
             label.draw(painter, 38, node.height / 2 + 0.36 * self._short_pixels, look["text"])

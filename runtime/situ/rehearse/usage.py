@@ -7,10 +7,12 @@ leaving the application's start state until it is back there.
 
 from __future__ import annotations
 
-from collections import Counter
+import csv
+import os
+from collections import Counter, deque
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import IO, NamedTuple, TextIO
 
 import msgspec
 from msgspec import Raw, Struct, field
@@ -23,6 +25,8 @@ from situ.rehearse.ways import label
 
 PLACE = "pose.place"
 """The tag that says where the robot is, unless another one is told."""
+STEP = 5_000
+"""Events between two looks at how much is read."""
 OFFERING = frozenset({"button", "input", "list"})
 """Components that a person is to use."""
 
@@ -51,6 +55,23 @@ class Row(Struct):
     gave_up: int = 0
 
 
+class Crossed(NamedTuple):
+    """A transition, as it stands in a trace."""
+
+    application: str
+    source: str
+    to: str
+    event: str | None
+    timeout: bool
+
+
+class Lasted(Struct):
+    """How often something was so, and how many seconds in all."""
+
+    times: int = 0
+    seconds: float = 0.0
+
+
 class Seen(Struct):
     """What is looked at of a trace event."""
 
@@ -60,6 +81,8 @@ class Seen(Struct):
     application: str = ""
     state: str = ""
     source: str | None = field(name="from", default=None)
+    to: str | None = None
+    event: str | None = None
     timeout: bool = False
     tag: str = ""
     value: Raw = Raw(b"null")
@@ -113,9 +136,17 @@ class _Run:
         self.whole = True
         self.place = ""
         self.applications: dict[str, _Application] = {}
+        self.situation: tuple[Lasted, float] | None = None
+
+    def end_situation(self) -> None:
+        if self.situation is not None:
+            lasted, since = self.situation
+            lasted.seconds = round(lasted.seconds + self.t - since, 6)
+            self.situation = None
 
     def lose(self) -> None:
         """What follows is not known: what is begun ends here."""
+        self.end_situation()
         for one in self.applications.values():
             for state in list(one.since):
                 one.leave(state, self.t)
@@ -124,7 +155,8 @@ class _Run:
 
 
 class Usage:
-    """Counts over any number of traces, one event at a time; ``rows`` is what came of it.
+    """Counts over any number of traces, one event at a time; ``rows`` is what came of it, and
+    ``crossed`` and ``situations``, by name, once these were asked for.
 
     Events that several recordings of one runtime share count once, if the recordings come in
     their order.
@@ -137,6 +169,8 @@ class Usage:
         self._rows: dict[_Key, Row] = {}
         self._visits: Counter[tuple[str, str, str]] = Counter()
         self._parts: set[_Key] = set()
+        self.crossed: Counter[Crossed] = Counter()
+        self.situations: dict[str, Lasted] = {}
 
     def begin(self, name: str, project: Project | None = None, runtime: str = "") -> None:
         """Another trace. name: of what ran; runtime: empty where it is a run of its own."""
@@ -210,10 +244,19 @@ class Usage:
 
     def _transition(self, run: _Run, seen: Seen) -> None:
         one = self._application(run, seen)
+        ends = seen.source or "", seen.to or ""
+        self.crossed[Crossed(seen.application, *ends, seen.event, seen.timeout)] += 1
         if seen.timeout and seen.source in one.rows:
             row = one.rows[seen.source]
             row.timeouts += 1
             row.gave_up += one.offers and one.visit is not None
+
+    def _situation(self, run: _Run, seen: Seen) -> None:
+        run.end_situation()
+        if seen.to is not None:
+            lasted = self.situations.setdefault(seen.to, Lasted())
+            lasted.times += 1
+            run.situation = lasted, seen.t
 
     def _screen(self, run: _Run, seen: Seen) -> None:
         one = self._application(run, seen)
@@ -242,6 +285,7 @@ _COUNT = {
     "exit": Usage._exit,
     "transition": Usage._transition,
     "screen": Usage._screen,
+    "situation": Usage._situation,
     "suspend": Usage._suspend,
     "resume": Usage._resume,
 }
@@ -252,33 +296,64 @@ def _name(run: _Run, seen: Seen) -> str:
     return "" if run.project is None else label(run.project, seen.application, seen.state)
 
 
+def write_csv(rows: list[Row], out: TextIO) -> None:
+    """One line a row, below the names of its fields."""
+    table = csv.writer(out, lineterminator="\n")
+    table.writerow(Row.__struct_fields__)
+    table.writerows(msgspec.structs.astuple(row) for row in rows)
+
+
 def count(usage: Usage, path: str | Path, project: Project | None = None) -> None:
-    """Adds a recording (MCAP) or a trace of JSON lines, event by event.
+    """As ``counting``, to the end."""
+    deque(counting(usage, path, project), maxlen=0)
+
+
+def counting(usage: Usage, path: str | Path, project: Project | None = None) -> Iterator[float]:
+    """Adds a recording (MCAP) or a trace of JSON lines, event by event, and tells after each
+    ``STEP`` of them how much of the file is read, from 0 to 1.
 
     project: what ran, where the file itself does not hold it. Raises UsageError where it can not
     be read or is neither.
     """
     try:
         with open(path, "rb") as file:
+            size = max(os.fstat(file.fileno()).st_size, 1)
             is_recording = recorded.is_recording(file.read(len(recorded.MAGIC)))
+            file.seek(0)
+            add = _count_recording if is_recording else _count_lines
+            for _ in add(usage, file, path, project):
+                yield min(file.tell() / size, 1.0)
     except (OSError, ValueError) as error:
         raise UsageError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
-    if is_recording:
-        _count_recording(usage, path, project)
-        return
+
+
+def _count_lines(
+    usage: Usage, file: IO[bytes], path: str | Path, project: Project | None
+) -> Iterator[None]:
     usage.begin(project.name if project is not None else "", project)
     last = 0
-    for number, seen in _json_lines(path):
-        if seen.seq <= last:
-            raise UsageError(f"{path}:{number}: seq {seen.seq} after {last}: give one run's trace")
-        last = seen.seq
-        usage.add(seen)
+    for number, line in enumerate(iter(file.readline, b""), 1):
+        if line.strip():
+            try:
+                seen = _decode(line)
+            except (msgspec.DecodeError, UnicodeDecodeError) as error:
+                raise UsageError(f"{path}:{number}: not an event of a trace: {error}") from None
+            if seen.seq <= last:
+                raise UsageError(
+                    f"{path}:{number}: seq {seen.seq} after {last}: give one run's trace"
+                )
+            last = seen.seq
+            usage.add(seen)
+        if number % STEP == 0:
+            yield
 
 
-def _count_recording(usage: Usage, path: str | Path, project: Project | None) -> None:
+def _count_recording(
+    usage: Usage, file: IO[bytes], path: str | Path, project: Project | None
+) -> Iterator[None]:
     heading, documents = Heading(), []
     begun = False
-    for piece in recorded.read(path):
+    for number, piece in enumerate(recorded.pieces(file, str(path)), 1):
         if isinstance(piece, Heading):
             heading = piece
         elif isinstance(piece, Document):
@@ -292,17 +367,8 @@ def _count_recording(usage: Usage, path: str | Path, project: Project | None) ->
                 usage.add(_decode(piece.text))
             except msgspec.DecodeError as error:
                 raise UsageError(f"{path}: not an event of a trace: {error}") from None
-
-
-def _json_lines(path: str | Path) -> Iterator[tuple[int, Seen]]:
-    with open(path, "rb") as file:
-        for number, line in enumerate(file, 1):
-            if not line.strip():
-                continue
-            try:
-                yield number, _decode(line)
-            except (msgspec.DecodeError, UnicodeDecodeError) as error:
-                raise UsageError(f"{path}:{number}: not an event of a trace: {error}") from None
+        if number % STEP == 0:
+            yield
 
 
 _decode = msgspec.json.Decoder(Seen).decode

@@ -1,0 +1,175 @@
+"""A window's field recordings: chosen, counted beside the window, painted, and exported."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from situ.document import folder, words
+from situ.errors import UsageError
+from situ.rehearse.usage import write_csv
+from situ.rehearse.ways import frames
+from situ_studio.language import tr
+from situ_studio.live.field import Asked, Field, painted, recordings_in, whole
+from situ_studio.live.field_panel import FieldPanel
+from situ_studio.live.field_reading import FieldReading
+from situ_studio.theme import Theme
+from situ_studio.working import Work
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+PANEL = "field"
+USUAL = "usage.csv"
+
+
+class FieldSide(QObject):
+    """``field`` is what was counted last; None before."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self.field: Field | None = None
+        self._work: Work | None = None
+        self.panel = FieldPanel(window.theme)
+        window.bottom.add(PANEL, self.tr("Field"), self.panel)
+        self.reading = FieldReading(self)
+        self.reading.counted.connect(self._on_counted)
+        self.reading.went_on.connect(self._on_went_on)
+        self.reading.gone.connect(self._on_gone)
+        panel = self.panel
+        panel.files_asked.connect(self.choose_files)
+        panel.folder_asked.connect(self.choose_folder)
+        panel.paint_asked.connect(self.paint)
+        panel.export_asked.connect(self.export)
+        panel.gone.connect(self.go)
+        window.scenarios.panel.paint.toggled.connect(self._on_scenarios)
+        window.session.opened.connect(self._forget)
+        window.robot.follower.viewing.exchanged.connect(lambda: panel.paint.setChecked(False))
+
+    def set_theme(self, theme: Theme) -> None:
+        self.panel.set_theme(theme)
+
+    def choose_files(self) -> None:
+        """Asks for recordings and counts them."""
+        paths = self._window.dialogs.field_recordings()
+        if paths:
+            self.count(paths)
+
+    def choose_folder(self) -> None:
+        """Asks for a folder and counts what was recorded there."""
+        chosen = self._window.dialogs.field_folder()
+        if chosen is None:
+            return
+        paths = recordings_in(chosen)
+        if paths:
+            self.count(paths)
+        else:
+            said = self.tr("{0}: there is no recording in it (*.mcap)")
+            self._window.dialogs.tell(said.format(chosen))
+
+    def count(self, paths: list[Path]) -> None:
+        """Counts what people did in these, beside the window."""
+        self._end_work()
+        self.reading.cancel()
+        window = self._window
+        window.bottom.choose(PANEL)
+        self._work = window.status.work.begin(self.tr("Counting recordings"), self._give_up)
+        self.reading.start(Asked(tuple(paths)))
+
+    def paint(self, on: bool) -> None:
+        """How often, how long, and where the time ran out, on the drawings."""
+        project = self._window.session.project
+        shown = on and self.field is not None and project is not None
+        if shown:
+            self._window.scenarios.panel.paint.setChecked(False)
+        self._window.robot.follower.paint(
+            painted(project, self.field) if shown and project and self.field else None
+        )
+
+    def _on_scenarios(self, on: bool) -> None:
+        """The drawings show the scenarios instead."""
+        if on:
+            self.panel.paint.blockSignals(True)
+            self.panel.paint.setChecked(False)
+            self.panel.paint.blockSignals(False)
+
+    def export(self) -> None:
+        """The table as ``situ report`` writes it, into a file that a person chooses."""
+        path = self._window.dialogs.usage_file(USUAL)
+        if path is None:
+            return
+        text = io.StringIO()
+        write_csv(self.panel.table.used, text)
+        try:
+            folder.write(path, text.getvalue().encode())
+        except UsageError as error:
+            self._window.dialogs.tell(str(error))
+        else:
+            self._window.say(self.tr("Exported to {0}").format(path.name))
+
+    def go(self, application: str, state: str) -> None:
+        """Shows that state; one that the project has no more, says so."""
+        project = self._window.session.project
+        found = frames(project, application, state) if project is not None else []
+        if found:
+            self._window.go_to(found[-1].file, ("state", found[-1].state.no))
+        else:
+            self._window.say(self.tr("The project has no such state any more."))
+
+    def cancel(self) -> None:
+        """What is being counted is left."""
+        self.reading.cancel()
+        self._end_work()
+
+    def _forget(self) -> None:
+        """Another project is open."""
+        self.cancel()
+        if self.panel.paint.isChecked():
+            self.paint(False)
+        self.field = None
+        self.panel.clear()
+
+    def _give_up(self) -> None:
+        # The work ends itself.
+        self._work = None
+        self.reading.cancel()
+
+    def _on_went_on(self, done: float) -> None:
+        if self._work is not None:
+            self._work.tell(done)
+
+    def _on_counted(self, field: Field) -> None:
+        self._end_work()
+        if field.refused:
+            self._window.dialogs.tell("\n".join(field.refused))
+        project = self._window.session.project
+        if not field.recordings or project is None:
+            return
+        self.field = field
+        self.panel.show_used(whole(project, field), field.recordings, _situations(field))
+        self.panel.paint.setChecked(True)
+        self.paint(True)
+
+    def _on_gone(self) -> None:
+        self._end_work()
+        self._window.dialogs.tell(
+            self.tr("The recordings could not be counted; what happened is in studio.log.")
+        )
+
+    def _end_work(self) -> None:
+        work, self._work = self._work, None
+        if work is not None:
+            work.end()
+
+
+def _situations(field: Field) -> str:
+    """``called 3×, 12 s``, the ones that were current longest first."""
+    every = sorted(field.situations.items(), key=lambda one: -one[1].seconds)
+    return tr(", ").join(
+        tr("{0} {1}×, {2}").format(name, one.times, words.seconds(round(one.seconds)))
+        for name, one in every
+    )
