@@ -119,7 +119,7 @@ def test_an_oximeter_believes_readings_that_agree(ask: Ask) -> None:
         (found,) = results(robot)
         assert robot.value("oximeter.finger") is True
         # At first it sees too little: what it says is what it saw in the end.
-        assert 93 <= found["oxygen"] <= 99
+        assert 89 <= found["oxygen"] <= 99
         assert 50 < found["pulse"] < 100
 
 

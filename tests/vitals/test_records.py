@@ -173,7 +173,8 @@ def test_limits_are_the_persons_own(store: Store, jack: Resident) -> None:
 
 
 @pytest.mark.parametrize(
-    "wrong", [{"systolic_low": 170}, {"diastolic_high": 900}, {"pulse_low": 50}]
+    "wrong",
+    [{"systolic_low": 170}, {"diastolic_high": 900}, {"oxygen_low": 100}, {"pulse_low": 50}],
 )
 def test_limits_that_are_none_change_nothing(
     store: Store, jack: Resident, wrong: dict[str, float]

@@ -34,7 +34,7 @@ class SimulatedOximeter:
 
     def start(self) -> None:
         self._put_in = self._chance.uniform(2.0, 4.0)
-        self._oxygen = self._chance.randint(93, 99)
+        self._oxygen = self._chance.randint(90, 99)
         self._pulse = self._chance.randint(58, 92)
 
     def reading(self, at: float) -> tuple[int, int] | None:

@@ -13,10 +13,13 @@ HIDDEN = "•••"
 STYLE = (Path(__file__).parent / "page.css").read_text(encoding="utf-8")
 
 _LABELS = {
-    "systolic_low": "Systolic, lower limit",
-    "systolic_high": "Systolic, upper limit",
-    "diastolic_low": "Diastolic, lower limit",
-    "diastolic_high": "Diastolic, upper limit",
+    "systolic_low": "Systolic, lower limit, mmHg",
+    "systolic_high": "Systolic, upper limit, mmHg",
+    "diastolic_low": "Diastolic, lower limit, mmHg",
+    "diastolic_high": "Diastolic, upper limit, mmHg",
+    "oxygen_low": "Oxygen, lower limit, %",
+    "glucose_low": "Glucose, lower limit, mmol/L",
+    "glucose_high": "Glucose, upper limit, mmol/L",
 }
 _KINDS = {"pressure": "Blood pressure", "oxygen": "Blood oxygen", "glucose": "Blood glucose"}
 
@@ -71,7 +74,7 @@ def resident(one: Resident, readings: Sequence[Reading], open_: bool, wrong: str
 def _limits(one: Resident, wrong: str) -> str:
     told = f'<p class="wrong" role="alert">Not saved: {escape(wrong)}</p>' if wrong else ""
     fields = "".join(
-        f'<label for="{name}">{_LABELS[name]}, mmHg</label>'
+        f'<label for="{name}">{_LABELS[name]}</label>'
         f'<input id="{name}" name="{name}" inputmode="decimal" required '
         f'value="{one.limits[name]:g}">'
         for name in LIMITS
@@ -127,10 +130,10 @@ def _value(one: Resident, reading: Reading, open_: bool) -> str:
 
 
 def _is_outside(one: Resident, reading: Reading) -> bool:
+    limits = one.limits
     return any(
-        not one.limits[f"{name}_low"] <= value <= one.limits[f"{name}_high"]
+        not limits.get(f"{name}_low", value) <= value <= limits.get(f"{name}_high", value)
         for name, value in reading.measured.items()
-        if f"{name}_low" in one.limits
     )
 
 

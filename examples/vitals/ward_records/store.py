@@ -33,8 +33,11 @@ LIMITS: dict[str, float] = {
     "systolic_high": 150,
     "diastolic_low": 55,
     "diastolic_high": 95,
+    "oxygen_low": 92,
+    "glucose_low": 4.0,
+    "glucose_high": 12.0,
 }
-"""Between these nobody is told, for whom the nurse has not set others. In mmHg."""
+"""Between these nobody is told, for whom the nurse has not set others. In mmHg, %, mmol/L."""
 
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS resident (
@@ -167,10 +170,10 @@ class Store:
         self.resident(number)
         if set(limits) != set(LIMITS):
             raise Unfit(f"the limits are {', '.join(LIMITS)}")
-        for which in ("systolic", "diastolic"):
-            low, high = KINDS["pressure"][which]
-            if not low <= limits[f"{which}_low"] < limits[f"{which}_high"] <= high:
-                raise Unfit(f"{which}: the lower limit below the upper, {low:g} to {high:g} mmHg")
+        for which, (least, most) in (one for kind in KINDS.values() for one in kind.items()):
+            low, high = limits.get(f"{which}_low", least), limits.get(f"{which}_high", most)
+            if not least <= low < high <= most:
+                raise Unfit(f"{which}: the lower limit below the upper, {least:g} to {most:g}")
         with self._db:
             self._db.execute(
                 "UPDATE resident SET limits = ? WHERE id = ?", (json.dumps(dict(limits)), number)
