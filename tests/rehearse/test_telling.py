@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from situ.decide import trace
+from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse.recording import Recording, Step, read_trace
 from situ.rehearse.telling import Teller, kept_by_runtime, value_words
@@ -144,3 +145,25 @@ def test_values_in_a_line() -> None:
     assert kept_by_runtime("robot/head")
     assert kept_by_runtime("clock.time")
     assert not kept_by_runtime("user.name")
+
+
+@pytest.mark.parametrize(
+    ("resource", "value", "said"),
+    [
+        ("head", {"yaw": 40}, 'm moves head: {"yaw":40}'),
+        ("head", None, "head stops and holds"),
+        ("speech", {"text": "Good morning", "lang": "en"}, "m says “Good morning”"),
+        (
+            "screen",
+            {"components": [{"type": "image"}, {"type": "text", "text": "Hello"}]},
+            "m shows “Hello” on the screen",
+        ),
+        ("screen", {"components": []}, "m shows something else on the screen"),
+    ],
+)
+def test_what_is_said_and_shown_is_told_in_its_own_words(
+    resource: str, value: Any, said: str
+) -> None:
+    fields = {"kind": "mapping", "resource": resource, "module": "m", "value": value}
+    event = {"seq": 1, "t": 0.0, "cause": None, **fields}
+    assert Teller(Project(root=".", name="p")).tell(event) == said

@@ -98,6 +98,14 @@ def _authority(teller: Teller, event: Fields) -> str:
 def _mapping(teller: Teller, event: Fields) -> str:
     if event["value"] is None:
         return f"{event['resource']} stops and holds"
+    shown = event["value"] if isinstance(event["value"], dict) else {}
+    if isinstance(shown.get("components"), list):
+        texts = [str(one["text"]) for one in shown["components"] if one.get("text")]
+        if texts:
+            return f"{event['module']} shows “{_short(texts[0])}” on the {event['resource']}"
+        return f"{event['module']} shows something else on the {event['resource']}"
+    if shown.get("text"):
+        return f"{event['module']} says “{_short(in_text(shown['text']))}”"
     return f"{event['module']} moves {event['resource']}: {_short(in_text(event['value']))}"
 
 
