@@ -179,8 +179,7 @@ def test_readings_translate_nothing_and_stay() -> None:
     read, problems = catalogue.read(catalogue.write(found), "ja.po")
     assert (read, problems) == (found, [])
     data = catalogue.write(found)
-    assert texts.read(data, "ja.po") == ({"Dr.": "医師"}, [])
-    assert texts.readings(data, "ja.po") == found.readings
+    assert texts.read(data, "ja.po") == ({"Dr.": "医師"}, found.readings, [])
     assert catalogue.with_readings(found, {}) == value
 
 
@@ -201,7 +200,7 @@ def test_situ_texts_leaves_readings_as_they_are() -> None:
     before = catalogue.with_readings(catalogue.empty("c", "ja"), {"山田": "やまだ"})
     made, _ = update(project, "ja", catalogue.write(before), "ja.po")
     assert made is not None
-    assert texts.readings(made.data, "ja.po") == {"山田": "やまだ"}
+    assert texts.read(made.data, "ja.po")[1] == {"山田": "やまだ"}
     again, _ = update(project, "ja", made.data, "ja.po")
     assert again is not None
     assert again.data == made.data
@@ -281,7 +280,8 @@ def test_what_is_wrong_in_a_file_by_itself_is_told() -> None:
     project, _ = folder.load_texts({"situ.toml": ""}, "ward")
     assert project is not None
     wrong = Toml('[project]\nnaem = "p"\napplications = ["b.rbd.xml", "a.rbd.xml"]\n')
-    assert [p.code for p in beside.problems(project, "situ.toml", wrong)] == ["unknown-key"]
+    found = beside.problems(project, "situ.toml", wrong)
+    assert [p.code for p in found] == ["unknown-key", "missing-file", "missing-file"]
     assert beside.problems(project, "texts/ja.po", _of()) == []
     assert beside.applications(wrong) == ["b.rbd.xml", "a.rbd.xml"]
 

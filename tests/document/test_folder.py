@@ -394,7 +394,7 @@ def test_tags_hold_lists_and_tables(write: Write) -> None:
     ],
 )
 def test_texts_that_cannot_be_read_are_told(data: bytes, line: int, words: str) -> None:
-    found, (problem,) = texts.read(data, "ja.po")
+    found, _, (problem,) = texts.read(data, "ja.po")
     assert found == {}
     assert (problem.code, problem.line) == ("malformed-po", line)
     assert words in problem.message

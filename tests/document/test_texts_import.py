@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
+import polib
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from situ.document import folder
 from situ.document.catalogue import Catalogue, Translation
+from situ.document.texts import READING
 from situ.document.texts_import import take_in
 from situ.document.texts_table import begun, rows
 from situ.resources import example
@@ -112,3 +118,42 @@ def test_no_translation_is_lost_and_every_text_is_told_once(
     again = take_in(found.catalogue, theirs, wanted, list(wanted))
     assert again.catalogue == found.catalogue
     assert (again.new, again.changed) == ((), ())
+
+
+def test_how_words_are_said_is_taken_in_told_and_nothing_of_ours_is_lost() -> None:
+    def read_as(word: str, said: str) -> Translation:
+        return Translation(word, said, context=READING)
+
+    mine = _of(Translation("a", "A"), read_as("Dr.", "Doctor"), read_as("Mr.", "Mister"))
+    theirs = _of(read_as("Dr.", "Dokter"), read_as("Mrs.", "Missis"), read_as("Mr.", "Mister"))
+    found = take_in(mine, theirs, WANTED, list(WANTED))
+    assert found.readings == ("Dr.", "Mrs.")
+    assert found.catalogue.readings == {"Dr.": "Dokter", "Mr.": "Mister", "Mrs.": "Missis"}
+    assert found.catalogue.used == {"a": "A"}
+    again = take_in(found.catalogue, theirs, WANTED, list(WANTED))
+    assert again.readings == ()
+    assert again.catalogue is found.catalogue
+
+
+def test_a_file_of_texts_and_readings_is_parsed_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "situ.toml").write_text('[project]\nlanguages = ["en", "ja"]\n')
+    (tmp_path / "texts").mkdir()
+    (tmp_path / "texts" / "ja.po").write_text(
+        'msgid ""\nmsgstr "Language: ja\\n"\n\nmsgid "a"\nmsgstr "A"\n\n'
+        'msgctxt "reading"\nmsgid "Dr."\nmsgstr "Doctor"\n'
+    )
+    parsed = []
+
+    def parse(*given: Any, **named: Any) -> Any:
+        parsed.append(given)
+        return pofile(*given, **named)
+
+    pofile = polib.pofile
+    monkeypatch.setattr(polib, "pofile", parse)
+    project, problems = folder.load(tmp_path)
+    assert project is not None
+    assert (project.texts["ja"], project.readings["ja"]) == ({"a": "A"}, {"Dr.": "Doctor"})
+    assert problems == []
+    assert len(parsed) == 1

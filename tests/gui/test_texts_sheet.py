@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -10,7 +11,7 @@ from situ.document.beside import Beside
 from situ.document.catalogue import Catalogue, Translation
 from situ.document.project import Project
 from situ.document.rbd import Application
-from situ_studio.texts.sheet import Sheet, Typed, changed
+from situ_studio.texts.sheet import Refused, Sheet, Typed, changed
 
 DOCUMENT = b"""<application name="a"><state no="1"><screen><components>
 <text id="t" x="1" y="1" width="9" height="9">Yes {n}</text>
@@ -119,3 +120,25 @@ def test_what_an_old_text_was_said_as_comes_back_with_it() -> None:
         away, dict(changed(away, [Typed(r, None, "Yes") for r in away.rows if r.text == "No"]))
     )
     assert back.cell(next(r for r in back.rows if r.text == "Yes"), "ja").text == "1"
+
+
+def test_a_text_that_becomes_several_at_once_takes_its_translation_to_each() -> None:
+    sheet = _sheet()
+    rows = [row for row in sheet.rows if row.text == "Yes"]
+    assert len(rows) == 3
+    words = ("Yes, please", "Yes, thanks", "Yes!")
+    files = changed(sheet, [Typed(r, None, text) for r, text in zip(rows, words, strict=True)])
+    after = _after(sheet, dict(files))
+    for row in after.rows:
+        if row.text in words:
+            assert (after.cell(row, "ja").text, after.cell(row, "ja").standing) == ("1", "unsure")
+    assert after.entry(rows[0], "ja") is None
+
+
+def test_one_text_is_not_given_two_translations_in_one_paste() -> None:
+    sheet = _sheet()
+    first, second, _ = (row for row in sheet.rows if row.text == "Yes")
+    with pytest.raises(Refused, match=r"Yes stands at several places .* A or B"):
+        changed(sheet, [Typed(first, "ja", "A"), Typed(second, "ja", "B")])
+    same = changed(sheet, [Typed(first, "ja", "A"), Typed(second, "ja", " A ")])
+    assert _after(sheet, dict(same)).cell(second, "ja").text == "A"

@@ -63,9 +63,7 @@ def content(
     components = tuple(kept.values())
     if values is None:
         return Content(tuple(_written(one) for one in components), screen.background)
-    board = Board()
-    for tag, value in values.items():
-        board.write(tag, value, "", 0, None)
+    board = board_of(values)
     translate = values.translate if isinstance(values, Values) else _as_written
     shown = tuple(_program(one).show(board, translate, None) for one in components)
     background = screen.background
@@ -73,6 +71,14 @@ def content(
         background = template(background).text(board.look)
     language = board.look(LANGUAGE)
     return Content(shown, background, language if isinstance(language, str) else "en")
+
+
+def board_of(values: Mapping[str, Any]) -> Board:
+    """A blackboard of its own with these values."""
+    board = Board()
+    for tag, value in values.items():
+        board.write(tag, value, "", 0, None)
+    return board
 
 
 def _written(component: rbd.Component) -> Shown:

@@ -6,14 +6,13 @@ done. Of several events of one name the first is taken.
 
 from __future__ import annotations
 
-from situ.decide.board import Board
 from situ.decide.intake import typed
 from situ.decide.values import template
 from situ.document import rbd
 from situ_studio import words
 from situ_studio.language import tr
 from situ_studio.screens import samples
-from situ_studio.screens.shown import Values
+from situ_studio.screens.shown import Values, board_of
 
 FAR = 200
 """Steps that can be gone back."""
@@ -70,7 +69,7 @@ class Walk:
         """A press writes the button's value and raises its event."""
         before = self.values
         if button.tag:
-            self._write(button.tag, template(button.value or "").value(self._board().look))
+            self._write(button.tag, template(button.value or "").value(board_of(self.values).look))
         self._use(button.event, button.tag, before)
 
     def type(self, field: rbd.Input, text: str) -> bool:
@@ -183,12 +182,6 @@ class Walk:
         state = self.state
         if state is not None and state.screen is not None:
             self.screen = state.screen
-
-    def _board(self) -> Board:
-        board = Board()
-        for tag, value in self.values.items():
-            board.write(tag, value, "", 0, None)
-        return board
 
     def _write(self, tag: str, value: object) -> None:
         self.values = self.values | {tag: value}

@@ -136,6 +136,11 @@ class Exchange(QObject):
                 self.tr("Leave out a tag of the text"),
                 found.lacking,
             ),
+            (
+                self.tr("{0} words that are said otherwise"),
+                self.tr("Words that are said otherwise now"),
+                found.readings,
+            ),
         )
         parts = [count.format(len(texts)) for count, _, texts in groups if texts]
         words = self.tr("{0} from {1}: {2}.").format(

@@ -125,6 +125,7 @@ def changed(sheet: Sheet, typed: Sequence[Typed]) -> dict[str, Written]:
     renamed = _written(sheet, [one for one in typed if one.language is None], files, texts)
     known = {language: one.by_text() for language, one in texts.items()}
     entries: dict[str, dict[str, Translation]] = {}
+    given: dict[tuple[str, str], str] = {}
     for one in typed:
         if one.language is None:
             continue
@@ -134,7 +135,14 @@ def changed(sheet: Sheet, typed: Sequence[Typed]) -> dict[str, Written]:
             )
         text = renamed.get((one.row.file, one.row.place), one.row.text)
         entry = known.get(one.language, {}).get(text)
-        made = _typed(sheet, text, entry, one.text.strip())
+        said = one.text.strip()
+        if given.setdefault((one.language, text), said) != said:
+            raise Refused(
+                tr("{0} stands at several places and is translated once: {1} or {2}?").format(
+                    text, given[one.language, text], said
+                )
+            )
+        made = _typed(sheet, text, entry, said)
         if made is not None:
             entries.setdefault(one.language, {})[text] = made
     order = [row.text for row in sheet.rows]
@@ -187,8 +195,15 @@ def _written(
         flows[row.file] = places.change(flows[row.file], row.place, **{attribute: text})
         files[row.file] = flows[row.file]
     still = {r.text for r in sheet.rows if (r.file, r.place) not in found}
-    new = {r.text: found[r.file, r.place] for r in sheet.rows if (r.file, r.place) in found}
-    for old, text in new.items():
-        for language, mine in texts.items():
-            texts[language] = catalogue.reworded(mine, old, text, old in still)
+    new: dict[str, dict[str, None]] = {}
+    for r in sheet.rows:
+        if (r.file, r.place) in found:
+            new.setdefault(r.text, {})[found[r.file, r.place]] = None
+    for old, others in new.items():
+        *first, last = others
+        for text in (*first, last):
+            for language, mine in texts.items():
+                # A text that becomes several is translated as it was in each of them.
+                stays = old in still or text != last
+                texts[language] = catalogue.reworded(mine, old, text, stays)
     return found

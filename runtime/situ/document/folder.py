@@ -397,9 +397,9 @@ class _Loading:
             except OSError as error:
                 self.unreadable(file, error)
                 continue
-            found[language], problems = texts.read(data, self.called(file))
+            found[language], words, problems = texts.read(data, self.called(file))
             self.problems += problems
-            if b"msgctxt" in data and (words := texts.readings(data, file)):
+            if words:
                 read[language] = words
         return found, read
 

@@ -20,24 +20,18 @@ READING = "reading"
 _LINE = re.compile(r"line (\d+)")
 
 
-def read(data: bytes, file: str) -> tuple[dict[str, str], list[Problem]]:
-    """Texts as written to their translations; empty, unsure and retired ones are left out, and
-    readings, which are no translations.
+def read(data: bytes, file: str) -> tuple[dict[str, str], dict[str, str], list[Problem]]:
+    """Texts as written to their translations; words, as they are written in the file's language,
+    to how its voice shall say them (the context ``reading``). Empty, unsure and retired ones are
+    left out.
     """
     entries, problems = parse(data, file)
-    return {
-        entry.msgid: entry.msgstr
-        for entry in entries
-        if _is_used(entry) and entry.msgctxt != READING
-    }, problems
-
-
-def readings(data: bytes, file: str) -> dict[str, str]:
-    """Words, as they are written in the file's language, to how its voice shall say them: the
-    entries of the context ``reading``. None where the file can not be read.
-    """
-    entries, _ = parse(data, file)
-    return {e.msgid: e.msgstr for e in entries if _is_used(e) and e.msgctxt == READING}
+    said: dict[str, str] = {}
+    words: dict[str, str] = {}
+    for entry in entries:
+        if _is_used(entry):
+            (words if entry.msgctxt == READING else said)[entry.msgid] = entry.msgstr
+    return said, words, problems
 
 
 def _is_used(entry: Any) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from situ.document.catalogue import Catalogue, Translation, translated, with_entries
+from situ.document.catalogue import Catalogue, Translation, translated, with_entries, with_readings
 
 
 class Imported(Struct, frozen=True):
@@ -18,6 +18,7 @@ class Imported(Struct, frozen=True):
     unknown: texts that the project does not have; their translations are kept as obsolete.
     empty: without a translation; what was there stays.
     lacking: those of new and changed that leave out a reference of the text.
+    readings: words of which the file says how they are said, otherwise than before.
     """
 
     catalogue: Catalogue
@@ -28,6 +29,7 @@ class Imported(Struct, frozen=True):
     unknown: tuple[str, ...] = ()
     empty: tuple[str, ...] = ()
     lacking: tuple[str, ...] = ()
+    readings: tuple[str, ...] = ()
 
 
 def take_in(
@@ -36,7 +38,7 @@ def take_in(
     """The catalogue ``mine`` with the translations of ``theirs``.
 
     wanted: the project's texts, each with the entry with which it would begin; order: as they
-    stand in the project. Nothing of ``mine`` is lost but translations that changed.
+    stand in the project. Nothing of ``mine`` is lost but translations and readings that changed.
     """
     told: dict[str, list[str]] = {name: [] for name in Imported.__struct_fields__[1:]}
     entries: dict[str, Translation] = {}
@@ -69,4 +71,8 @@ def take_in(
         if entry != before:
             entries[text] = entry
     made = with_entries(mine, entries, order) if entries else mine
+    words = {w: said for w, said in theirs.readings.items() if mine.readings.get(w) != said}
+    if words:
+        told["readings"] = list(words)
+        made = with_readings(made, {**mine.readings, **words})
     return Imported(made, **{name: tuple(texts) for name, texts in told.items()})
