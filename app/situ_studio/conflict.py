@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from situ.document.change import Change
 from situ_studio.differing import Differing
 from situ_studio.language import said
+from situ_studio.letters import px
 
 Answer = Literal["mine", "theirs", "both", "cancel"]
 MOST = 500
@@ -33,7 +34,7 @@ class ConflictDialog(QDialog):
         super().__init__(parent)
         self.answer: Answer = "cancel"
         self.setWindowTitle(self.tr("{0} is another one on disk").format(found.file))
-        self.resize(760, 340)
+        self.resize(px(760), 340)
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 16, 16, 16)
         column.setSpacing(12)

@@ -60,7 +60,7 @@ class Details(QDialog):
         self.fold.setChecked(unfolded)
         self._on_fold(unfolded)
         if unfolded:
-            self.resize(760, 520)
+            self.resize(px(760), 520)
             self.details.moveCursor(self.details.textCursor().MoveOperation.End)
 
     def _on_fold(self, shown: bool) -> None:

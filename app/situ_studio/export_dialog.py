@@ -52,6 +52,7 @@ class ExportDialog(QDialog):
         column = QVBoxLayout(self)
         form = QFormLayout()
         self.what = Choice(parent.theme)
+        self.what.setSizeAdjustPolicy(Choice.SizeAdjustPolicy.AdjustToContents)
         for what in areas:
             self.what.addItem(words[what], what)
         form.addRow(self.tr("Of the drawing"), self.what)

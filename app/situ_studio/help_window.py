@@ -84,7 +84,7 @@ class HelpWindow(QWidget):
         self.field.returnPressed.connect(self._open_first)
         kept = settings.value(GEOMETRY)
         if kept is None or not self.restoreGeometry(kept):
-            self.resize(420, 560)
+            self.resize(px(420), 560)
             right = parent.mapToGlobal(parent.rect().topRight())
             self.move(right.x() - 420 - 24, right.y() + 96)
 

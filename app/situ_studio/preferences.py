@@ -21,6 +21,7 @@ from situ_studio import letters
 from situ_studio.actions import COMMANDS
 from situ_studio.keys import headed, written
 from situ_studio.language import LANGUAGES, SYSTEM
+from situ_studio.letters import px
 from situ_studio.menus import told
 from situ_studio.panels.fields import Choice
 from situ_studio.shortcuts import KeyList
@@ -43,7 +44,7 @@ class Preferences(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowModality(Qt.WindowModality.ApplicationModal)
         self.setWindowTitle(self.tr("Preferences"))
-        self.resize(600, 680)
+        self.resize(px(600), 680)
         column = QVBoxLayout(self)
         column.setContentsMargins(24, 20, 24, 20)
         column.setSpacing(12)

@@ -13,11 +13,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
-from situ.document import folder
 from situ.document.catalogue import Catalogue
 from situ.document.rbd import Application
 from situ.errors import SituError
-from situ_studio import edit, kept
+from situ_studio import edit, kept, leftovers
 from situ_studio.claim import key, lock
 from situ_studio.edit import Written
 from situ_studio.kept import Kept, Wanted
@@ -153,7 +152,7 @@ class Recovery(QObject):
         self._kept = {}
         if self._worker.is_busy:
             self._worker.end()
-            folder.clear_unfinished(self._home)
+            leftovers.clear(self._home)
         if self._file is not None:
             self._file.unlink(missing_ok=True)
         if self._lock is not None:
@@ -182,7 +181,7 @@ class Recovery(QObject):
         # Another project is open: what the last one had was saved, or given up.
         self.forget()
         self._notice.hide()
-        folder.clear_unfinished(self._home)
+        leftovers.clear(self._home)
         root = str(self._session.root.resolve())
         for file in sorted(self._home.glob(f"{key(self._session.root)}-*.json")):
             held = lock(file)

@@ -51,7 +51,7 @@ class Shortcuts(QDialog):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("Keyboard shortcuts"))
-        self.resize(560, 640)
+        self.resize(px(560), 640)
         column = QVBoxLayout(self)
         self.list = KeyList()
         column.addWidget(self.list)

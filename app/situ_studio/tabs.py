@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
@@ -11,6 +11,9 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSizePolicy,
     QStackedWidget,
+    QStyle,
+    QStyleOptionButton,
+    QStylePainter,
     QVBoxLayout,
     QWidget,
 )
@@ -78,7 +81,10 @@ class Segments(QFrame):
 
 
 class CountButton(QPushButton):
-    """A tab of the strip below, with a number in a pill behind its words; 0 shows none."""
+    """A tab of the strip below, with a number in a pill behind its words; 0 shows none.
+
+    Where there is little room its words end with …, and its tooltip says them whole.
+    """
 
     def __init__(self, theme: Theme, words: str, parent: QWidget | None = None) -> None:
         super().__init__(words, parent)
@@ -93,11 +99,32 @@ class CountButton(QPushButton):
     def set_count(self, count: int) -> None:
         self._count = count
         self.setAccessibleName(f"{self._words} {count}" if count else self._words)
-        # Room for the pill: the words stand at the left of what spaces make wider.
-        self.setText(self._words + "\u2003\u2002" * bool(count) + "\u2002" * (len(str(count)) - 1))
+        self.setText(self._words + self._behind())
+
+    def _behind(self) -> str:
+        """Room for the pill: the words stand at the left of what spaces make wider."""
+        return "\u2003\u2002" + "\u2002" * (len(str(self._count)) - 1) if self._count else ""
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.setToolTip("" if self._fitting() == self._words else self._words)
+
+    def _fitting(self) -> str:
+        """What of its words has room."""
+        metrics = self.fontMetrics()
+        room = self.width() - 2 * px(10) - metrics.horizontalAdvance(self._behind())
+        # The one that is shown is bolder than what is measured.
+        if metrics.horizontalAdvance(self._words) <= room + px(4):
+            return self._words
+        return metrics.elidedText(self._words, Qt.TextElideMode.ElideRight, room)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
+        option = QStyleOptionButton()
+        self.initStyleOption(option)
+        option.text = self._fitting() + self._behind()
+        styled = QStylePainter(self)
+        styled.drawControl(QStyle.ControlElement.CE_PushButton, option)
+        styled.end()
         if not self._count:
             return
         painter = QPainter(self)
@@ -210,6 +237,7 @@ class BottomPanels(QWidget):
                 QSizePolicy.Policy.Preferred if shown else QSizePolicy.Policy.Ignored
             )
             panel.setSizePolicy(policy)
+        self._stack.updateGeometry()
 
     def button(self, name: str) -> QPushButton:
         return self._buttons[name]

@@ -26,7 +26,8 @@ QToolTip {{ background: {text}; color: {panel}; border: 0; padding: 4px 8px; fon
 QMenuBar {{ background: {panel}; color: {text2}; padding: 0 4px; spacing: 0; font-size: 13px; }}
 QMenuBar::item {{ padding: 6px 8px; border-radius: 6px; background: transparent; }}
 QMenuBar::item:selected, QMenuBar::item:pressed {{ background: {hover}; color: {text}; }}
-QMenu {{ background: {panel}; border: 1px solid {line_strong}; padding: 4px; }}
+QMenu {{ background: {panel}; border: 1px solid {line_strong}; padding: 4px;
+  menu-scrollable: 1; }}
 QMenu::item {{ padding: 5px 28px 5px 8px; border-radius: 4px; }}
 QMenu::item:selected {{ background: {accent_soft}; color: {text}; }}
 QMenu::item:disabled {{ color: {text3}; }}

@@ -11,10 +11,9 @@ from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication
 
-from situ.document import folder
 from situ.document.problem import Problem
 from situ.document.rbd import Application
-from situ_studio import places, recent, words
+from situ_studio import leftovers, places, recent, words
 from situ_studio.checking import CheckWork
 from situ_studio.claim import Claim
 from situ_studio.commands import Commands
@@ -196,7 +195,7 @@ class MainWindow(Frame):
             recall(self.settings, self)
         self.remember(path)
         if self.claim.take(self.session.root):
-            folder.clear_unfinished(self.session.root)
+            leftovers.clear(self.session.root)
         else:
             self.notice.ask(
                 self.tr(

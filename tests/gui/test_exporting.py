@@ -195,6 +195,8 @@ def test_the_question_says_how_large_a_png_becomes_and_refuses_too_large_ones(
     dialog.activateWindow()
     QApplication.processEvents()
     assert dialog.size_.text() == "800 × 600 px"
+    words = dialog.what.fontMetrics().horizontalAdvance(dialog.what.currentText())
+    assert words + 9 + 22 <= dialog.what.width()
     assert dialog.scale.height() == dialog.what.height()
     QTest.keyClick(dialog.what, Qt.Key.Key_Down)
     for _ in range(4):

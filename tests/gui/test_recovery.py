@@ -7,6 +7,7 @@ import resource
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,9 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEventLoop, QSettings, Qt, QTimer
 
 from situ.document import codec
+from situ.document.folder import clear_unfinished
 from situ.document.rbd import Application, State
+from situ_studio import leftovers
 from situ_studio.recovery import LARGE
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -302,8 +305,15 @@ folder.write(sys.argv[1], b"half")
 
 
 def test_what_a_killed_writer_left_is_gone_at_the_next_start(
-    studio: Start, project: Copy, settings: QSettings
+    studio: Start, project: Copy, settings: QSettings, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    threads: list[threading.Thread] = []
+
+    def clear(where: Path) -> None:
+        threads.append(threading.current_thread())
+        clear_unfinished(where)
+
+    monkeypatch.setattr("situ.document.folder.clear_unfinished", clear)
     folder, home = project("reception"), Path(settings.fileName()).parent / "recovery"
     home.mkdir()
     (folder / ".mine").write_text("stays")
@@ -316,6 +326,11 @@ def test_what_a_killed_writer_left_is_gone_at_the_next_start(
     hidden = [p for root in (folder, home) for p in root.rglob(".*")]
     assert len(hidden) == 5
     studio(folder)
+    for thread in [t for t in threading.enumerate() if t.name == leftovers.NAME]:
+        thread.join()
+    # Never while the window waits.
+    assert threads
+    assert threading.main_thread() not in threads
     assert {p.name for root in (folder, home) for p in root.rglob(".*")} == {".mine", held.name}
 
 

@@ -11,14 +11,15 @@ import pytest
 from PySide6.QtCore import QEvent, QRectF, QSettings, Qt
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QStyle
 from tests.gui.conftest import Studio
 
 from situ.document.rbd import Application
 from situ_studio import letters, picture
 from situ_studio.preferences import Preferences
 from situ_studio.screens.painting import paint_screen
-from situ_studio.theme import BODY, face, font
+from situ_studio.tabs import CountButton
+from situ_studio.theme import BODY, LIGHT, face, font
 from situ_studio.windows import Windows
 
 Start = Callable[..., Studio]
@@ -139,3 +140,32 @@ def test_drawings_and_the_robot_s_screen_keep_their_letters(
     assert drawn[0] == drawn[1]
     assert font(BODY).pixelSize() == 20
     assert face(BODY).pixelSize() == 13
+
+
+def test_a_tab_below_without_room_ends_with_dots_and_says_its_words_in_its_tooltip(
+    qt: QApplication,
+) -> None:
+    tab = CountButton(LIGHT, "Breakpoints")
+    tab.set_count(12)
+    tab.resize(300, 28)
+    tab.grab()
+    assert (tab._fitting(), tab.toolTip()) == ("Breakpoints", "")
+    tab.resize(90, 28)
+    tab.grab()
+    assert tab._fitting().endswith("…")
+    assert tab.toolTip() == "Breakpoints"
+    tab.deleteLater()
+
+
+def test_only_the_panel_below_that_is_shown_asks_for_width(studio: Start, project: Copy) -> None:
+    bottom = studio(project("reception")).window.bottom
+    bottom.choose("timeline")
+    wide = bottom.minimumSizeHint().width()
+    bottom.choose("problems")
+    assert bottom.minimumSizeHint().width() < wide
+
+
+def test_a_menu_that_is_higher_than_the_screen_scrolls(studio: Start) -> None:
+    menu = studio().window.actions_.menu("Insert")
+    menu.ensurePolished()
+    assert menu.style().styleHint(QStyle.StyleHint.SH_Menu_Scrollable, None, menu) == 1

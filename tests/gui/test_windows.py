@@ -17,6 +17,7 @@ from tests.gui.conftest import Studio
 from situ.document import folder
 from situ.document.problem import Problem
 from situ.document.project import Project
+from situ_studio import leftovers
 from situ_studio.claim import Claim
 from situ_studio.language import Speaking
 from situ_studio.opening import NAME
@@ -295,9 +296,13 @@ def test_a_project_that_is_gone_at_the_next_start_is_told(
     assert Windows(settings, speaking, list).restore() is None
 
 
+def lasting_threads() -> set[threading.Thread]:
+    return {one for one in threading.enumerate() if one.name != leftovers.NAME}
+
+
 def test_a_closed_window_is_freed_with_all_that_it_had(studio: Start, project: Copy) -> None:
     first = studio(project("reception"))
-    threads = threading.active_count()
+    threads = lasting_threads()
     second = opened_beside(first, project("conversation"))
     second.window.show_mode("outline")
     second.settle()
@@ -317,4 +322,4 @@ def test_a_closed_window_is_freed_with_all_that_it_had(studio: Start, project: C
     first.settle()
     gc.collect()
     assert [one() for one in kept] == [None] * len(kept)
-    assert threading.active_count() == threads
+    assert lasting_threads() == threads

@@ -59,7 +59,7 @@ class DeployDialog(QDialog):
         self._plan: Plan | None = None
         self._shown: tuple[Turn, ...] = ()
         self.setWindowTitle(self.tr("Deploy"))
-        self.resize(720, 600)
+        self.resize(px(720), 600)
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 16, 16, 16)
         column.setSpacing(8)

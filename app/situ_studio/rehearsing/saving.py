@@ -20,6 +20,7 @@ from situ.decide.inputs import Deploy
 from situ.document import folder
 from situ.errors import UsageError
 from situ.rehearse.suite import ENDING
+from situ_studio.letters import px
 from situ_studio.rehearsing.course import Course
 from situ_studio.rehearsing.expecting import Chance, chances, written
 
@@ -34,7 +35,7 @@ class SavingScenario(QDialog):
         self._course, self._home = course, home
         self.setWindowTitle(self.tr("Save as a scenario"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(460, 460)
+        self.resize(px(460), 460)
         column = QVBoxLayout(self)
         column.setSpacing(8)
         column.addWidget(self._label(self.tr("Name")))
