@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import wave
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +33,8 @@ class Voice:
         self._folder.mkdir()
         self._breath = self._folder / "breath"
         os.mkfifo(self._breath)
+        # Held open both ways: neither side ever waits for the other to open it.
+        self._lungs = os.open(self._breath, os.O_RDWR)
         (folder / "bin").mkdir()
         program = folder / "bin" / "espeak-ng"
         program.write_text(
@@ -54,12 +56,18 @@ class Voice:
 
     def end(self) -> None:
         """What it says is over."""
-        self._breath.open("w").close()
+        os.write(self._lungs, b"\n")
+
+    def close(self) -> None:
+        self._watch.deleteLater()
+        os.close(self._lungs)
 
 
 @pytest.fixture
-def voice(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, qt: Any) -> Voice:
-    return Voice(tmp_path, monkeypatch, qt)
+def voice(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, qt: Any) -> Iterator[Voice]:
+    made = Voice(tmp_path, monkeypatch, qt)
+    yield made
+    made.close()
 
 
 def test_what_the_robot_says_is_shown_with_how_long_it_still_lasts(desk: Any) -> None:

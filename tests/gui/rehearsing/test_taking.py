@@ -6,10 +6,11 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
-from situ.decide import inputs
 from situ.decide.step import SECOND
 from situ.document.rbd import Event
+from situ.rehearse.scenario import load
 from situ_studio.rehearsing.saving import SavingScenario
 
 FILE = "converse.rbd.xml"
@@ -105,6 +106,12 @@ def test_keys_take_in_and_what_can_not_run_is_not_taken(desk: Any) -> None:
     take = used.window.actions_.actions["rehearse.take"]
     back = used.window.actions_.actions["rehearse.back"]
     assert not take.isEnabled()
+    # A card that was moved changes nothing that runs.
+    aside = used.window.current_document.states[1].aside
+    edit(used, 1, aside=replace(aside, attributes=()))
+    assert used.side.running.course.project is not used.studio.session.project
+    assert not used.desk.notice.isVisible()
+    assert not take.isEnabled()
     held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     rename(used, 1, "hi")
     assert take.isEnabled()
@@ -123,15 +130,9 @@ def test_keys_take_in_and_what_can_not_run_is_not_taken(desk: Any) -> None:
     assert not back.isEnabled()
 
 
-def test_a_card_that_was_moved_changes_nothing_that_runs(desk: Any) -> None:
-    used = desk("conversation")
-    state = used.window.current_document.states[1]
-    edit(used, 1, aside=replace(state.aside, attributes=()))
-    assert used.side.running.course.project is not used.studio.session.project
-    assert not used.desk.notice.isVisible()
-
-
-def test_data_and_modules_of_the_changes_can_be_turned(desk: Any) -> None:
+def test_data_of_the_changes_are_turned_and_a_scenario_says_that_changes_came_on_the_way(
+    desk: Any,
+) -> None:
     used = desk("conversation")
     used.go_on(5)
     session = used.studio.session
@@ -142,17 +143,13 @@ def test_data_and_modules_of_the_changes_can_be_turned(desk: Any) -> None:
     assert "weather.tomorrow" not in used.desk.dials
     used.studio.click(used.desk.notice.take)
     assert used.desk.dials["weather.tomorrow"].isVisible()
-
-
-def test_a_scenario_of_it_says_that_changes_came_on_the_way(desk: Any) -> None:
-    used = desk("conversation")
-    used.go_on(5)
-    rename(used, 2, "night")
-    used.studio.click(used.desk.notice.take)
     used.touch("YES")
-    course = used.side.running.course
-    assert [type(one.does) for one in course.done if isinstance(one.does, inputs.Deploy)]
     used.studio.click(used.desk.clock.save)
     (saving,) = used.window.findChildren(SavingScenario)
     assert saving.on_the_way.isVisible()
-    saving.reject()
+    QTest.keyClicks(saving.name, "on the way")
+    used.studio.click(saving.keep)
+    kept = session.root / "scenarios" / "on the way.jsonl"
+    done = [type(line.does).__name__ for line in load(kept)]
+    assert "Use" in done
+    assert "Deploy" not in done
