@@ -21,7 +21,7 @@ ASKING = """<application name="ask">
   </state>
   <state no="2">
     <backgroundactions>
-      <service name="measure" url="board:{module}/measure" done="ended" failed="ended">
+      <service name="measure" url="board:{module}/{request}" done="ended" failed="ended">
         <param name="arm">{arm}</param>
       </service>
     </backgroundactions>
@@ -44,9 +44,11 @@ def program(name: str) -> dict[str, Any]:
 def ask(tmp_path: Path) -> Ask:
     """A robot in memory that has just asked a module, with this device, to measure."""
 
-    def begin(module: str, device: Any, arm: str = "left") -> situ.testing.Robot:
+    def begin(
+        module: str, device: Any, arm: str = "left", request: str = "measure"
+    ) -> situ.testing.Robot:
         file = tmp_path / "ask.rbd.xml"
-        file.write_text(ASKING.format(module=module, arm=arm), "utf-8")
+        file.write_text(ASKING.format(module=module, arm=arm, request=request), "utf-8")
         robot = situ.testing.robot(file)
         name = module.replace("-", "_")
         robot.start(program(name)[name], robot.connect(module=module), device)
@@ -129,24 +131,41 @@ def test_without_a_finger_the_oximeter_says_so(ask: Ask) -> None:
         assert results(robot) == ["oximeter: no finger was found in the clip"]
 
 
-def test_a_glucose_meter_says_what_it_waits_for(ask: Ask) -> None:
-    with ask("glucose-meter", program("glucose_meter")["SimulatedMeter"](5)) as robot:
-        phases: list[Any] = []
-        while not results(robot):
-            phase = robot.value("glucose.phase")
-            if phase not in phases[-1:]:
-                phases.append(phase)
-            robot.pass_time(0.5)
-        assert phases == ["strip", "blood", "reading"]
-        assert 4.2 <= results(robot)[0]["glucose"] <= 11.0
-        assert robot.value("glucose.phase") is None
+@pytest.mark.parametrize(("what", "longest"), [("strip", 7.0), ("blood", 9.0), ("read", 6.0)])
+def test_a_glucose_meter_answers_each_step_when_it_is_done(
+    ask: Ask, what: str, longest: float
+) -> None:
+    meter = program("glucose_meter")["SimulatedMeter"](5)
+    with ask("glucose-meter", meter, request=what) as robot:
+        robot.pass_time(2.0)
+        assert results(robot) == []
+        robot.pass_time(longest - 2.0)
+        (found,) = results(robot)
+        assert list(found) == (["glucose"] if what == "read" else [])
 
 
-def test_a_used_strip_is_refused_and_a_new_one_is_read(ask: Ask) -> None:
-    with ask("glucose-meter", program("glucose_meter")["SimulatedMeter"](used=(1,))) as robot:
+def test_a_used_strip_is_refused_and_a_new_one_is_taken(ask: Ask) -> None:
+    meter = program("glucose_meter")["SimulatedMeter"](used=(1,))
+    with ask("glucose-meter", meter, request="strip") as robot:
         robot.pass_time(10.0)
         robot.publish("ask")
-        robot.pass_time(25.0)
-        first, second = results(robot)
-        assert first == "glucose-meter: this strip was used before: a new one is needed"
-        assert set(second) == {"glucose"}
+        robot.pass_time(10.0)
+        refused = "glucose-meter: this strip was used before: a new one is needed"
+        assert results(robot) == [refused, {}]
+
+
+def test_without_a_strip_the_meter_gives_up_in_the_time_of_a_service(ask: Ask) -> None:
+    meter = program("glucose_meter")["SimulatedMeter"](nobody=True)
+    with ask("glucose-meter", meter, request="strip") as robot:
+        robot.pass_time(29.5)
+        assert results(robot) == ["glucose-meter: nobody gave it what it waits for: strip"]
+
+
+def test_who_leaves_before_blood_is_on_the_strip_is_not_waited_for(ask: Ask) -> None:
+    meter = program("glucose_meter")["SimulatedMeter"](5)
+    with ask("glucose-meter", meter, request="blood") as robot:
+        robot.pass_time(1.0)
+        robot.publish("leave")
+        robot.publish("ask")
+        robot.pass_time(12.0)
+        assert results(robot) == [{}]

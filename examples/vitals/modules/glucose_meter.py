@@ -1,7 +1,8 @@
-"""glucose-meter: reads a strip. The device is simulated; a real one has the same method.
+"""glucose-meter: reads a strip. The device is simulated; a real one has the same two methods.
 
-An application asks ``board:glucose-meter/measure``; the answer is the glucose in mmol/L.
-``glucose.phase`` tells meanwhile what is waited for: strip, blood, reading.
+An application asks one after the other, so that each of its states waits for one thing:
+``board:glucose-meter/strip`` answers when a strip is in, ``…/blood`` when there is blood on it,
+``…/read`` with the glucose in mmol/L.
 """
 
 from __future__ import annotations
@@ -9,7 +10,6 @@ from __future__ import annotations
 import argparse
 import random
 import sys
-from typing import Any
 
 import situ
 from situ.errors import SituError
@@ -19,61 +19,49 @@ STEP, PATIENCE = 0.5, 28.0
 
 
 class SimulatedMeter:
-    """A meter into which a strip is put, then blood on it; the same seed gives the same people.
+    """A meter and people who use it; the same seed gives the same people.
 
-    used: which strips are used ones, counted from 1.
+    used: which strips are used ones, counted from 1. nobody: no strip comes.
     """
 
-    def __init__(self, seed: int = 0, used: tuple[int, ...] = ()) -> None:
+    def __init__(self, seed: int = 0, used: tuple[int, ...] = (), nobody: bool = False) -> None:
         self._chance = random.Random(seed)
         self._used = used
-        self._count = 0
-        self.start()
-        self._count = 0
+        self._nobody = nobody
+        self._strips = 0
 
-    def start(self) -> None:
-        self._count += 1
-        self._strip = self._chance.uniform(3.0, 6.0)
-        self._blood = self._strip + self._chance.uniform(4.0, 8.0)
-        self._glucose = round(self._chance.uniform(4.2, 11.0), 1)
+    def takes(self, what: str) -> float:
+        """Seconds until there is a strip, blood, or a value."""
+        if self._nobody:
+            return float("inf")
+        return {"strip": self._chance.uniform(3, 6), "blood": self._chance.uniform(4, 8)}.get(
+            what, 5
+        )
 
-    def phase(self, at: float) -> str:
-        """So many seconds after ``start``: strip, blood, reading, done, or used."""
-        if at < self._strip:
-            return "strip"
-        if self._count in self._used:
-            return "used"
-        if at < self._blood:
-            return "blood"
-        return "reading" if at < self._blood + 5.0 else "done"
-
-    def result(self) -> dict[str, float]:
-        return {"glucose": self._glucose}
+    def found(self, what: str) -> dict[str, float]:
+        """After ``takes``. Raises ValueError where the strip is a used one."""
+        if what == "strip":
+            self._strips += 1
+            if self._strips in self._used:
+                raise ValueError("this strip was used before: a new one is needed")
+        return {"glucose": round(self._chance.uniform(4.2, 11.0), 1)} if what == "read" else {}
 
 
 def glucose_meter(board: situ.Board, device: SimulatedMeter) -> None:
-    with board.requests("measure") as requests:
+    with board.requests("strip", "blood", "read") as requests:
         for request in requests:
-            measure(board, device, request)
-            board.set("glucose.phase", None)
-
-
-def measure(board: situ.Board, device: SimulatedMeter, request: Any) -> None:
-    begun = board.clock()
-    device.start()
-    while (at := board.clock() - begun) < PATIENCE and not request.cancelled:
-        phase = device.phase(at)
-        if phase == "done":
-            request.answer(device.result())
-            return
-        if phase == "used":
-            request.fail("this strip was used before: a new one is needed")
-            return
-        if board.get("glucose.phase") != phase:
-            board.set("glucose.phase", phase)
-        board.sleep(STEP)
-    if not request.cancelled:
-        request.fail("nobody put a strip and blood into the meter")
+            asked, takes = board.clock(), device.takes(request.request)
+            while board.clock() - asked < min(takes, PATIENCE) and not request.cancelled:
+                board.sleep(STEP)
+            if request.cancelled:
+                continue
+            if takes > PATIENCE:
+                request.fail(f"nobody gave it what it waits for: {request.request}")
+                continue
+            try:
+                request.answer(device.found(request.request))
+            except ValueError as error:
+                request.fail(str(error))
 
 
 def main() -> None:
@@ -83,9 +71,10 @@ def main() -> None:
     parser.add_argument(
         "--used", type=int, nargs="*", default=[], help="which strips are used ones: 1, 2, …"
     )
+    parser.add_argument("--nobody", action="store_true", help="no strip comes")
     args = parser.parse_args()
     with situ.connect(args.endpoint, module="glucose-meter") as board:
-        glucose_meter(board, SimulatedMeter(args.seed, tuple(args.used)))
+        glucose_meter(board, SimulatedMeter(args.seed, tuple(args.used), args.nobody))
 
 
 if __name__ == "__main__":
