@@ -84,12 +84,17 @@ class Actions(QObject):
 
     def refresh(self) -> None:
         """Enables, shows and checks every command as it can be done now."""
+        # Many commands ask the same.
+        known: dict[str, bool] = {}
         for command in COMMANDS:
             action = self.actions[command.id]
+            for asked in (command.shown, command.when):
+                if asked and asked not in known:
+                    known[asked] = bool(getattr(self._handlers, asked)())
             if command.shown:
-                action.setVisible(bool(getattr(self._handlers, command.shown)()))
+                action.setVisible(known[command.shown])
             if command.when:
-                action.setEnabled(bool(getattr(self._handlers, command.when)()))
+                action.setEnabled(known[command.when])
             if command.checked:
                 action.setChecked(bool(getattr(self._handlers, command.checked)(command.argument)))
 

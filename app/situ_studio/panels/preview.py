@@ -10,7 +10,8 @@ from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from situ.document import rbd
-from situ_studio.screens.painting import DEVICE, layer, paint_content
+from situ_studio.screens.painted import Painted
+from situ_studio.screens.painting import DEVICE, layer
 from situ_studio.screens.shown import Content, Values, content
 from situ_studio.theme import Theme
 
@@ -27,6 +28,7 @@ class ScreenPreview(QWidget):
         self._above: tuple[rbd.Component, ...] = ()
         self._media: Path | None = None
         self._values: Values | None = None
+        self._painted = Painted()
         self._made: tuple[tuple[object, ...], Content] | None = None
         self._device = DEVICE
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -80,7 +82,7 @@ class ScreenPreview(QWidget):
 
     def paint_screen(self, painter: QPainter, rect: QRectF, screen: rbd.Screen) -> None:
         """Paints a screen as this one is shown."""
-        paint_content(painter, rect, self.content_of(screen), self._media, self._device)
+        self._painted.paint(painter, rect, self.content_of(screen), self._media, self._device)
 
     def content_of(self, screen: rbd.Screen) -> Content:
         """What a screen shows beside what Always adds, with the values that are shown.

@@ -38,6 +38,8 @@ class Stage:
         ]
         # Of two or three answers the first is the one most people want; more are equals.
         self.first = plain[0] if 0 < len(plain) <= 3 else None
+        inputs = [one for one in content.components if one["type"] == "input"]
+        self._only_input = inputs[0] if len(inputs) == 1 else None
         self._alike: dict[tuple[Any, ...], Fitted] | None = None
         self._fits: dict[str, Fitted] = {}
         self._boxes: dict[str, QRectF] = {}
@@ -52,6 +54,10 @@ class Stage:
             )
             self._boxes[one["id"]] = found
         return found
+
+    def alone(self, one: Shown) -> bool:
+        """Whether it is the only input: that has the focus."""
+        return one is self._only_input
 
     def fitted(self, one: Shown) -> Fitted:
         """The letters of a text or button; of buttons that are alike, as those of the smallest."""

@@ -30,7 +30,7 @@ def paint_input(painter: QPainter, stage: Stage, one: Shown) -> None:
     """Paints an input, with its button where the page has one."""
     known = measures()
     box = stage.box(one)
-    alone = sum(other["type"] == "input" for other in stage.content.components) == 1
+    alone = stage.alone(one)
     if alone:
         ring = known["focus-ring"]
         edge(

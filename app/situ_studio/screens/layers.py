@@ -55,6 +55,8 @@ class Layers(QListView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.selectionModel().selectionChanged.connect(self._on_selection)
         self.activated.connect(self._on_activated)
+        self._rows: list[tuple[str, str, tuple[str, str], str, Sequence[Problem]]] = []
+        """What each row says: text, id, icon, what stands at its end, and its problems."""
         self._showing = False
         self._pressed: QPoint | None = None
         self._gap: int | None = None
@@ -67,7 +69,7 @@ class Layers(QListView):
     @property
     def ids(self) -> list[str]:
         """Of the rows, front to back; the last one is the background's."""
-        return [self._model.item(row).data(PLACE) for row in range(self._model.rowCount())]
+        return [row[1] for row in self._rows]
 
     def show_screen(
         self, screen: rbd.Screen | None, selected: tuple[str, ...], told: Told = NONE
@@ -84,14 +86,18 @@ class Layers(QListView):
                     if self._model.item(row) is None:
                         self._model.setItem(row, QStandardItem())
                 self.updateGeometry()
-            for row, (text, id, icon, count) in enumerate(rows):
+            told_of = [(*row, told.get(row[1], ())) for row in rows]
+            before, self._rows = self._rows, told_of
+            for row, (text, id, icon, count, wrong) in enumerate(told_of):
+                if row < len(before) and before[row] == told_of[row]:
+                    continue
                 item = self._model.item(row)
                 for role, value in (
                     (int(Qt.ItemDataRole.DisplayRole), text),
                     (PLACE, id),
                     (ICON, icon),
                     (COUNT, count),
-                    *_marked(text, told.get(id, ())),
+                    *_marked(text, wrong),
                 ):
                     if item.data(role) != value:
                         item.setData(value, role)

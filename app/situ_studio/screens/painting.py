@@ -24,6 +24,8 @@ DEVICE = QSize(1280, 800)
 ROUND = 4
 """px of the corners of what is painted."""
 ALL = slice(None)
+FAR = 12.0
+"""px of the robot's screen by which shades and rings stand out from their components, and more."""
 
 
 def paint_screen(
@@ -59,21 +61,43 @@ def paint_content(
     part: which of the components; the ground is painted with the first. All of them count for
     the size of letters.
     """
-    size = layer(device)
     painter.save()
+    clip_corners(painter, rect)
+    paint_stage(painter, rect, Stage(layer(device), content, media), device, part)
+    painter.restore()
+
+
+def clip_corners(painter: QPainter, rect: QRectF) -> None:
+    """Lets nothing be painted beyond the corners of a screen that fills ``rect``."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
     clip = QPainterPath()
     clip.addRoundedRect(rect, ROUND, ROUND)
     painter.setClipPath(clip, Qt.ClipOperation.IntersectClip)
+
+
+def paint_stage(
+    painter: QPainter,
+    rect: QRectF,
+    stage: Stage,
+    device: QSize,
+    part: slice = ALL,
+    within: QRectF | None = None,
+) -> None:
+    """As ``paint_content``, with the corners. within: px of the stage; what lies wholly beside it
+    is left out.
+    """
+    size, content = stage.size, stage.content
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
     painter.translate(rect.topLeft())
     painter.scale(rect.width() / size.width(), rect.height() / size.height())
     whole = QRectF(0, (size.height() - device.height()) / 2, device.width(), device.height())
     if not part.start:
-        _ground(painter, whole, picture(media, content.background or ""))
-    stage = Stage(size, content, media)
+        _ground(painter, whole, picture(stage.media, content.background or ""))
     for one in content.components[part]:
-        _component(painter, stage, one)
+        if within is None or within.intersects(stage.box(one).adjusted(-FAR, -FAR, FAR, FAR)):
+            _component(painter, stage, one)
     painter.restore()
 
 

@@ -46,8 +46,8 @@ from situ_studio.theme import CAPTION, Theme, font
 WIDE, HIGH = 104, 84
 """Px of a state's place."""
 PICTURE = QRectF(10, 9, 84, 52)
-MOST = 48 * 2**20
-"""Bytes of the pictures that are kept: of 800 states, of 200 on a screen of twice the px."""
+MOST = 32 * 2**20
+"""Bytes of the pictures that are kept: of 1,900 states, or 480 on a screen of twice the px."""
 AnyIndex = QModelIndex | QPersistentModelIndex
 NOWHERE = QModelIndex()
 PART = int(Qt.ItemDataRole.UserRole) + 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 from msgspec.structs import replace
@@ -83,7 +84,7 @@ def test_pictures_go_along_into_any_project_in_which_a_template_is_used(tmp_path
     (other / "media" / "robot.png").write_bytes(b"another robot")
     first = Project(root=str(ward), name="ward", media="media")
     second = Project(root=str(other), name="other", media="media")
-    box = {"x": 5.0, "y": 5.0, "width": 40.0, "height": 40.0}
+    box: dict[str, Any] = {"x": 5.0, "y": 5.0, "width": 40.0, "height": 40.0}
     screen = rbd.Screen(
         components=(
             rbd.Image(id="a", src="robot.png", **box),
