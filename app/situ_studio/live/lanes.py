@@ -35,6 +35,11 @@ class Lane(Struct):
         index = bisect_right(self.t, t)
         return self.value[index - 1] if index else None
 
+    def ends(self, t: float, last: float) -> float:
+        """Until when holds what holds at ``t``: until ``last`` where nothing came after."""
+        index = bisect_right(self.t, t)
+        return self.t[index] if index < len(self.t) else last
+
     def forget(self, before: float) -> None:
         """Drops what ended before that."""
         index = max(0, bisect_right(self.t, before) - 1)

@@ -7,7 +7,8 @@ cursor follows, it is at the end, wherever that goes; put elsewhere, it stays wh
 from __future__ import annotations
 
 from collections.abc import Callable
-from datetime import datetime, timedelta
+from contextlib import suppress
+from datetime import datetime, time, timedelta
 
 from PySide6.QtCore import QObject, Signal
 
@@ -50,9 +51,9 @@ class Viewing(QObject):
 
     @property
     def t(self) -> float:
-        """Where the cursor is."""
-        end = self._end()
-        return end if self._cursor is None else min(self._cursor, end)
+        """Where the cursor is: the first moment that is kept where its own is not any more."""
+        start, end = self.span
+        return end if self._cursor is None else min(max(self._cursor, start), end)
 
     @property
     def span(self) -> tuple[float, float]:
@@ -61,7 +62,7 @@ class Viewing(QObject):
 
     def moment(self) -> Moment:
         """The robot at the cursor. Not to be changed."""
-        return self.log.now if self._cursor is None else self.log.at(self._cursor)
+        return self.log.now if self._cursor is None else self.log.at(self.t)
 
     def wall(self) -> datetime | None:
         """What the clock on the wall, as of here, said at 0 of the trace; None where it does not
@@ -73,25 +74,46 @@ class Viewing(QObject):
                 return None
             written, begun = log[0].get("time"), None
             if isinstance(written, str):
-                begun = datetime.fromisoformat(written).astimezone()
-                begun -= timedelta(seconds=log.time(0))
+                # Recordings may come from anywhere.
+                with suppress(ValueError, OverflowError):
+                    begun = datetime.fromisoformat(written).astimezone()
+                    begun -= timedelta(seconds=log.time(0))
             self._begun = (log.lanes, begun)
         return self._begun[1]
 
     def clock(self) -> str:
         """What that clock said at the cursor; seconds of the trace where it does not tell."""
-        begun, t = self.wall(), self.t
-        if begun is None:
-            return f"{t:.1f} s"
-        return (begun + timedelta(seconds=t)).strftime("%H:%M:%S")
+        at = self._wall_at(self.t)
+        if at is None:
+            return f"{self.t:.1f} s"
+        return self._day(at) + at.strftime("%H:%M:%S")
 
     def written(self, t: float, finest: bool = True) -> str:
-        """A moment by the clock on the wall, or in seconds of the trace. finest: to the ms."""
+        """A moment by the clock on the wall, or in seconds of the trace. finest: to the ms, with
+        its day where the run has several; else as short as can be, midnight as the day that begins.
+        """
+        at = self._wall_at(t)
+        if at is None:
+            seconds = f"{t:.3f}"
+            return f"{seconds if finest else seconds.rstrip('0').rstrip('.')} s"
+        if finest:
+            return self._day(at) + at.strftime("%H:%M:%S.%f")[:-3]
+        if at.time() == time():
+            return at.strftime("%Y-%m-%d")
+        return at.strftime("%H:%M:%S.%f").rstrip("0").rstrip(".")
+
+    def _wall_at(self, t: float) -> datetime | None:
         begun = self.wall()
-        if begun is None:
-            return f"{t:.3f} s" if finest else f"{t:.10g} s"
-        at = (begun + timedelta(seconds=t)).strftime("%H:%M:%S.%f")
-        return at[:-3] if finest else at.rstrip("0").rstrip(".")
+        with suppress(OverflowError):
+            return None if begun is None else begun + timedelta(seconds=t)
+        return None
+
+    def _day(self, at: datetime) -> str:
+        """The day, to be written before the time, where that alone would not tell."""
+        first, last = map(self._wall_at, self.span)
+        if first is None or last is None or first.date() == last.date() == at.date():
+            return ""
+        return at.strftime("%Y-%m-%d ")
 
     def seek(self, t: float) -> None:
         """Puts the cursor there, as far as there is something."""

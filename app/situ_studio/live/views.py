@@ -9,11 +9,10 @@ from typing import Any
 from msgspec.structs import replace
 
 from situ.document.project import Project
-from situ.document.rbd import AGAIN, BACK, Application
+from situ.document.rbd import AGAIN, BACK, Application, State
 from situ.rehearse.ways import states
 from situ_studio.canvas.live import LiveScript, LiveView, Taken
 from situ_studio.live.moment import ApplicationMoment, Moment
-from situ_studio.live.moment import Taken as Crossed
 
 TIMEOUT = "timeout"
 
@@ -35,17 +34,19 @@ def live_view(application: Application, moment: ApplicationMoment, t: float) -> 
 
     Transitions of a document that is not the robot's are left out where they fit nothing.
     """
+    # In one go: an application of 500 states is drawn many times a second.
+    known = {state.no: state for state in reversed(application.states)}
     counted: dict[tuple[str, str], int] = {}
     gave_up: Counter[str] = Counter()
     for (source, to, event, timeout), count in moment.crossed.items():
         if timeout:
             gave_up[source] += count
-        way = exit_of(application, Crossed(source, to, event, timeout, t))
+        way = exit_of(known.get(source), to, event, timeout)
         if way is not None:
             counted[source, way] = counted.get((source, way), 0) + count
     latest = []
     for crossed in reversed(moment.taken):
-        way = exit_of(application, crossed)
+        way = exit_of(known.get(crossed.source), crossed.to, crossed.event, crossed.timeout)
         if way is not None:
             latest.append(Taken(crossed.source, way, t - crossed.t))
     view = LiveView(
@@ -149,16 +150,18 @@ def _broken_at(breakpoint: Mapping[str, Any]) -> str:
     return str(path).partition("/")[0]
 
 
-def exit_of(application: Application, crossed: Crossed) -> str | None:
-    """Which exit of the state was taken: an event's position, ``timeout``, or None (``always``)."""
-    state = application.state(crossed.source)
+def exit_of(state: State | None, to: str, event: str | None, timeout: bool) -> str | None:
+    """Which exit of the state was taken: an event's position, ``timeout``, or None (``always``, or
+    of another document). Of several of that name first the one that names where it went.
+    """
     if state is None:
         return None
-    if crossed.timeout:
+    if timeout:
         return TIMEOUT if state.timeout is not None else None
-    for position, event in enumerate(state.events):
-        if event.name == crossed.event and event.next in (crossed.to, AGAIN, BACK):
-            return str(position)
+    for goals in ((to,), (AGAIN,) if to == state.no else (), (BACK,)):
+        for position, way in enumerate(state.events):
+            if way.name == event and way.next in goals:
+                return str(position)
     return None
 
 

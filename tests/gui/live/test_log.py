@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from situ.decide.robot import Robot
 from situ.decide.trace import TraceEvent, to_fields
 from situ.document.project import Project
-from situ.document.rbd import Application, State
+from situ.document.rbd import AGAIN, BACK, Application, Event, State
 from situ.document.ready import load_ready
 from situ.rehearse import scenario
 from situ.rehearse.expect import Expect
@@ -86,6 +86,10 @@ def inside(project: Project, file: Application, crossed: Taken) -> tuple[Applica
     return inside(project, project.parts[state.flow], replace(crossed, source=source, to=to))
 
 
+def exit_taken(file: Application, way: Taken) -> str | None:
+    return exit_of(file.state(way.source), way.to, way.event, way.timeout)
+
+
 @pytest.mark.parametrize(("name", "script"), SCENARIOS)
 def test_every_transition_is_found_on_the_graph(name: str, script: str) -> None:
     project, _, events = played(name, script)
@@ -96,17 +100,26 @@ def test_every_transition_is_found_on_the_graph(name: str, script: str) -> None:
         view = live_view(application, moment, log.now.t)
         assert moment.state is not None
         assert view.active == {moment.state.partition("/")[0]}
-        own = [c for c in moment.taken if exit_of(application, c) is not None]
+        own = [c for c in moment.taken if exit_taken(application, c) is not None]
         assert [t.state for t in view.taken] == [c.source for c in reversed(own)]
         for crossed in moment.taken:
             file, way = inside(project, application, crossed)
             always = file.always.events if file.always is not None else ()
             shared = {event.name for event in always}
             timed = crossed.timeout and file.always is not None and file.always.timeout is not None
-            assert exit_of(file, way) is not None or crossed.event in shared or timed
+            assert exit_taken(file, way) is not None or crossed.event in shared or timed
     glow = live_script(log.now)
     assert glow.situation == log.now.situation
     assert set(glow.authority) == set(log.now.holders)
+
+
+def test_of_exits_of_one_name_that_was_taken_which_leads_where_it_went() -> None:
+    exits = (Event("e", next=AGAIN), Event("e", next=BACK), Event("e", next="3"))
+    state = State("2", "asks", events=exits)
+    assert exit_of(state, "3", "e", False) == "2"
+    assert exit_of(state, "2", "e", False) == "0"
+    assert exit_of(state, "1", "e", False) == "1"
+    assert exit_of(replace(state, events=exits[::2]), "1", "e", False) is None
 
 
 def test_inside_a_part_the_state_that_holds_it_glows() -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 USUAL = 30.0
 """Seconds that are seen at first."""
-LEAST, MOST = 0.01, 7 * 24 * 3600.0
+LEAST, MOST = 0.01, 366 * 24 * 3600.0
 """Seconds that can be seen at once."""
 STEPS = (
     *(0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0),
@@ -37,6 +37,10 @@ class TimeAxis:
     def x(self, t: float) -> float:
         """Px from the left edge; below 0 or above ``width`` where it is not seen."""
         return (t - self.start) / self.seen * self.width
+
+    def sees(self, t: float) -> bool:
+        """Whether that moment is on the screen, the edges included."""
+        return -0.5 <= self.x(t) <= self.width + 0.5
 
     def t(self, x: float) -> float:
         """The moment that many px from the left edge."""

@@ -24,6 +24,7 @@ _KEYS = {
     Qt.Key.Key_End,
     Qt.Key.Key_Space,
     Qt.Key.Key_Plus,
+    Qt.Key.Key_Equal,
     Qt.Key.Key_Minus,
     Qt.Key.Key_B,
     Qt.Key.Key_PageUp,
@@ -35,7 +36,8 @@ class TimelineChart(TimelineDrawing):
     """Moves the cursor of what it shows, and changes nothing else.
 
     Click or drag at the top or on the cursor moves the cursor, a click elsewhere puts it there,
-    a drag elsewhere moves what is seen, the wheel zooms (over the names: scrolls).
+    a drag elsewhere moves what is seen, the wheel zooms (over the names: scrolls; with Shift, or
+    sideways: moves what is seen).
     """
 
     mark_asked = Signal()
@@ -57,8 +59,10 @@ class TimelineChart(TimelineDrawing):
         on_cursor = abs(self.axis.x(self.viewing.t) + px(GUTTER) - at.x()) <= NEAR
         self._hand, self._held = "scrub" if at.y() < px(EDGE) or on_cursor else "press", True
         self._from = at
-        marked = next((mark for mark, flag in self._flags() if flag.contains(at)), None)
-        if marked is not None:
+        # Of flags upon each other the last is seen.
+        flags = reversed(self._flags())
+        marked = next((mark for mark, flag in flags if flag.contains(at)), None)
+        if marked is not None and not (on_cursor and marked.t == self.viewing.t):
             # The hand lies on its name, beside its moment: what is meant is that.
             self._hand, self._held = "", False
             self.viewing.seek(marked.t)
@@ -92,11 +96,12 @@ class TimelineChart(TimelineDrawing):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         turned, at = event.angleDelta(), event.position()
+        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if at.x() < px(GUTTER):
             super().wheelEvent(event)
-        elif abs(turned.x()) > abs(turned.y()):
+        elif shift or abs(turned.x()) > abs(turned.y()):
             self.viewing.pause()
-            self.axis.pan(turned.x() / 2)
+            self.axis.pan((turned.x() or turned.y()) / 2)
             self._changed()
         elif turned.y():
             follows = self.viewing.follows

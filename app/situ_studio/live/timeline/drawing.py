@@ -146,7 +146,7 @@ class TimelineDrawing(QAbstractScrollArea):
             self._bring()
         rows = self._read_rows()
         if [id(row.lane) for row in rows] != [id(row.lane) for row in self.rows]:
-            self._lay_out()
+            self._changed()
         if self._pictured != self._wanted():
             self.viewport().update()
         elif not self.viewing.grows:
@@ -195,9 +195,12 @@ class TimelineDrawing(QAbstractScrollArea):
     def _wanted(self) -> tuple[object, ...]:
         """What the picture depends on, but for what ``_changed`` tells."""
         axis, log = self.axis, self.viewing.log
-        end = min(self.viewing.span[1], axis.end)
+        start, end = self.viewing.span
         others = tuple((run.log.seq, run.shift) for run in self.beside)
-        return (axis.start, axis.seen, log.seq, end, others, self.verticalScrollBar().value())
+        # What comes later than the right edge changes nothing.
+        seq = log.seq if log.lanes.end <= axis.end else -1
+        bar = self.verticalScrollBar().value()
+        return (axis.start, axis.seen, seq, start, min(end, axis.end), others, bar)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self.viewport())
@@ -307,16 +310,23 @@ class TimelineDrawing(QAbstractScrollArea):
         return -(begun - day).total_seconds()
 
     def _paint_cursor(self, painter: QPainter) -> None:
-        theme, axis, t = self._theme, self.axis, self.viewing.t
-        x = axis.x(t)
-        if not -0.5 <= x <= axis.width + 0.5:
+        viewing, t = self.viewing, self.viewing.t
+        if viewing.grows and not viewing.follows:
+            self._paint_moment(painter, viewing.span[1], tr("now"), "live")
+        self._paint_moment(painter, t, self.clock(t), "live" if viewing.follows else "accent")
+        if self.axis.sees(t):
+            self._paint_values(painter, self.axis.x(t) + px(GUTTER), t)
+
+    def _paint_moment(self, painter: QPainter, t: float, words: str, token: str) -> None:
+        """A line through all rows, and what it says at the top."""
+        theme, axis = self._theme, self.axis
+        if not axis.sees(t):
             return
-        x += px(GUTTER)
-        color = theme.color("live" if self.viewing.follows else "accent")
+        x = axis.x(t) + px(GUTTER)
+        color = theme.color(token)
         painter.setPen(QPen(color, 1.5))
         painter.drawLine(QPointF(x, px(EDGE) - 4), QPointF(x, self.viewport().height()))
         painter.setFont(font(CAPTION, 600))
-        words = self.clock(t)
         wide = QFontMetricsF(painter.font()).horizontalAdvance(words) + 12
         left = min(max(x - wide / 2, px(GUTTER)), self.viewport().width() - wide - 2)
         flag = QRectF(left, 3, wide, px(EDGE - 7))
@@ -325,7 +335,6 @@ class TimelineDrawing(QAbstractScrollArea):
         painter.drawRoundedRect(flag, 3, 3)
         painter.setPen(theme.color("on_accent"))
         painter.drawText(flag, Qt.AlignmentFlag.AlignCenter, words)
-        self._paint_values(painter, x, t)
 
     def _paint_values(self, painter: QPainter, x: float, t: float) -> None:
         """What each number is at the cursor."""
@@ -396,10 +405,12 @@ class TimelineDrawing(QAbstractScrollArea):
 
     def _told_block(self, row: TimelineRow, lane: Lane, t: float) -> str:
         drawn, shift, end = self._run(row)
-        for block in blocks(lane, drawn.axis.start, end, self.axis.pixel * NARROW):
+        axis = drawn.axis
+        for block in blocks(lane, axis.start, min(end, axis.end), axis.pixel * NARROW):
             if block.start <= t < block.end:
                 words = drawn.words(row, block)
-                lasts = f"{block.end - block.start:.2f} s"
+                until = block.end if block.many > 1 else lane.ends(block.start, end)
+                lasts = f"{until - block.start:.2f} s"
                 begun = self.clock(block.start - shift)
                 return tr("{0}, from {1}, {2}").format(words, begun, lasts)
         return ""

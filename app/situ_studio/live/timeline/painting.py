@@ -68,6 +68,8 @@ class RowPainter:
                 painter.setFont(font(CAPTION))
                 painter.setPen(theme.color("text3"))
                 words = tr("{0} to {1}").format(number(between[0]), number(between[1]))
+                room = px(GUTTER - 40 - self.spare)
+                words = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, room)
                 painter.drawText(QPointF(px(34), top + high - px(9)), words)
 
     def row(self, painter: QPainter, row: TimelineRow, top: float, end: float) -> None:
@@ -119,8 +121,9 @@ class RowPainter:
             text = painter.fontMetrics().elidedText(
                 self.words(row, block), Qt.TextElideMode.ElideRight, int(max(room, 0))
             )
-            at = QRectF(begin + 9, rect.top(), max(room, 0), rect.height())
-            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, text)
+            if len(text) > 1:
+                at = QRectF(begin + 9, rect.top(), max(room, 0), rect.height())
+                painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, text)
 
     def words(self, row: TimelineRow, block: Block) -> str:
         """What a block says."""
@@ -180,5 +183,7 @@ class RowPainter:
 
 
 def number(value: float) -> str:
-    """As short as tells it apart: ``0.25``, ``1200``."""
-    return f"{value:.4g}"
+    """Four digits tell most apart; what stands before the point is written whole up to a million:
+    ``0.25``, ``1200``, ``65535``.
+    """
+    return f"{value:.0f}" if 1e3 <= abs(value) < 1e6 else f"{value:.4g}"

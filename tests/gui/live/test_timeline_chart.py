@@ -1,0 +1,159 @@
+"""The timeline's drawing by itself: hands, keys, and what it says of long and odd runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from tests.gui.live.test_log import told
+from tests.gui.live.test_timeline import LEFT, SHIFT, place
+
+from situ_studio.live.log import TraceLog
+from situ_studio.live.timeline import painting
+from situ_studio.live.timeline.bookmarks import Bookmarks
+from situ_studio.live.timeline.chart import TimelineChart
+from situ_studio.live.timeline.drawn import blocks
+from situ_studio.live.viewing import Viewing
+from situ_studio.theme import LIGHT
+
+STATES = ("7", "8")
+
+
+def entered(*times: float) -> list[dict[str, Any]]:
+    """One state and the other by turns."""
+    return [
+        told(seq, t, "enter", application="a", state=STATES[seq % 2])
+        for seq, t in enumerate(times, 1)
+    ]
+
+
+@pytest.fixture
+def chart(qt: Any) -> Iterator[TimelineChart]:
+    """Ten minutes, a state each; 600 px wide and a second each."""
+    log = TraceLog()
+    log.add(entered(*(60.0 * n for n in range(11))))
+    made = TimelineChart(LIGHT, Viewing(log), Bookmarks(), lambda _, state: state)
+    made.resize(600 + painting.GUTTER, 120)
+    made.show()
+    made.show_all()
+    made.viewing.seek(30.0)
+    made.grab()
+    yield made
+    made.deleteLater()
+
+
+def wheel(chart: TimelineChart, at: QPoint, turned: QPoint, held: Any) -> None:
+    viewport = chart.viewport()
+    event = QWheelEvent(
+        QPointF(at),
+        QPointF(viewport.mapToGlobal(at)),
+        QPoint(),
+        turned,
+        Qt.MouseButton.NoButton,
+        held,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(viewport, event)
+
+
+def test_what_a_block_says_is_its_whole_length_though_only_a_part_of_it_is_seen(
+    chart: TimelineChart, monkeypatch: Any
+) -> None:
+    asked: list[float] = []
+
+    def watched(lane: Any, start: float, end: float, least: float) -> Any:
+        asked.append(end)
+        return blocks(lane, start, end, least)
+
+    chart.zoom(0.05)
+    monkeypatch.setattr("situ_studio.live.timeline.drawing.blocks", watched)
+    assert chart.told_at(place(chart, 30.0, 30)) == "8, from 0.000 s, 60.00 s"
+    # A run has a million blocks more: what is not seen is not looked at.
+    assert max(asked) <= chart.axis.end
+
+
+def test_everything_of_a_month_is_seen_at_once(qt: Any) -> None:
+    log = TraceLog()
+    month = 30 * 86400.0
+    log.add(entered(0.0, month))
+    chart = TimelineChart(LIGHT, Viewing(log), Bookmarks(), lambda _, state: state)
+    chart.resize(800, 120)
+    chart.show()
+    chart.show_all()
+    assert chart.axis.start <= 0.0 < month <= chart.axis.end
+    chart.deleteLater()
+
+
+def test_of_bookmarks_upon_each_other_the_one_that_is_seen_is_gone_to(
+    chart: TimelineChart,
+) -> None:
+    chart.bookmarks.add(100.0, "the first of them, with a long name")
+    chart.bookmarks.add(140.0, "the second")
+    QTest.mouseClick(chart.viewport(), LEFT, pos=place(chart, 140.0, 10) + QPoint(12, 0))
+    assert chart.viewing.t == 140.0
+
+
+def test_a_cursor_at_a_bookmark_can_be_drawn_away_by_its_line(chart: TimelineChart) -> None:
+    chart.bookmarks.add(100.0, "here")
+    chart.viewing.seek(100.0)
+    viewport, line = chart.viewport(), place(chart, 100.0, 10) + QPoint(2, 0)
+    QTest.mousePress(viewport, LEFT, pos=line)
+    QTest.mouseMove(viewport, line + QPoint(80, 0))
+    QTest.mouseRelease(viewport, LEFT, pos=line + QPoint(80, 0))
+    assert abs(chart.viewing.t - chart.axis.t(chart.axis.x(100.0) + 82)) <= 2 * chart.axis.pixel
+
+
+def test_the_wheel_with_shift_moves_what_is_seen_and_equals_is_a_plus(
+    chart: TimelineChart,
+) -> None:
+    start, seen = chart.axis.start, chart.axis.seen
+    wheel(chart, place(chart, 300.0, 40), QPoint(0, -120), SHIFT)
+    assert chart.axis.start > start
+    assert chart.axis.seen == seen
+    QTest.keyClick(chart, Qt.Key.Key_Equal)
+    assert chart.axis.seen < seen
+
+
+def test_what_comes_while_somebody_looks_at_the_past_is_not_drawn_but_that_is_now(
+    chart: TimelineChart, monkeypatch: Any
+) -> None:
+    log, viewing = chart.viewing.log, chart.viewing
+    viewing.show(log, lambda: log.lanes.end)
+    viewing.seek(30.0)
+    chart.zoom(0.2)
+    chart.grab()
+    drawn: list[int] = []
+    take = chart._take_picture
+
+    def watched() -> None:
+        drawn.append(log.seq)
+        take()
+
+    monkeypatch.setattr(chart, "_take_picture", watched)
+    log.add([told(20, 700.0, "enter", application="a", state="7")])
+    chart.grab()
+    assert drawn == []
+    # Another application's row comes all the same.
+    log.add([told(21, 701.0, "enter", application="b", state="7")])
+    chart._go_on()
+    chart.grab()
+    assert drawn == [21]
+    assert [row.name for row in chart.rows] == ["a", "b"]
+    chart.show_all()
+    there = place(chart, 701.0, 14)
+    picture = chart.viewport().grab().toImage()
+    assert picture.pixelColor(there - QPoint(12, 6)) == LIGHT.color("live")
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [(0.25, "0.25"), (1200, "1200"), (65535, "65535"), (1e9, "1e+09"), (-123456.7, "-123457")],
+)
+def test_numbers_are_written_whole_up_to_a_million(value: float, words: str) -> None:
+    assert painting.number(value) == words
