@@ -274,7 +274,7 @@ class RoutedPipe(PipeItem):
         # Small drawings keep lines and arrows that can be seen.
         width = max(2.0 if self.selected() else 1.6, 1.2 / look.zoom)
         taken, count = self._taken(), self._count()
-        named = self._label is not None and not count and look.level == "full"
+        named = self._label is not None and count is None and look.level == "full"
         path = self._gapped() if named else self.path()
         painter.setBrush(Qt.BrushStyle.NoBrush)
         pen = QPen(color, width)
@@ -301,7 +301,7 @@ class RoutedPipe(PipeItem):
         painter.setOpacity(1.0)
         if self._label is None:
             return
-        if count:
+        if count is not None:
             self._label.paint_count(painter, look, count, bool(taken))
         else:
             ink = color if strong or taken else look["text2"]
@@ -338,12 +338,15 @@ class RoutedPipe(PipeItem):
                 return strength(rank, taken.age)
         return 0.0
 
-    def _count(self) -> int:
+    def _count(self) -> int | None:
+        """How often; None where nobody has counted: 0 is what somebody looks for."""
         live, link = self.look.live, self.link
         if not isinstance(live, LiveView) or link is None:
-            return 0
+            return None
         every = [link, *(p.link for p in self._siblings() if p.link is not None)]
-        return sum(live.transitions.get((one.source, one.exit), 0) for one in every)
+        known = [live.transitions.get((one.source, one.exit)) for one in every]
+        found = [count for count in known if count is not None]
+        return sum(found) if found else None
 
     # -- what NodeGraphQt calls ------------------------------------------------------
 

@@ -6,14 +6,16 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from situ.document.project import Project
+from situ.document.rbd import Application
 from situ.errors import UsageError
 from situ.rehearse.usage import Crossed, Lasted, Row, Usage, counting
 from situ.rehearse.ways import label, states
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.live.moment import ApplicationMoment, Moment
-from situ_studio.live.views import live_part, live_view, runs_of
+from situ_studio.live.views import TIMEOUT, live_part, live_view, runs_of
 
 ENDING = ".mcap"
 
@@ -89,15 +91,28 @@ def painted(project: Project, field: Field) -> dict[str, LiveView | LiveScript]:
     for file, runs in runs_of(project).items():
         document = project.applications.get(file)
         if document is not None:
-            found[file] = live_view(document, moments[document.name], 0.0)
+            view = live_view(document, moments[document.name], 0.0)
         else:
-            found[file] = live_part(project.parts[file], whole_moment, runs, 0.0)
+            document = project.parts[file]
+            view = live_part(document, whole_moment, runs, 0.0)
+        found[file] = replace(view, transitions={**_untaken(document), **view.transitions})
     if project.spds_file is not None:
         found[project.spds_file] = LiveScript(
             holds=frozenset(field.situations),
             counts=_of_situations(project, field),
             times={name: lasted.seconds for name, lasted in field.situations.items()},
         )
+    return found
+
+
+def _untaken(document: Application) -> dict[tuple[str, str], int]:
+    """Every way out of a state, as drawings call it, taken 0 times."""
+    found: dict[tuple[str, str], int] = {}
+    for state in document.states:
+        ways = [str(n) for n, event in enumerate(state.events) if event.next is not None]
+        if state.timeout is not None and state.timeout.next is not None:
+            ways.append(TIMEOUT)
+        found |= {(state.no, way): 0 for way in ways}
     return found
 
 

@@ -13,7 +13,7 @@ from situ_studio.live.field_rows import NUMBERS, by_column, cells, rows, tips, t
 from situ_studio.panels.table import RowsTable
 from situ_studio.theme import Theme
 
-WIDTHS = (220, 90, 70, 70, 90, 90, 80, 90)
+WIDTHS = (190, 70, 56, 56, 84, 64, 70, 84)
 
 
 class FieldTable(RowsTable):
@@ -104,8 +104,8 @@ class FieldPanel(QWidget):
             line.addWidget(button)
         line.addWidget(self.summary, 1)
         on_the_right: tuple[QAbstractButton, ...] = (self.paint, self.copy, self.export)
-        for button in on_the_right:
-            line.addWidget(button)
+        for widget in on_the_right:
+            line.addWidget(widget)
         self.table = FieldTable(theme)
         self.table.when_chosen(self._on_chosen)
         column = QVBoxLayout(self)
