@@ -16,14 +16,14 @@ from PySide6.QtWidgets import QMenu
 
 from situ.document.project import Project
 from situ.rehearse.telling import Teller
-from situ.rehearse.ways import way_words, ways
-from situ_studio import icons
+from situ.rehearse.ways import frames, way_words, ways
+from situ_studio import icons, places
 from situ_studio.edit import Place
 from situ_studio.live.moment import Moment
 from situ_studio.live.timeline.rows import RowKind, TimelineRow
 from situ_studio.live.why import Thing, ThingKind
 from situ_studio.live.why_not import Wanted, wanted_at, way_wanted
-from situ_studio.live.why_places import tags_in, where
+from situ_studio.live.why_places import tags_in, thing_at, where
 from situ_studio.panels.table import RowsTable
 
 if TYPE_CHECKING:
@@ -73,6 +73,12 @@ class WhyMenus(QObject):
                 things = [thing for _, thing in self._of_row(table)]
                 self._side.ask_about(*things[:2])
                 return True
+        screen = self._window.rehearsing.desk.screen_
+        if screen.hasFocus():
+            shown = self._on_screen(screen.current.id if screen.current is not None else "")
+            if shown is not None:
+                self._ask_component(*shown)
+            return shown is not None
         return self._ask_timeline()
 
     def ask_not(self) -> bool:
@@ -89,6 +95,13 @@ class WhyMenus(QObject):
                     at = table.visualRect(table.currentIndex()).bottomLeft()
                     menu.popup(table.viewport().mapToGlobal(at))
                 return bool(questions)
+        screen = self._window.rehearsing.desk.screen_
+        if screen.hasFocus() and project is not None:
+            shown = self._on_screen(screen.current.id if screen.current is not None else "")
+            question = self._not_of_component(project, *shown) if shown is not None else None
+            if question is not None:
+                self._ask_not(None, question)
+            return question is not None
         return self._ask_timeline()
 
     def _ask_timeline(self) -> bool:
@@ -127,6 +140,54 @@ class WhyMenus(QObject):
         menu = self._menu([])
         self._fill_for_row(menu, project, row, self._viewing.t if t is None else t)
         menu.popup(chart.viewport().mapToGlobal(at))
+
+    def open_on_screen(self, component: str, at: QPoint) -> None:
+        """Of what lies on the screen of the robot that is rehearsed; "": of its state."""
+        shown, project = self._on_screen(component), self._window.session.project
+        if shown is None or project is None or not self._side.can_ask():
+            return
+        menu = self._menu([])
+        self._add(menu, self.tr("Why?"), partial(self._ask_component, *shown))
+        question = self._not_of_component(project, *shown)
+        self._add_questions(menu, [question] if question is not None else [])
+        menu.popup(at)
+
+    def _on_screen(self, component: str) -> tuple[str, Place] | None:
+        """The file and place of a component that is shown now; of the state where it is none."""
+        project, moment = self._window.session.project, self._viewing.moment()
+        if project is None:
+            return None
+        state: tuple[str, Place] | None = None
+        for name, one in moment.applications.items():
+            for frame in reversed(frames(project, name, one.state or "")):
+                state = state or (frame.file, ("state", frame.state.no))
+                always = frame.application.always
+                for holder, value in (
+                    (("state", frame.state.no), frame.state),
+                    (("always",), always),
+                ):
+                    screen = value.screen if value is not None else None
+                    parts = screen.components if screen is not None else ()
+                    if any(part.id == component for part in parts):
+                        return frame.file, (*holder, "screen", component)
+        return state
+
+    def _ask_component(self, file: str, place: Place) -> None:
+        project, document = self._window.session.project, self._window.session.document(file)
+        if project is None or document is None:
+            return
+        thing = thing_at(project, file, document, place)
+        if thing is not None:
+            self._side.ask_about(thing, thing_at(project, file, document, places.root(place)))
+
+    def _not_of_component(self, project: Project, file: str, place: Place) -> WhyNot | None:
+        document = self._window.session.document(file)
+        if document is None:
+            return None
+        wanted = wanted_at(project, file, document, place, self._viewing.moment())
+        if wanted is None:
+            return None
+        return WhyNot(self._side.question(Teller(project), wanted), wanted, (file, place))
 
     def _fill_for_row(self, menu: QMenu, project: Project, row: TimelineRow, t: float) -> None:
         log = self._viewing.log

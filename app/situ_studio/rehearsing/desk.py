@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from situ.decide import inputs
 from situ.document.folder import media_of
+from situ.document.project import Project
 from situ.document.values import read
 from situ.rehearse.scenario import WRITER
 from situ_studio import kinds

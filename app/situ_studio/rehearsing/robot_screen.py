@@ -6,8 +6,16 @@ from pathlib import Path
 from typing import Any
 
 from msgspec import UNSET, Struct
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from situ.decide.screens import Shown
@@ -45,6 +53,8 @@ class RobotScreen(QWidget):
     """A component's id, and the value typed or chosen; unset for a button."""
     touched = Signal()
     """A touch on nothing that answers."""
+    menu_asked = Signal(str, QPoint)
+    """A context menu is wanted: of the component with that id, or "", and where on the desktop."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -114,6 +124,16 @@ class RobotScreen(QWidget):
             self.touched.emit()
         else:
             self._touch(target)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        by_hand = event.reason() == QContextMenuEvent.Reason.Mouse
+        target = self._under(QPointF(event.pos())) if by_hand else self.current
+        self.menu_asked.emit(target.id if target is not None else "", event.globalPos())
+
+    @property
+    def current(self) -> Target | None:
+        """Where the arrow keys are; None while they are nowhere."""
+        return next((t for t in self.targets if _key(t) == self._at), None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         key = Qt.Key(event.key())
