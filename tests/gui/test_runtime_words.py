@@ -90,6 +90,11 @@ def test_what_happened_and_why_something_did_not_is_said_in_the_user_s_language(
                 told |= set(every(answer.reasons))
     assert len(told) > 100
     assert [text for text in told if not words.said(text).startswith("⟦")] == []
+    # What is said and shown is quoted as it is.
+    quoted = [text for one in told for text in re.findall("“[^“”]*”", one)]
+    assert len(quoted) > 10
+    every_word = " ".join(words.said(text) for text in told)
+    assert [text for text in quoted if text not in every_word] == []
 
 
 WANTED: dict[str, list[dict[str, str]]] = {

@@ -102,10 +102,10 @@ def _mapping(teller: Teller, event: Fields) -> str:
     if isinstance(shown.get("components"), list):
         texts = [str(one["text"]) for one in shown["components"] if one.get("text")]
         if texts:
-            return f"{event['module']} shows “{_short(texts[0])}” on the {event['resource']}"
+            return f"{event['module']} shows {words.quoted(texts[0])} on the {event['resource']}"
         return f"{event['module']} shows something else on the {event['resource']}"
     if shown.get("text"):
-        return f"{event['module']} says “{_short(in_text(shown['text']))}”"
+        return f"{event['module']} says {words.quoted(in_text(shown['text']))}"
     return f"{event['module']} moves {event['resource']}: {_short(in_text(event['value']))}"
 
 
