@@ -6,13 +6,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QMenu
 
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse.recorded import Document, Heading, loaded
 from situ.rehearse.ways import name_of_state
+from situ_studio.letters import px
 from situ_studio.live.comparing import Compared, Comparing
 from situ_studio.live.comparing_strip import ComparingStrip
 from situ_studio.live.log import TraceLog
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
 PROJECT = "situ.toml"
+ROOM = 420
+"""Px that a timeline of two runs gets at least, where the window has them."""
 
 
 class ComparingSide(QObject):
@@ -66,6 +69,7 @@ class ComparingSide(QObject):
         comparing.ended.connect(self._on_ended)
         comparing.failed.connect(self._on_failed)
         viewing.exchanged.connect(self.end)
+        self._remember()
 
     def set_theme(self, theme: Theme) -> None:
         self.strip.set_theme(theme)
@@ -157,7 +161,15 @@ class ComparingSide(QObject):
         own = self._compared(*self._seen[0])
         self.comparing.add(own, other)
         self._window.bottom.choose("timeline")
+        self._make_room()
         self._chart.show_all()
+
+    def _make_room(self) -> None:
+        """Rows of two runs want more of it."""
+        dock = self._window.docks["bottom"]
+        room = min(px(ROOM), self._window.height() * 9 // 20)
+        if dock.height() < room:
+            self._window.resizeDocks([dock], [room], Qt.Orientation.Vertical)
 
     def _give_up(self) -> None:
         # The work ends itself.

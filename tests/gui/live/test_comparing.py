@@ -253,6 +253,43 @@ def test_the_other_run_is_swapped_with_ours_at_the_same_moment_and_let_go_of(ben
     assert not comparing.goes
 
 
+def test_a_recording_is_compared_with_the_rehearsal_that_was_looked_at_before(
+    beneath: Any,
+) -> None:
+    it, other = beneath
+    window, side = it.window, it.window.robot.comparing
+    window.commands.close_recording()
+    window.rehearsing.clock = lambda: 0.0
+    window.commands.rehearse()
+    it.settle()
+    side.compare_with(other)
+    until(side.comparing)
+    it.settle()
+    assert [one.name for one in (side.comparing.own, *side.comparing.others)] == [
+        "the rehearsal",
+        "tuesday.mcap",
+    ]
+    assert window.docks["bottom"].height() >= window.height() * 2 // 5
+    marks = list(side.comparing.marks)
+    assert marks
+    # The other way round.
+    it.answers.put("recording", other)
+    window.commands.open_recording()
+    until_shown(it)
+    assert not side.comparing.goes
+    side.menu.aboutToShow.emit()
+    offered = {action.text(): action for action in side.menu.actions()}
+    offered["With the rehearsal"].trigger()
+    until(side.comparing)
+    assert {turned(one) for _, one in side.comparing.marks} == {one.at for _, one in marks}
+    window.commands.close_recording()
+    window.commands.end_rehearsal()
+
+
+def turned(one: Any) -> tuple[float, float]:
+    return one.at[1], one.at[0]
+
+
 def test_reading_the_other_run_is_cancelled_or_refused_and_all_stays(
     beneath: Any, tmp_path: Path
 ) -> None:
