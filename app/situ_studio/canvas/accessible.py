@@ -46,6 +46,10 @@ class Speaker(Protocol):
         ...
 
     def spoken(self, key: str) -> Spoken: ...
+    def lately(self, key: str) -> str:
+        """What the robot that is looked at does there, in words that may be others each time."""
+        ...
+
     def card_area(self, uid: str) -> QRectF: ...
     def selection(self) -> tuple[Place, ...]: ...
     def choose(self, place: Place) -> None:
@@ -296,7 +300,10 @@ class AccessiblePart(QAccessibleInterface):
     def text(self, kind: QAccessible.Text) -> str:
         if kind == QAccessible.Text.Name:
             return self._value.name
-        return self._value.description if kind == QAccessible.Text.Description else ""
+        if kind != QAccessible.Text.Description:
+            return ""
+        lately = self._drawing.speaker.lately(self.path[0]) if len(self.path) == 1 else ""
+        return ". ".join(one for one in (self._value.description, lately) if one)
 
     def setText(self, kind: QAccessible.Text, text: str) -> None:
         return

@@ -481,6 +481,12 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             return super().spoken(uid)
         return spoken.card(self.document, self._picture.cards[uid])
 
+    def lately(self, uid: str) -> str:
+        card, live = self._picture.cards.get(uid), self.look.live
+        if card is None or not card.no or not isinstance(live, LiveView):
+            return ""
+        return counted.told(live, card.no).replace("\n", " ")
+
     # -- places --------------------------------------------------------------------------------
 
     def _place(self, uid: str, exit: str | None = None) -> Place:

@@ -139,6 +139,10 @@ class Choosing(QWidget):
         """What is heard of a card."""
         return spoken.node(self.graph.cards[uid], self._place(uid))
 
+    def lately(self, uid: str) -> str:
+        """What the robot that is looked at does there; "" where none is."""
+        return ""
+
     def choose(self, place: Place) -> None:
         """As a click there would: selects it, in view, with the focus; an action in its card."""
         self.viewer.setFocus()

@@ -29,6 +29,7 @@ from situ_studio.canvas.script_projection import picture
 from situ_studio.canvas.script_rows import Shapes
 from situ_studio.edit import Place
 from situ_studio.kinds import Kind
+from situ_studio.language import tr
 from situ_studio.script_copying import ScriptCopying
 from situ_studio.theme import Theme
 
@@ -432,3 +433,11 @@ class ScriptCanvas(ScriptCommands):
 
     def spoken(self, uid: str) -> spoken.Spoken:
         return script_spoken.node(self.document, self._picture, self._picture.cards[uid])
+
+    def lately(self, uid: str) -> str:
+        node, live = self._picture.cards[uid], self.look.live
+        current = isinstance(live, LiveScript) and (node.kind, node.name) == (
+            "situation",
+            live.situation,
+        )
+        return tr("It is the current situation.") if current else ""

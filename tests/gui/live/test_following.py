@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
 from tests.gui.live.test_log import played
 from tests.gui.live.test_recordings import recording, until_shown
@@ -18,6 +19,7 @@ from situ_studio.live.views import live_part, live_view, runs_of
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.theme import LIGHT
 
+NAME, DESCRIPTION = QAccessible.Text.Name, QAccessible.Text.Description
 PART = "register.rbd.xml"
 
 
@@ -101,11 +103,19 @@ def test_the_drawing_moves_along_until_that_is_switched_off(
     hint = canvas.graph.nodes[canvas._find(("state", "16"))[0]].view.toolTip()
     assert "The robot is here, since 0 s." in hint
     assert "It came here 1×." in hint
+    # And heard, as it is now.
+    root = QAccessible.queryAccessibleInterface(canvas.viewer)
+    heard = {root.child(n).text(NAME): root.child(n) for n in range(root.childCount())}
+    register = next(one for name, one in heard.items() if "register" in name)
+    assert "The robot is here, since 0 s." in register.text(DESCRIPTION)
     # Its own graph shows where in the part it is.
     window.open_file(PART)
     viewing.seek(entered["16/2"])
     it.settle()
     assert window.current_view.canvas.look.live.active == {"2"}
+    assert "The robot is here" in register.text(DESCRIPTION)
+    viewing.seek(entered["11"])
+    assert "The robot is here" not in register.text(DESCRIPTION)
     window.open_file(window.session.files[0])
     button = window.toolbar.widgetForAction(window.actions_.actions["follow"])
     assert button.isChecked()
@@ -136,3 +146,24 @@ def test_a_row_that_is_pressed_twice_is_chosen_once(qt: Any) -> None:
     assert told == ["b", "b"]
     table.close()
     table.deleteLater()
+
+
+def test_the_current_situation_is_heard(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    where = project("conversation")
+    _, _, events = played("conversation", "fig5.jsonl")
+    it = studio(where)
+    window = it.window
+    it.answers.put("recording", recording(tmp_path / "run.mcap", events, where))
+    window.commands.open_recording()
+    until_shown(it)
+    window.open_file("conversation.spds.xml")
+    canvas = window.current_view.canvas
+    root = QAccessible.queryAccessibleInterface(canvas.viewer)
+    parts = [root.child(n) for n in range(root.childCount())]
+    then = next(e for e in events if e["kind"] == "situation" and e["to"] == "invited")
+    window.robot.follower.viewing.seek(then["t"])
+    told = [one.text(NAME) for one in parts if "current situation" in one.text(DESCRIPTION)]
+    assert len(told) == 1
+    assert "invited" in told[0]
