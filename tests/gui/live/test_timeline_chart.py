@@ -18,6 +18,7 @@ from situ_studio.live.timeline import painting
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.chart import TimelineChart
 from situ_studio.live.timeline.drawn import blocks
+from situ_studio.live.timeline.panel import Timeline
 from situ_studio.live.viewing import Viewing
 from situ_studio.theme import LIGHT
 
@@ -157,3 +158,16 @@ def test_what_comes_while_somebody_looks_at_the_past_is_not_drawn_but_that_is_no
 )
 def test_numbers_are_written_whole_up_to_a_million(value: float, words: str) -> None:
     assert painting.number(value) == words
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [(0.5, "500 ms"), (90, "90 s"), (600, "10 min"), (7200, "2 h"), (30 * 86400, "30 d")],
+)
+def test_how_much_is_seen_is_told_in_the_unit_that_people_would_take(
+    qt: Any, seconds: float, words: str
+) -> None:
+    timeline = Timeline(LIGHT, Viewing(TraceLog()), lambda _, state: state, lambda _: None)
+    timeline.chart.zoom(seconds / timeline.chart.axis.seen)
+    assert timeline.seen.text() == words
+    timeline.deleteLater()

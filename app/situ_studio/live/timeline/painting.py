@@ -21,6 +21,8 @@ GUTTER = 132
 """Px at the left for the rows' names."""
 NARROW = 3
 """Px below which blocks are put together."""
+NAMED = 16
+"""Px below which a block is not named: an ellipsis says nothing."""
 ICONS: dict[RowKind, str] = {
     "state": "state",
     "situation": "situation",
@@ -67,8 +69,9 @@ class RowPainter:
             if between is not None:
                 painter.setFont(font(CAPTION))
                 painter.setPen(theme.color("text3"))
-                words = tr("{0} to {1}").format(number(between[0]), number(between[1]))
-                room = px(GUTTER - 40 - self.spare)
+                least, most = (f"{n:.3g}" if abs(n) < 1e3 else number(n) for n in between)
+                words = tr("{0} to {1}").format(least, most)
+                room = px(GUTTER - 38 - self.spare)
                 words = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, room)
                 painter.drawText(QPointF(px(34), top + high - px(9)), words)
 
@@ -77,53 +80,48 @@ class RowPainter:
         if row.kind == "data":
             self._curve(painter, row, top, end)
             return
-        axis = self.axis
+        axis, gutter, high = self.axis, px(GUTTER), px(row.height)
         lane = cast("Lane", row.lane)
         until = min(end, axis.end)
+        painter.setFont(font(LABEL))
+        metrics = painter.fontMetrics()
         for block in blocks(lane, axis.start, until, axis.pixel * NARROW):
             if block.value is None and block.many == 1:
                 continue
-            self._block(painter, row, block, top, block.end >= end)
+            # A block that began before the left edge is named where it is seen.
+            left = max(axis.x(block.start), -4.0)
+            wide = max(min(axis.x(block.end), axis.width + 4.0) - left, 1.0)
+            rect = QRectF(left + gutter, top + 3, wide, high - 6)
+            self._block(painter, row, block, rect, block.end >= end)
+            room = wide - 14
+            if room < NAMED or block.many > 1:
+                continue
+            words = metrics.elidedText(
+                self.words(row, block), Qt.TextElideMode.ElideRight, int(room)
+            )
+            painter.setPen(self.theme.color("text"))
+            at = QRectF(rect.left() + 9, rect.top(), room, rect.height())
+            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, words)
 
     def _block(
-        self, painter: QPainter, row: TimelineRow, block: Block, top: float, goes_on: bool
+        self, painter: QPainter, row: TimelineRow, block: Block, rect: QRectF, goes_on: bool
     ) -> None:
-        axis, theme = self.axis, self.theme
-        left = max(axis.x(block.start), -4.0) + px(GUTTER)
-        right = min(axis.x(block.end), axis.width + 4.0) + px(GUTTER)
-        rect = QRectF(left, top + 3, max(right - left, 1.0), px(row.height) - 6)
+        theme = self.theme
         token = "module" if row.kind == "resource" else row.kind
         lively = goes_on and row.kind == "state"
         edge = theme.color("live" if lively else token)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(theme.color("live_soft" if lively else f"{token}_soft"))
         if rect.width() < NARROW or block.many > 1:
-            painter.setBrush(edge)
             painter.setOpacity(0.55)
-            painter.drawRect(rect)
+            painter.fillRect(rect, edge)
             painter.setOpacity(1.0)
             return
-        painter.drawRoundedRect(rect, 3, 3)
-        line = theme.color("live" if lively else "card_border")
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(line, 1))
+        # A hundred rows have some thousand blocks: as few calls as can be.
+        painter.setPen(theme.color("live" if lively else "card_border"))
+        painter.setBrush(theme.color("live_soft" if lively else f"{token}_soft"))
         painter.drawRoundedRect(rect.adjusted(0.5, 0.5, -0.5, -0.5), 3, 3)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(edge)
-        painter.drawRoundedRect(QRectF(left, rect.top(), 3, rect.height()), 1.5, 1.5)
-        room = rect.width() - 14
-        if room > 12:
-            painter.setFont(font(LABEL))
-            painter.setPen(theme.color("text"))
-            # A block that began before the left edge is named where it is seen.
-            begin = max(left, px(GUTTER) - 4.0)
-            room = rect.right() - begin - 14
-            text = painter.fontMetrics().elidedText(
-                self.words(row, block), Qt.TextElideMode.ElideRight, int(max(room, 0))
-            )
-            if len(text) > 1:
-                at = QRectF(begin + 9, rect.top(), max(room, 0), rect.height())
-                painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, text)
+        painter.drawRoundedRect(QRectF(rect.left(), rect.top(), 3, rect.height()), 1.5, 1.5)
 
     def words(self, row: TimelineRow, block: Block) -> str:
         """What a block says."""

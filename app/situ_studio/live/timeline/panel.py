@@ -130,4 +130,6 @@ def _long(seconds: float) -> str:
         return tr("{0} s").format(f"{seconds:.3g}")
     if seconds < 7200:
         return tr("{0} min").format(f"{seconds / 60:.3g}")
-    return tr("{0} h").format(f"{seconds / 3600:.3g}")
+    if seconds < 48 * 3600:
+        return tr("{0} h").format(f"{seconds / 3600:.3g}")
+    return tr("{0} d").format(f"{seconds / 86400:.3g}")
