@@ -216,7 +216,12 @@ class PagesSide(QObject):
         written_in = project.languages or (str(project.tags.get("language") or "en"),)
         languages = list(dict.fromkeys((*written_in, code)))
         after = writing.put(toml, "project", "languages", languages)
-        session.commit(PROJECT_FILE, after, self.tr("Add {0}").format(language_name(code)))
+        changed: dict[str, Written] = {PROJECT_FILE: after}
+        file = beside.texts_file(code)
+        if session.value(file) is None and session.disk.is_missing(file):
+            # What is to be translated is told text by text, and not that there is no file.
+            changed[file] = catalogue.empty(project.name, code)
+        session.commit_all(changed, self.tr("Add {0}").format(language_name(code)))
 
     # -- the form ----------------------------------------------------------------
 

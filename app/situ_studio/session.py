@@ -454,8 +454,8 @@ class Session(QObject):
         self.disk.see(file)
         before = self._beside.get(file)
         if found is None:
-            self._beside.pop(file, None)
-            self._forget_steps({file})
+            if self._beside.pop(file, None) is not None:
+                self._forget_steps({file})
             return
         if found == before:
             found = before
