@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from situ_studio.robot import RobotSide
     from situ_studio.window import MainWindow
 
+PANEL = "timeline"
 PROJECT = "situ.toml"
 ROOM = 420
 """Px that a timeline of two runs gets at least, where the window has them."""
@@ -160,7 +161,7 @@ class ComparingSide(QObject):
             self._recording = recording
         own = self._compared(*self._seen[0])
         self.comparing.add(own, other)
-        self._window.bottom.choose("timeline")
+        self._window.bottom.choose(PANEL)
         self._make_room()
         self._chart.show_all()
 
@@ -193,7 +194,9 @@ class ComparingSide(QObject):
 
     def next(self, by: int) -> None:
         """To the next difference, or the one before: ``by`` is 1 or -1."""
-        self._window.bottom.choose("timeline")
+        bottom = self._window.bottom
+        if bottom.current != PANEL or bottom.is_folded:
+            bottom.choose(PANEL)
         self.comparing.go(by)
 
     def _on_ended(self, by: int) -> None:

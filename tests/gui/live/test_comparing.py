@@ -272,6 +272,9 @@ def test_a_recording_is_compared_with_the_rehearsal_that_was_looked_at_before(
     assert window.docks["bottom"].height() >= window.height() * 2 // 5
     marks = list(side.comparing.marks)
     assert marks
+    window.commands.next_difference(1)
+    it.settle()
+    assert window.docks["bottom"].height() >= window.height() * 2 // 5
     # The other way round.
     it.answers.put("recording", other)
     window.commands.open_recording()
