@@ -175,9 +175,12 @@ def jsonl(dice: Random, _folder: Path) -> None:
 
 def po(dice: Random, _folder: Path) -> None:
     source = dice.choice(sorted(EXAMPLES.glob("*/texts/*.po")))
-    found, problems = texts.read(wounded(source.read_bytes(), PIECES["po"], dice), "ja.po")
+    data = wounded(source.read_bytes(), PIECES["po"], dice)
+    found, readings, problems = texts.read(data, "ja.po")
     told_well(problems)
-    assert all(isinstance(one, str) for pair in found.items() for one in pair)
+    assert all(
+        isinstance(one, str) for kept in (found, readings) for pair in kept.items() for one in pair
+    )
 
 
 KINDS: dict[str, tuple[Callable[[Random, Path], None], int]] = {
