@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from itertools import pairwise
 
 from PySide6.QtCore import QPointF, QRectF
@@ -39,6 +40,13 @@ def curve(start: QPointF, end: QPointF) -> QPainterPath:
     path = QPainterPath(start)
     path.cubicTo(start + QPointF(half, 0), QPointF(end.x() - half, end.y()), tip)
     return path
+
+
+@lru_cache(maxsize=8192)
+def along(across: float, down: float, part: float) -> tuple[float, float]:
+    """Where a part of the length of such a curve ends, from its start: Qt measures it each time."""
+    at = curve(QPointF(0, 0), QPointF(across, down)).pointAtPercent(part)
+    return at.x(), at.y()
 
 
 def pill_area(centre: QPointF, text: Label, mark: bool) -> QRectF:
@@ -103,7 +111,9 @@ class CurvedPipe(RoutedPipe):
     def _pill_at(self, part: float) -> QRectF:
         if self._pill_text is None:
             return QRectF()
-        at = self.path().pointAtPercent(part)
+        (left, top), (right, bottom) = self.route.points
+        across, down = along(right - left, bottom - top, part)
+        at = QPointF(left + across, top + down)
         return pill_area(at, self._pill_text, bool(self.link.mark))
 
     def move_pill(self, part: float) -> None:
