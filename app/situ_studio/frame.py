@@ -359,7 +359,9 @@ class Frame(QMainWindow):
             [tree, 10000, self.palette_.height() + px(32)],
             vertical,
         )
-        self.resizeDocks([self.docks["bottom"]], [px(BOTTOM)], vertical)
+        # Large letters leave a low window's middle its room.
+        below = min(px(BOTTOM), max(BOTTOM, self.height() // 6))
+        self.resizeDocks([self.docks["bottom"]], [below], vertical)
 
     def _on_bottom(self, name: str) -> None:
         """Tables of what a robot tells want more room than problems and what was found do."""

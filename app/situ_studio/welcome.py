@@ -9,9 +9,17 @@ from pathlib import Path
 
 import shiboken6
 from PySide6.QtCore import QRectF, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QShowEvent
+from PySide6.QtGui import (
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QShowEvent,
+)
 from PySide6.QtWidgets import (
     QFrame,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
     QPushButton,
@@ -39,6 +47,11 @@ from situ_studio.project_pictures import (
 )
 from situ_studio.tabs import Segments
 from situ_studio.theme import Theme
+
+MOST, EDGE, GAP = 1160, 24, 16
+"""Px: how wide the page becomes, what is left beside it, and between its cards."""
+START, NARROWEST = 324, 232
+"""Px that a choice is wide, and a card of an example at the least."""
 
 
 class Press(QFrame):
@@ -108,6 +121,7 @@ class Welcome(QScrollArea):
         self._theme = theme
         self._read = read
         self._unread: list[tuple[SmallPicture, str]] = []
+        self._cards: list[Press] = []
         self._read_soon = QTimer(self)
         self._read_soon.setSingleShot(True)
         self._read_soon.timeout.connect(self._read_next)
@@ -118,10 +132,10 @@ class Welcome(QScrollArea):
         page = QWidget()
         page.setProperty("role", "page")
         outer = QHBoxLayout(page)
-        outer.setContentsMargins(24, 0, 24, 0)
+        outer.setContentsMargins(EDGE, 0, EDGE, 0)
         outer.addStretch(1)
         middle = QWidget()
-        middle.setMaximumWidth(px(1160))
+        middle.setMaximumWidth(px(MOST))
         middle.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         outer.addWidget(middle, 100)
         outer.addStretch(1)
@@ -132,7 +146,7 @@ class Welcome(QScrollArea):
         column.addLayout(self._head())
         column.addSpacing(32)
         body = QHBoxLayout()
-        body.setSpacing(32)
+        body.setSpacing(2 * GAP)
         body.addLayout(self._start())
         body.addLayout(self._examples_side(), 1)
         column.addLayout(body)
@@ -246,7 +260,7 @@ class Welcome(QScrollArea):
     ) -> Press:
         press = Press(role, title)
         press.setAccessibleDescription(below)
-        press.setFixedSize(px(324), px(64))
+        press.setFixedSize(px(START), px(64))
         press.pressed.connect(pressed)
         line = QHBoxLayout(press)
         line.setContentsMargins(16, 0, 16, 0)
@@ -277,8 +291,8 @@ class Welcome(QScrollArea):
         column.addLayout(
             self._heading(self.tr("Open an example"), self.tr("a copy is made, so try anything"))
         )
-        self._examples = QHBoxLayout()
-        self._examples.setSpacing(16)
+        self._examples = QGridLayout()
+        self._examples.setSpacing(GAP)
         column.addLayout(self._examples)
         column.addStretch(1)
         return column
@@ -318,8 +332,21 @@ class Welcome(QScrollArea):
     def show_examples(self, examples: list[Example]) -> None:
         """One card each."""
         clear(self._examples)
-        for one in examples:
-            self._examples.addWidget(self._example(one), 1)
+        self._cards = [self._example(one) for one in examples]
+        self._place_examples()
+
+    def _place_examples(self) -> None:
+        """As many side by side as have room."""
+        room = min(self.viewport().width() - 2 * EDGE, px(MOST)) - px(START) - 2 * GAP
+        many = max(1, min(len(self._cards), (room + GAP) // (px(NARROWEST) + GAP)))
+        for at, card in enumerate(self._cards):
+            self._examples.addWidget(card, at // many, at % many)
+        for column in range(len(self._cards)):
+            self._examples.setColumnStretch(column, int(column < many))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place_examples()
 
     def example(self, name: str) -> Press:
         """The card of an example; LookupError where there is none."""
@@ -426,7 +453,7 @@ class Welcome(QScrollArea):
                 card.setToolTip(path)
             else:
                 card = self._gone(path)
-            card.setFixedSize(px(324), px(56))
+            card.setFixedSize(px(START), px(56))
             off = IconButton(self._theme, "close", self.tr("Remove from the list"), "text3", 14)
             off.setObjectName(f"forget {path}")
             off.clicked.connect(partial(self.forget_asked.emit, path))
@@ -438,7 +465,7 @@ class Welcome(QScrollArea):
             return
         empty = QFrame()
         empty.setProperty("role", "empty")
-        empty.setFixedSize(px(324), px(56))
+        empty.setFixedSize(px(START), px(56))
         line = QHBoxLayout(empty)
         line.setContentsMargins(16, 0, 16, 0)
         words = QLabel(self.tr("Projects that you open will be listed here."))

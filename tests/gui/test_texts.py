@@ -268,5 +268,6 @@ def test_no_text_is_cut(
         made.settle()
         found.update(cut(window, ours))
         assert sorted(found) == []
+        assert window.welcome.horizontalScrollBar().maximum() == 0
     finally:
         speaking.use("en")
