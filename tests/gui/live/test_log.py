@@ -343,6 +343,8 @@ def test_events_twice_or_backwards_in_one_delivery_are_taken_and_given_back_once
     log = TraceLog()
     new = log.add([told(5, 1.0), told(4, 1.0), told(5, 1.0), told(6, 2.0)])
     assert [event["seq"] for event in new] == [event["seq"] for event in log] == [5, 6]
+    log.add_lines(map(msgspec.json.encode, (told(6, 2.0), told(7, 3.0), told(7, 3.0))))
+    assert [event["seq"] for event in log] == [5, 6, 7]
 
 
 def test_time_that_goes_back_counts_as_of_the_event_before() -> None:

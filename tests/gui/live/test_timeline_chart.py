@@ -171,3 +171,14 @@ def test_how_much_is_seen_is_told_in_the_unit_that_people_would_take(
     timeline.chart.zoom(seconds / timeline.chart.axis.seen)
     assert timeline.seen.text() == words
     timeline.deleteLater()
+
+
+def test_shift_and_an_arrow_go_a_second_on_or_back_wherever_events_are(
+    chart: TimelineChart,
+) -> None:
+    QTest.keyClick(chart, Qt.Key.Key_Right, SHIFT)
+    assert chart.viewing.t == 31.0
+    QTest.keyClick(chart, Qt.Key.Key_Left, SHIFT)
+    assert chart.viewing.t == 30.0
+    QTest.keyClick(chart, Qt.Key.Key_Left)
+    assert chart.viewing.t == 0.0

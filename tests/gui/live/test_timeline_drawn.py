@@ -109,3 +109,8 @@ def test_the_end_that_is_followed_stands_on_whole_px_and_does_not_tremble() -> N
     assert 41.0 <= ends[-1] < 41.2
     axis.end_at(5.0)
     assert axis.end == 5.0
+    # Seen closely, a quarter of what is seen is far.
+    axis.seen = 0.5
+    axis.end_at(10.0)
+    axis.end_at(9.8)
+    assert abs(axis.end - 9.8) <= axis.pixel
