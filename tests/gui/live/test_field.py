@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 from PySide6.QtCore import QEventLoop, QObject, QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
@@ -155,6 +156,9 @@ def test_recordings_are_chosen_counted_painted_sorted_copied_and_exported(
     live = window.views["reception.rbd.xml"].canvas.look.live
     assert live.counts["1"] >= 2
     assert 0 in live.counts.values()
+    graph = window.views["reception.rbd.xml"].canvas.graph
+    drawn = {graph.pipe(id)._count() for id in graph.links if graph.pipe(id) is not None}
+    assert drawn > {0, 1}
     assert panel.paint.isChecked()
     # A click on a head: what there is most of comes first.
     head = panel.table.horizontalHeader()
@@ -183,6 +187,32 @@ def test_recordings_are_chosen_counted_painted_sorted_copied_and_exported(
     assert window.current_view.canvas.selection() == (("state", "5"),)
     QTest.mouseClick(panel.paint, LEFT)
     assert window.views["reception.rbd.xml"].canvas.look.live is None
+
+
+def test_a_situation_says_how_often_and_how_long_it_was_current(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    it = studio(project("conversation"))
+    it.window.open_file("conversation.spds.xml")
+    it.window.field.count(recorded(tmp_path, "conversation", "fig5.jsonl"))
+    until_counted(it)
+    canvas = it.window.current_view.canvas
+    live = canvas.look.live
+    node = canvas.graph.nodes["situation called"].view
+
+    def picture() -> Any:
+        canvas.set_live(live)
+        return canvas.viewer.grab(
+            canvas.viewer.mapFromScene(node.sceneBoundingRect()).boundingRect()
+        )
+
+    counted_ = picture().toImage()
+    assert counted_ == picture().toImage()
+    live = msgspec.structs.replace(live, counts={**live.counts, "called": 7})
+    more = picture().toImage()
+    assert more != counted_
+    live = msgspec.structs.replace(live, times={**live.times, "called": 77.0})
+    assert picture().toImage() != more
 
 
 def test_what_can_not_be_counted_is_told_of_and_the_rest_counts(
