@@ -113,10 +113,13 @@ def test_a_cursor_at_a_bookmark_can_be_drawn_away_by_its_line(chart: TimelineCha
 def test_the_wheel_with_shift_moves_what_is_seen_and_equals_is_a_plus(
     chart: TimelineChart,
 ) -> None:
+    chart.viewing.follow()
     start, seen = chart.axis.start, chart.axis.seen
     wheel(chart, place(chart, 300.0, 40), QPoint(0, -120), SHIFT)
     assert chart.axis.start > start
     assert chart.axis.seen == seen
+    # Who looks elsewhere stays there.
+    assert not chart.viewing.follows
     QTest.keyClick(chart, Qt.Key.Key_Equal)
     assert chart.axis.seen < seen
 
