@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, QPoint, QTimer
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMenu
 
 from situ_studio import places
@@ -31,6 +32,15 @@ def context_of(selected: tuple[Place, ...]) -> str:
     if not inner:
         return place[0]
     return "exit" if inner == ("timeout",) or (len(inner) == 2 and inner[0] == "event") else "thing"
+
+
+def pop_up(menu: QMenu, at: QPoint) -> None:
+    """Opens a menu there, as much higher as it needs to be seen whole: only one that is higher than
+    the screen scrolls.
+    """
+    screen = QGuiApplication.screenAt(at) or QGuiApplication.primaryScreen()
+    room, high = screen.availableGeometry(), menu.sizeHint().height()
+    menu.popup(QPoint(at.x(), max(room.top(), min(at.y(), room.bottom() - high))))
 
 
 class ContextMenus(QObject):
@@ -96,7 +106,7 @@ class ContextMenus(QObject):
         self._window.mending.add_to(menu)
         menu.aboutToHide.connect(lambda: self._on_hidden(menu))
         self.shown = menu
-        menu.popup(at)
+        pop_up(menu, at)
 
     def _on_hidden(self, menu: QMenu) -> None:
         # What was chosen is done after this, and still wants to know where the menu was.

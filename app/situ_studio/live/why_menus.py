@@ -18,6 +18,7 @@ from situ.document.project import Project
 from situ.rehearse.telling import Teller
 from situ.rehearse.ways import frames, way_words, ways
 from situ_studio import icons, places
+from situ_studio.context_menus import pop_up
 from situ_studio.edit import Place
 from situ_studio.live.moment import Moment
 from situ_studio.live.timeline.rows import RowKind, TimelineRow
@@ -93,7 +94,7 @@ class WhyMenus(QObject):
                     menu = self._menu([])
                     self._add_questions(menu, questions)
                     at = table.visualRect(table.currentIndex()).bottomLeft()
-                    menu.popup(table.viewport().mapToGlobal(at))
+                    pop_up(menu, table.viewport().mapToGlobal(at))
                 return bool(questions)
         screen = self._window.rehearsing.desk.screen_
         if screen.hasFocus() and project is not None:
@@ -114,7 +115,7 @@ class WhyMenus(QObject):
             name = row.name or self.tr("Situation")
             below = menu.addMenu(name.replace("&", "&&"))
             self._fill_for_row(below, project, row, self._viewing.t)
-        menu.popup(chart.viewport().mapToGlobal(QPoint(chart.viewport().width() // 3, 8)))
+        pop_up(menu, chart.viewport().mapToGlobal(QPoint(chart.viewport().width() // 3, 8)))
         menu.setActiveAction(menu.actions()[0])
         return True
 
@@ -129,7 +130,7 @@ class WhyMenus(QObject):
             return
         menu = self._menu(things)
         self._add_questions(menu, self._not_of_row(project, table))
-        menu.popup(table.viewport().mapToGlobal(at))
+        pop_up(menu, table.viewport().mapToGlobal(at))
 
     def _on_timeline(self, at: QPoint) -> None:
         """Of what was there at the moment under the hand."""
@@ -139,7 +140,7 @@ class WhyMenus(QObject):
             return
         menu = self._menu([])
         self._fill_for_row(menu, project, row, self._viewing.t if t is None else t)
-        menu.popup(chart.viewport().mapToGlobal(at))
+        pop_up(menu, chart.viewport().mapToGlobal(at))
 
     def open_on_screen(self, component: str, at: QPoint) -> None:
         """Of what lies on the screen of the robot that is rehearsed; "": of its state."""
@@ -150,7 +151,7 @@ class WhyMenus(QObject):
         self._add(menu, self.tr("Why?"), partial(self._ask_component, *shown))
         question = self._not_of_component(project, *shown)
         self._add_questions(menu, [question] if question is not None else [])
-        menu.popup(at)
+        pop_up(menu, at)
 
     def _on_screen(self, component: str) -> tuple[str, Place] | None:
         """The file and place of a component that is shown now; of the state where it is none."""
