@@ -90,6 +90,8 @@ class Finding(QWidget):
         column.addLayout(line)
         self.list = QListView()
         self.list.setAccessibleName(self.tr("Found"))
+        # One row at the least: the panel does not become higher because something is looked for.
+        self.list.setMinimumHeight(px(26))
         self.list.setUniformItemSizes(True)
         self.list.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
         self._delegate = _HitDelegate(theme, self.list)
