@@ -56,5 +56,6 @@ class Told(QWidget):
         if problem.mend is not None:
             button = QPushButton(said(problem.mend.words))
             button.setProperty("role", "mend")
+            button.setToolTip(words.text())
             button.clicked.connect(lambda _=False: self.mend_asked.emit(problem))
             self._grid.addWidget(button, row + 1, 1, Qt.AlignmentFlag.AlignLeft)
