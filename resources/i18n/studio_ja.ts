@@ -180,6 +180,18 @@
         <translation>設定した操作者</translation>
     </message>
     <message>
+        <source>Pauses only while</source>
+        <translation>次の間だけ止まる</translation>
+    </message>
+    <message>
+        <source>Set {0} from before on this robot, too</source>
+        <translation>前に付けた {0} をこのロボットにも付ける</translation>
+    </message>
+    <message>
+        <source>not on this robot</source>
+        <translation>このロボットにはありません</translation>
+    </message>
+    <message>
         <source>in situation {0}</source>
         <translation>状況 {0} のとき</translation>
     </message>
@@ -200,8 +212,16 @@
         <translation>状態 {0} と状態 {1} の間</translation>
     </message>
     <message>
-        <source>(with a condition)</source>
-        <translation>（条件付き）</translation>
+        <source>{0}, while {1}</source>
+        <translation>{0}（{1} の間）</translation>
+    </message>
+    <message>
+        <source>Always. Add a test, as in a guard.</source>
+        <translation>いつも。条件と同じように判定を足せます。</translation>
+    </message>
+    <message>
+        <source>Select a breakpoint of this robot.</source>
+        <translation>このロボットのブレークポイントを選んでください。</translation>
     </message>
     <message>
         <source>Ago</source>
@@ -270,6 +290,10 @@
     <message>
         <source>{0} h</source>
         <translation>{0} 時間</translation>
+    </message>
+    <message>
+        <source>{0} d</source>
+        <translation>{0} 日</translation>
     </message>
     <message>
         <source>result</source>
@@ -688,12 +712,84 @@
         <translation>要求なし</translation>
     </message>
     <message>
+        <source>To the difference before (Shift+F4)</source>
+        <translation>前の違いへ (Shift+F4)</translation>
+    </message>
+    <message>
+        <source>Next difference</source>
+        <translation>次の違い</translation>
+    </message>
+    <message>
+        <source>Where the runs part next after the cursor (F4)</source>
+        <translation>カーソルの後で次に実行が分かれるところへ (F4)</translation>
+    </message>
+    <message>
+        <source>Which moments of the runs stand above one another</source>
+        <translation>二つの実行のどの時点を上下にそろえるか</translation>
+    </message>
+    <message>
+        <source>Line up</source>
+        <translation>そろえる</translation>
+    </message>
+    <message>
+        <source>Let all views show the other run</source>
+        <translation>すべての画面でもう一方の実行を見る</translation>
+    </message>
+    <message>
+        <source>Compare no more</source>
+        <translation>比べるのをやめる</translation>
+    </message>
+    <message>
         <source>{0}: {1}</source>
         <translation>{0}：{1}</translation>
     </message>
     <message>
+        <source>nothing of that</source>
+        <translation>それは何もなし</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: {2}</source>
+        <translation>{0}、{1}: {2}</translation>
+    </message>
+    <message>
+        <source>Comparing …</source>
+        <translation>比べています…</translation>
+    </message>
+    <message>
+        <source>They did the same.</source>
+        <translation>同じことをしました。</translation>
+    </message>
+    <message>
+        <source>{0} differences</source>
+        <translation>違い {0} か所</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>始まりで</translation>
+    </message>
+    <message>
+        <source>At the first thing that both did</source>
+        <translation>どちらもした最初のことで</translation>
+    </message>
+    <message>
+        <source>Where they last did the same, at each difference</source>
+        <translation>違いごとに、最後に同じだったところで</translation>
+    </message>
+    <message>
+        <source>At the bookmark “{0}”</source>
+        <translation>しおり「{0}」で</translation>
+    </message>
+    <message>
+        <source>No bookmark is in all of the runs</source>
+        <translation>すべての実行にあるしおりはありません</translation>
+    </message>
+    <message>
         <source>, </source>
         <translation>、</translation>
+    </message>
+    <message>
+        <source>{0} {1}×, {2}</source>
+        <translation>{0} {1} 回、{2}</translation>
     </message>
     <message>
         <source>the state&apos;s speech</source>
@@ -798,6 +894,10 @@
     <message>
         <source>follow a robot or open a recording first</source>
         <translation>先にロボットに接続するか記録を開いてください</translation>
+    </message>
+    <message>
+        <source>compare two runs first</source>
+        <translation>先に二つの実行を比べてください</translation>
     </message>
     <message>
         <source>select a state, transition or situation first</source>
@@ -914,6 +1014,14 @@
     <message>
         <source>only while you rehearse</source>
         <translation>リハーサル中だけ使えます</translation>
+    </message>
+    <message>
+        <source>only while you rehearse something else than is drawn</source>
+        <translation>リハーサル中の内容と描かれている内容が違うときだけ</translation>
+    </message>
+    <message>
+        <source>no changes were taken into a rehearsal</source>
+        <translation>リハーサルに取り入れた変更がありません</translation>
     </message>
     <message>
         <source>only in the graph of an application</source>
@@ -1220,6 +1328,10 @@
         <translation>まだ何も起きていません。</translation>
     </message>
     <message>
+        <source>now</source>
+        <translation>今</translation>
+    </message>
+    <message>
         <source>{0}, from {1}, {2}</source>
         <translation>{0}、{1} から、{2}</translation>
     </message>
@@ -1282,6 +1394,10 @@
     <message>
         <source>Why?</source>
         <translation>なぜ？</translation>
+    </message>
+    <message>
+        <source>When it happened: by the clock, or in seconds since the robot started.</source>
+        <translation>いつ起きたか。時刻、またはロボットが始まってからの秒数。</translation>
     </message>
     <message>
         <source>What it was, the input that began it first.</source>
@@ -1416,12 +1532,28 @@
         <translation>アプリケーション</translation>
     </message>
     <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Starts in</source>
+        <translation>始まりの状態</translation>
+    </message>
+    <message>
+        <source>The state in which it begins when the robot starts.</source>
+        <translation>ロボットが始まるときの最初の状態。</translation>
+    </message>
+    <message>
         <source>Where several have something to do at one moment, the upper one goes first.</source>
         <translation>同時に複数に出番があるときは、上のものが先です。</translation>
     </message>
     <message>
         <source>an application</source>
         <translation>アプリケーション</translation>
+    </message>
+    <message>
+        <source>not there</source>
+        <translation>ありません</translation>
     </message>
     <message>
         <source>A tag, or several by a pattern: user.* is all that begin with user.</source>
@@ -1860,6 +1992,10 @@
         <translation>この発話はいつも {0} で話されます。翻訳しません。</translation>
     </message>
     <message>
+        <source>{0} stands at several places and is translated once: {1} or {2}?</source>
+        <translation>{0} は何か所にもあり、訳は一つです。{1} と {2} のどちらにしますか？</translation>
+    </message>
+    <message>
         <source>A text can not be left empty here: delete it where it stands.</source>
         <translation>ここでは文字を空にできません。置いてある場所で削除してください。</translation>
     </message>
@@ -1882,6 +2018,194 @@
     <message>
         <source>no robot</source>
         <translation>ロボットなし</translation>
+    </message>
+    <message>
+        <source>The robot is here, since {0}.</source>
+        <translation>ロボットは今ここにいます（{0} から）。</translation>
+    </message>
+    <message>
+        <source>It came here {0}×.</source>
+        <translation>ここに {0} 回来ました。</translation>
+    </message>
+    <message>
+        <source>It was here for {0} in all.</source>
+        <translation>合わせて {0} ここにいました。</translation>
+    </message>
+    <message>
+        <source>The time ran out {0}×: nobody went on.</source>
+        <translation>{0} 回、誰も先へ進めず時間切れになりました。</translation>
+    </message>
+    <message>
+        <source>It is the current situation.</source>
+        <translation>今の状況です。</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>現場</translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation>記録…</translation>
+    </message>
+    <message>
+        <source>Counts what people did in recorded runs</source>
+        <translation>記録した実行で人が何をしたかを数えます</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>フォルダー…</translation>
+    </message>
+    <message>
+        <source>Counts all recordings in a folder and those below it</source>
+        <translation>フォルダーとその下にあるすべての記録を数えます</translation>
+    </message>
+    <message>
+        <source>On the drawings</source>
+        <translation>図に重ねる</translation>
+    </message>
+    <message>
+        <source>How often, how long and where the time ran out; 0× is where nobody came</source>
+        <translation>何回、どのくらいの間、どこで時間切れになったか。0× は誰も来なかったところ</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>The whole table, as a spreadsheet takes it (Ctrl+C)</source>
+        <translation>表全体を表計算ソフトに貼れる形でコピー (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>書き出す…</translation>
+    </message>
+    <message>
+        <source>The whole table into a file (CSV)</source>
+        <translation>表全体をファイル (CSV) に書き出す</translation>
+    </message>
+    <message>
+        <source>Nothing counted yet</source>
+        <translation>まだ何も数えていません</translation>
+    </message>
+    <message>
+        <source>{0} recordings</source>
+        <translation>記録 {0} 件</translation>
+    </message>
+    <message>
+        <source>came to {0} of {1} states</source>
+        <translation>{1} の状態のうち {0} に来ました</translation>
+    </message>
+    <message>
+        <source>people gave up {0}×</source>
+        <translation>あきらめた回数 {0}</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>回数</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>訪問</translation>
+    </message>
+    <message>
+        <source>Of all visits</source>
+        <translation>訪問の割合</translation>
+    </message>
+    <message>
+        <source>In all</source>
+        <translation>合計</translation>
+    </message>
+    <message>
+        <source>Each time</source>
+        <translation>1 回あたり</translation>
+    </message>
+    <message>
+        <source>Time ran out</source>
+        <translation>時間切れ</translation>
+    </message>
+    <message>
+        <source>Gave up</source>
+        <translation>あきらめた</translation>
+    </message>
+    <message>
+        <source>The application and its state.</source>
+        <translation>アプリケーションとその状態。</translation>
+    </message>
+    <message>
+        <source>Where the robot was when it began.</source>
+        <translation>始まったときにロボットがいた場所。</translation>
+    </message>
+    <message>
+        <source>How often the robot came to the state.</source>
+        <translation>ロボットがその状態に何回来たか。</translation>
+    </message>
+    <message>
+        <source>In how many visits; one lasts from leaving the start state until it is back there.</source>
+        <translation>いくつの訪問で来たか。訪問は、最初の状態を離れてから戻るまでの間です。</translation>
+    </message>
+    <message>
+        <source>In how many of all visits at that place.</source>
+        <translation>その場所での訪問すべてのうち、どれだけの割合か。</translation>
+    </message>
+    <message>
+        <source>How long the robot was there in all, without the time in which it was suspended.</source>
+        <translation>ロボットがそこにいた時間の合計。中断していた時間は除きます。</translation>
+    </message>
+    <message>
+        <source>How long it was there each time.</source>
+        <translation>1 回あたり、どのくらいの間いたか。</translation>
+    </message>
+    <message>
+        <source>How often the time of the state ran out.</source>
+        <translation>その状態が何回時間切れになったか。</translation>
+    </message>
+    <message>
+        <source>How often the time ran out in a visit while the screen had something to be touched.</source>
+        <translation>画面に触れるものがあるのに時間切れになった回数。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}</source>
+        <translation>{0}、{1}</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>一度もない</translation>
+    </message>
+    <message>
+        <source>{0} %</source>
+        <translation>{0} %</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>ほか {0} 件</translation>
+    </message>
+    <message>
+        <source>Situations, data and modules can be copied: select some</source>
+        <translation>状況、データ、モジュールをコピーできます。選んでください</translation>
+    </message>
+    <message>
+        <source>Copied: {0}</source>
+        <translation>コピーしました：{0}</translation>
+    </message>
+    <message>
+        <source>Cut {0}</source>
+        <translation>{0} を切り取り</translation>
+    </message>
+    <message>
+        <source>The text on the clipboard has errors. {0}</source>
+        <translation>クリップボードの文字に誤りがあります。{0}</translation>
+    </message>
+    <message>
+        <source>There are no situations, data or modules on the clipboard</source>
+        <translation>クリップボードに状況、データ、モジュールがありません</translation>
     </message>
 </context>
 <context>
@@ -1981,6 +2305,49 @@
     </message>
 </context>
 <context>
+    <name>ApplicationList</name>
+    <message>
+        <source>New application…</source>
+        <translation>新しいアプリケーション…</translation>
+    </message>
+    <message>
+        <source>New application</source>
+        <translation>新しいアプリケーション</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>巡回</translation>
+    </message>
+    <message>
+        <source>{0} is there already.</source>
+        <translation>{0} はもうあります。</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>始まり</translation>
+    </message>
+    <message>
+        <source>{0} is no application.</source>
+        <translation>{0} はアプリケーションではありません。</translation>
+    </message>
+    <message>
+        <source>Remove {0}</source>
+        <translation>{0} を取り除く</translation>
+    </message>
+    <message>
+        <source>Add application {0}</source>
+        <translation>アプリケーション {0} を加える</translation>
+    </message>
+    <message>
+        <source>There are errors in the project: mend them first.</source>
+        <translation>プロジェクトに誤りがあります。先に直してください。</translation>
+    </message>
+</context>
+<context>
     <name>Authority</name>
     <message>
         <source>nobody</source>
@@ -2076,6 +2443,53 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>ComparingSide</name>
+    <message>
+        <source>Compare</source>
+        <translation>比べる</translation>
+    </message>
+    <message>
+        <source>Another run below this one, and where they part</source>
+        <translation>別の実行を下に並べ、どこで分かれるかを見ます</translation>
+    </message>
+    <message>
+        <source>Reading {0}</source>
+        <translation>{0} を読み込み中</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>the rehearsal</source>
+        <translation>リハーサル</translation>
+    </message>
+    <message>
+        <source>With a recording…</source>
+        <translation>記録と…</translation>
+    </message>
+    <message>
+        <source>With {0}</source>
+        <translation>{0} と</translation>
+    </message>
+    <message>
+        <source>Compare no more</source>
+        <translation>比べるのをやめる</translation>
+    </message>
+    <message>
+        <source>No difference comes after this.</source>
+        <translation>この後に違いはありません。</translation>
+    </message>
+    <message>
+        <source>No difference comes before this.</source>
+        <translation>この前に違いはありません。</translation>
+    </message>
+    <message>
+        <source>The runs could not be compared; what happened is in studio.log.</source>
+        <translation>実行を比べられませんでした。何が起きたかは studio.log にあります。</translation>
+    </message>
+</context>
+<context>
     <name>ComponentCommands</name>
     <message>
         <source>{0} copied</source>
@@ -2084,6 +2498,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Cut {0}</source>
         <translation>{0} を切り取り</translation>
+    </message>
+    <message>
+        <source>The components on the clipboard can not be read: copy them again.</source>
+        <translation>クリップボードの部品を読み取れません。もう一度コピーしてください。</translation>
     </message>
     <message>
         <source>Select a state first, then paste the components.</source>
@@ -2468,10 +2886,6 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>Desk</name>
     <message>
-        <source>What the robot says</source>
-        <translation>ロボットの発話</translation>
-    </message>
-    <message>
         <source>People say</source>
         <translation>人の言葉</translation>
     </message>
@@ -2488,24 +2902,12 @@ Draw what a robot says, shows and does.</source>
         <translation>モジュール</translation>
     </message>
     <message>
-        <source>The project has changed since.</source>
-        <translation>その後プロジェクトが変わりました。</translation>
-    </message>
-    <message>
-        <source>Start again</source>
-        <translation>もう一度始める</translation>
-    </message>
-    <message>
         <source>any tag = value</source>
         <translation>タグ = 値</translation>
     </message>
     <message>
         <source>Any tag and its value</source>
         <translation>タグとその値</translation>
-    </message>
-    <message>
-        <source>says nothing</source>
-        <translation>何も話していません</translation>
     </message>
     <message>
         <source>A person says that: {0}</source>
@@ -2602,6 +3004,22 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Recordings ({0})</source>
         <translation>記録 ({0})</translation>
+    </message>
+    <message>
+        <source>Count recordings</source>
+        <translation>記録を数える</translation>
+    </message>
+    <message>
+        <source>Count the recordings of a folder</source>
+        <translation>フォルダーの記録を数える</translation>
+    </message>
+    <message>
+        <source>Export the table</source>
+        <translation>表を書き出す</translation>
+    </message>
+    <message>
+        <source>Tables ({0})</source>
+        <translation>表 ({0})</translation>
     </message>
     <message>
         <source>Choose a file</source>
@@ -2809,6 +3227,14 @@ Draw what a robot says, shows and does.</source>
         <translation>タグが抜けているもの</translation>
     </message>
     <message>
+        <source>{0} words that are said otherwise</source>
+        <translation>読みの違うことば {0} 個</translation>
+    </message>
+    <message>
+        <source>Words that are said otherwise now</source>
+        <translation>読みの違うことばが入りました</translation>
+    </message>
+    <message>
         <source>{0} from {1}: {2}.</source>
         <translation>{1} から {0}：{2}。</translation>
     </message>
@@ -2871,12 +3297,43 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} を描画中</translation>
     </message>
     <message>
+        <source>{0} is printed.</source>
+        <translation>{0} を印刷しました。</translation>
+    </message>
+    <message>
         <source>{0} — {1}</source>
         <translation>{0} — {1}</translation>
     </message>
     <message>
-        <source>The drawing is too large to be printed from here: export it as PDF, and print that</source>
-        <translation>図が大きすぎてここからは印刷できません。PDF に書き出して、それを印刷してください</translation>
+        <source>Printing {0}</source>
+        <translation>{0} を印刷しています</translation>
+    </message>
+</context>
+<context>
+    <name>FieldSide</name>
+    <message>
+        <source>Field</source>
+        <translation>現場</translation>
+    </message>
+    <message>
+        <source>{0}: there is no recording in it (*.mcap)</source>
+        <translation>{0}: 記録 (*.mcap) がありません</translation>
+    </message>
+    <message>
+        <source>Counting recordings</source>
+        <translation>記録を数えています</translation>
+    </message>
+    <message>
+        <source>Exported to {0}</source>
+        <translation>{0} に書き出しました</translation>
+    </message>
+    <message>
+        <source>The project has no such state any more.</source>
+        <translation>その状態はもうプロジェクトにありません。</translation>
+    </message>
+    <message>
+        <source>The recordings could not be counted; what happened is in studio.log.</source>
+        <translation>記録を数えられませんでした。何が起きたかは studio.log にあります。</translation>
     </message>
 </context>
 <context>
@@ -3260,6 +3717,10 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>LargeExport</name>
     <message>
+        <source>{0} can not be printed: {1}</source>
+        <translation>{0} を印刷できません: {1}</translation>
+    </message>
+    <message>
         <source>{0} can not be drawn: {1}</source>
         <translation>{0} を描けません：{1}</translation>
     </message>
@@ -3499,6 +3960,18 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>This has changed meanwhile: there is nothing to mend there now.</source>
         <translation>その間に変わったので、もう直すところはありません。</translation>
+    </message>
+    <message>
+        <source>Mending all problems of one kind</source>
+        <translation>同じ種類の問題をすべて直しています</translation>
+    </message>
+    <message>
+        <source>These could not be mended: its process ended early. Nothing was changed.</source>
+        <translation>直せませんでした。処理が途中で終わりました。何も変わっていません。</translation>
+    </message>
+    <message>
+        <source>The project has changed meanwhile: nothing was mended.</source>
+        <translation>その間にプロジェクトが変わったので、何も直していません。</translation>
     </message>
     <message>
         <source>Mend {0} problems of one kind</source>
@@ -3793,6 +4266,14 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Language</source>
         <translation>言語</translation>
+    </message>
+    <message>
+        <source>Like the system ({0} %)</source>
+        <translation>システムと同じ ({0} %)</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>文字</translation>
     </message>
     <message>
         <source>Light</source>
@@ -4090,6 +4571,17 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>ReadingRecording</name>
+    <message>
+        <source>{0}: event {1} lacks “{2}”; give what situ run --record wrote</source>
+        <translation>{0}: 出来事 {1} に「{2}」がありません。situ run --record が書いたものを指定してください</translation>
+    </message>
+    <message>
+        <source>{0}: event {1} is none of a robot&apos;s; give what situ run --record wrote</source>
+        <translation>{0}: 出来事 {1} はロボットのものではありません。situ run --record が書いたものを指定してください</translation>
+    </message>
+</context>
+<context>
     <name>Recovery</name>
     <message>
         <source>Unsaved changes can not be kept for the next start ({0}): save soon</source>
@@ -4284,6 +4776,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>What is expected</source>
         <translation>期待すること</translation>
+    </message>
+    <message>
+        <source>Changes were taken in on the way. The scenario runs all of it with the project as it is then: look whether it goes well.</source>
+        <translation>途中で変更を取り入れています。シナリオは、実行するときのプロジェクトで最初から通して行われます。うまくいくか確かめてください。</translation>
     </message>
     <message>
         <source>Save</source>
@@ -4495,6 +4991,10 @@ Draw what a robot says, shows and does.</source>
         <translation>状況を一つ選んでください</translation>
     </message>
     <message>
+        <source>All of them are selected already</source>
+        <translation>もうすべて選ばれています</translation>
+    </message>
+    <message>
         <source>Select something from which a pipe leads</source>
         <translation>線の出発点になるものを選んでください</translation>
     </message>
@@ -4524,29 +5024,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Connect {0} cards</source>
         <translation>カード {0} 枚をつなぐ</translation>
-    </message>
-</context>
-<context>
-    <name>ScriptCopying</name>
-    <message>
-        <source>Situations, data and modules can be copied: select some</source>
-        <translation>状況、データ、モジュールをコピーできます。選んでください</translation>
-    </message>
-    <message>
-        <source>Copied: {0}</source>
-        <translation>コピーしました：{0}</translation>
-    </message>
-    <message>
-        <source>Cut {0}</source>
-        <translation>{0} を切り取り</translation>
-    </message>
-    <message>
-        <source>The text on the clipboard has errors. {0}</source>
-        <translation>クリップボードの文字に誤りがあります。{0}</translation>
-    </message>
-    <message>
-        <source>There are no situations, data or modules on the clipboard</source>
-        <translation>クリップボードに状況、データ、モジュールがありません</translation>
     </message>
 </context>
 <context>
@@ -4653,6 +5130,40 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Add a script of situations</source>
         <translation>状況のスクリプトを追加</translation>
+    </message>
+</context>
+<context>
+    <name>Sounding</name>
+    <message>
+        <source>espeak-ng is not installed on this computer, so the robot is not heard.</source>
+        <translation>このコンピューターに espeak-ng がないため、ロボットの声は聞こえません。</translation>
+    </message>
+</context>
+<context>
+    <name>SpeechBubble</name>
+    <message>
+        <source>What the robot says</source>
+        <translation>ロボットの発話</translation>
+    </message>
+    <message>
+        <source>How long it still says that</source>
+        <translation>あとどれだけ話すか</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>音声</translation>
+    </message>
+    <message>
+        <source>Hear what the robot says, at 1 ×</source>
+        <translation>ロボットの発話を聞く（1 × のとき）</translation>
+    </message>
+    <message>
+        <source>The robot says nothing</source>
+        <translation>ロボットは何も話していません</translation>
+    </message>
+    <message>
+        <source>{0:.1f} s left</source>
+        <translation>残り {0:.1f} 秒</translation>
     </message>
 </context>
 <context>
@@ -4832,6 +5343,65 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Tags</source>
         <translation>タグ</translation>
+    </message>
+</context>
+<context>
+    <name>TakingNotice</name>
+    <message>
+        <source>How it is with your changes</source>
+        <translation>変更の状態</translation>
+    </message>
+    <message>
+        <source>Take in</source>
+        <translation>取り入れる</translation>
+    </message>
+    <message>
+        <source>It goes on with your changes, from the next moment at which no action runs</source>
+        <translation>次に動作が何もなくなったときから、変更した内容で続けます</translation>
+    </message>
+    <message>
+        <source>At once</source>
+        <translation>すぐに</translation>
+    </message>
+    <message>
+        <source>What runs now is broken off if it is another now</source>
+        <translation>今の動作は、変更されていれば途中でやめます</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>It goes on as before your changes, at once</source>
+        <translation>すぐに、変更する前の内容で続けます</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>もう一度始める</translation>
+    </message>
+    <message>
+        <source>From the start, with your changes</source>
+        <translation>変更した内容で最初から始めます</translation>
+    </message>
+    <message>
+        <source>a moment</source>
+        <translation>しばらく</translation>
+    </message>
+    <message>
+        <source>Your changes wait until no action runs: {0}.</source>
+        <translation>動作がなくなるのを待って変更を取り入れます：{0}</translation>
+    </message>
+    <message>
+        <source>With your changes it went wrong, and what ran before runs again: {0}</source>
+        <translation>変更した内容で問題が起きたため、前の内容に戻りました：{0}</translation>
+    </message>
+    <message>
+        <source>The project has changed since.</source>
+        <translation>その後プロジェクトが変わりました。</translation>
+    </message>
+    <message>
+        <source>It goes on with your changes.</source>
+        <translation>変更した内容で続いています。</translation>
     </message>
 </context>
 <context>
@@ -5520,18 +6090,18 @@ A right click or the down key gives other values.</source>
     </message>
 </context>
 <context>
-    <name>WhySide</name>
+    <name>WhyMenus</name>
+    <message>
+        <source>Situation</source>
+        <translation>状況</translation>
+    </message>
     <message>
         <source>Why?</source>
         <translation>なぜ？</translation>
     </message>
     <message>
-        <source>A trace tells nothing of that.</source>
-        <translation>記録からは分かりません。</translation>
-    </message>
-    <message>
-        <source>Select a state, a transition, a situation, a module or a resource.</source>
-        <translation>状態、遷移、状況、モジュール、リソースのどれかを選んでください。</translation>
+        <source>Others</source>
+        <translation>ほかの人</translation>
     </message>
     <message>
         <source>Why did {0} move?</source>
@@ -5546,6 +6116,29 @@ A right click or the down key gives other values.</source>
         <translation>なぜ {0} ではない？</translation>
     </message>
     <message>
+        <source>Why is {0} not the situation?</source>
+        <translation>なぜ状況が {0} でない？</translation>
+    </message>
+    <message>
+        <source>the timeout</source>
+        <translation>時間切れ</translation>
+    </message>
+</context>
+<context>
+    <name>WhySide</name>
+    <message>
+        <source>Why?</source>
+        <translation>なぜ？</translation>
+    </message>
+    <message>
+        <source>A trace tells nothing of that.</source>
+        <translation>記録からは分かりません。</translation>
+    </message>
+    <message>
+        <source>Select a state, a transition, a situation, a module or a resource.</source>
+        <translation>状態、遷移、状況、モジュール、リソースのどれかを選んでください。</translation>
+    </message>
+    <message>
         <source>Looking…</source>
         <translation>調べています…</translation>
     </message>
@@ -5558,12 +6151,16 @@ A right click or the down key gives other values.</source>
         <translation>残っている記録の中にはありません。</translation>
     </message>
     <message>
-        <source>at {0} s</source>
-        <translation>{0} 秒</translation>
+        <source>at {0}</source>
+        <translation>{0} に</translation>
     </message>
     <message>
-        <source>at {0} s, {1} s after what began it</source>
-        <translation>{0} 秒、きっかけから {1} 秒後</translation>
+        <source>{0}, {1} s after what began it</source>
+        <translation>{0}、きっかけの {1} 秒後</translation>
+    </message>
+    <message>
+        <source>{0}; {1} ago</source>
+        <translation>{0}（{1} 前）</translation>
     </message>
     <message>
         <source>{0} ({1})</source>
@@ -5833,10 +6430,6 @@ A right click or the down key gives other values.</source>
         <translation>検索、コマンドの実行…</translation>
     </message>
     <message>
-        <source>Adds the states that lead to the selected ones.</source>
-        <translation>選んだ状態へ向かう状態も選びます。</translation>
-    </message>
-    <message>
         <source>A field that people type into; what they type goes to a tag.</source>
         <translation>人が入力する欄。入力はタグに入ります。</translation>
     </message>
@@ -5865,8 +6458,36 @@ A right click or the down key gives other values.</source>
         <translation>ロボットのブラックボードの値。</translation>
     </message>
     <message>
-        <source>Adds the states to which the selected ones lead.</source>
-        <translation>選んだ状態の行き先も選びます。</translation>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>110 %</source>
+        <translation>110 %</translation>
+    </message>
+    <message>
+        <source>125 %</source>
+        <translation>125 %</translation>
+    </message>
+    <message>
+        <source>150 %</source>
+        <translation>150 %</translation>
+    </message>
+    <message>
+        <source>80 %</source>
+        <translation>80 %</translation>
+    </message>
+    <message>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
+    <message>
+        <source>Adds that to which the selected leads.</source>
+        <translation>選んだものから続くものも選びます。</translation>
+    </message>
+    <message>
+        <source>Adds what leads to the selected.</source>
+        <translation>選んだものへ至るものも選びます。</translation>
     </message>
     <message>
         <source>Align</source>
@@ -5901,6 +6522,10 @@ A right click or the down key gives other values.</source>
         <translation>イベント、タグ、モジュールの名前を、プロジェクトのすべての文書で変えます。</translation>
     </message>
     <message>
+        <source>Another run stands below this one in the timeline, and where they part is marked.</source>
+        <translation>タイムラインで別の実行を下に並べ、分かれるところに印を付けます。</translation>
+    </message>
+    <message>
         <source>Any of these</source>
         <translation>いずれか成り立つ</translation>
     </message>
@@ -5919,6 +6544,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Breakpoint here, or none</source>
         <translation>ここにブレークポイント・なし</translation>
+    </message>
+    <message>
+        <source>Breakpoint with a condition</source>
+        <translation>条件付きのブレークポイント</translation>
     </message>
     <message>
         <source>Bring forward</source>
@@ -5945,8 +6574,16 @@ A right click or the down key gives other values.</source>
         <translation>ウィンドウを閉じる</translation>
     </message>
     <message>
+        <source>Compare with a recording…</source>
+        <translation>記録と比べる…</translation>
+    </message>
+    <message>
         <source>Connect one after the other</source>
         <translation>順につなぐ</translation>
+    </message>
+    <message>
+        <source>Count recordings…</source>
+        <translation>記録を数える…</translation>
     </message>
     <message>
         <source>Ctrl and wheel</source>
@@ -6065,6 +6702,10 @@ A right click or the down key gives other values.</source>
         <translation>ロボットの動きをその場で見ます。</translation>
     </message>
     <message>
+        <source>Follow where it is</source>
+        <translation>今いる場所を追う</translation>
+    </message>
+    <message>
         <source>Found before</source>
         <translation>前の検索結果</translation>
     </message>
@@ -6085,6 +6726,10 @@ A right click or the down key gives other values.</source>
         <translation>移動</translation>
     </message>
     <message>
+        <source>Go back to before the changes</source>
+        <translation>変更の前に戻す</translation>
+    </message>
+    <message>
         <source>Goes round states that belong together, and moves with them.</source>
         <translation>まとまりのある状態を囲み、一緒に動きます。</translation>
     </message>
@@ -6103,6 +6748,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Holds when…</source>
         <translation>成り立つ条件…</translation>
+    </message>
+    <message>
+        <source>How often people came to each state, how long, and where they gave up: as a table and on the drawings.</source>
+        <translation>人がそれぞれの状態に何回来て、どのくらいいて、どこであきらめたか。表と図で見られます。</translation>
     </message>
     <message>
         <source>Image</source>
@@ -6167,6 +6816,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Left edges</source>
         <translation>左端</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>文字</translation>
     </message>
     <message>
         <source>Light</source>
@@ -6255,6 +6908,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>New window</source>
         <translation>新しいウィンドウ</translation>
+    </message>
+    <message>
+        <source>Next difference</source>
+        <translation>次の違い</translation>
     </message>
     <message>
         <source>Next document</source>
@@ -6355,6 +7012,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Preferences…</source>
         <translation>設定…</translation>
+    </message>
+    <message>
+        <source>Previous difference</source>
+        <translation>前の違い</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -6589,6 +7250,10 @@ A right click or the down key gives other values.</source>
         <translation>引き継ぎ元…</translation>
     </message>
     <message>
+        <source>Take the changes into the rehearsal</source>
+        <translation>変更をリハーサルに取り入れる</translation>
+    </message>
+    <message>
         <source>Take the group away</source>
         <translation>まとまりを解く</translation>
     </message>
@@ -6609,8 +7274,20 @@ A right click or the down key gives other values.</source>
         <translation>アプリケーションはその場で止まり、スクリプトは動き続けます。</translation>
     </message>
     <message>
+        <source>The cursor goes to where the runs part next, and it is said what each robot did.</source>
+        <translation>カーソルが次に分かれるところへ移り、それぞれのロボットがしたことを伝えます。</translation>
+    </message>
+    <message>
+        <source>The cursor goes to where the runs parted before.</source>
+        <translation>カーソルが前に分かれたところへ移ります。</translation>
+    </message>
+    <message>
         <source>The drawing is shown as it is drawn again.</source>
         <translation>図を描いたとおりの表示に戻します。</translation>
+    </message>
+    <message>
+        <source>The drawing moves along when the robot goes to another state or situation.</source>
+        <translation>ロボットが別の状態や状況へ移ると、図もいっしょに動きます。</translation>
     </message>
     <message>
         <source>The drawing, or a part of it, as SVG, PDF or PNG.</source>
@@ -6679,6 +7356,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>The robot moves: one of its resources gets a command.</source>
         <translation>ロボットが動きます。リソースの一つに指令を送ります。</translation>
+    </message>
+    <message>
+        <source>The robot pauses here only while something holds, such as a value above a limit.</source>
+        <translation>値が上限を超えているなど、何かが成り立つ間だけ、ロボットがここで止まります。</translation>
     </message>
     <message>
         <source>The robot pauses when it comes to this state, takes this transition, or is in this situation.</source>
@@ -6833,6 +7514,14 @@ A right click or the down key gives other values.</source>
         <translation>選んだ画面の部品の下にあるもの</translation>
     </message>
     <message>
+        <source>What ran in the rehearsal before the last changes runs again, at once.</source>
+        <translation>リハーサルを、最後の変更の前の内容にすぐに戻します。</translation>
+    </message>
+    <message>
+        <source>What runs goes on as it is drawn now, from a moment at which no action runs.</source>
+        <translation>動作がないときから、今描かれている内容で続けます。</translation>
+    </message>
+    <message>
         <source>What the robot shows, says and waits for.</source>
         <translation>ロボットが見せ、話し、待つもの。</translation>
     </message>
@@ -6983,16 +7672,16 @@ A right click or the down key gives other values.</source>
         <translation>アプリケーションは状態のグラフです。状態の中でロボットは画面を見せ、動作を順に行い、イベントを待ちます。イベントとは、画面に触れること、声の返事、メッセージ、動作の終わり、時間切れです。</translation>
     </message>
     <message>
-        <source>An edit does not change what runs: Start again runs it as it is then.</source>
-        <translation>編集しても、動いているものは変わりません。「もう一度始める」で、そのときの内容を動かします。</translation>
-    </message>
-    <message>
         <source>An empty project in a folder of its own.</source>
         <translation>新しいフォルダーに空のプロジェクトを作ります。</translation>
     </message>
     <message>
-        <source>An operator may do more: a breakpoint (F9) pauses an application at a state, before a transition, or in a situation; Step does the next thing that waits; an event is raised, a value set, the robot sent to a state. Who did it stands in the trace.</source>
-        <translation>操作者はさらに、ブレークポイント（F9）で状態、遷移の前、状況のときにアプリケーションを止め、「一つ進める」で次に待っていることを行わせ、イベントを起こし、値を設定し、ロボットを状態へ送れます。誰がしたかは記録に残ります。</translation>
+        <source>An edit does not change what runs. Take in lets it go on with the changes, by the rules of a deploy: at the next moment at which no action runs, from the state in which it is. What then goes wrong within a minute is gone back from; Go back does so at any time. Start again runs it from the start.</source>
+        <translation>変更しても、動いているものは変わりません。「取り入れる」を使うと、配備と同じきまりで、次に動作のない時点から、今の状態のまま変更後のものに移ります。そのあと 1 分のうちにうまくいかなければ元に戻ります。「元に戻す」はいつでも使えます。「もう一度始める」は最初から動かします。</translation>
+    </message>
+    <message>
+        <source>An operator may do more: a breakpoint (F9) pauses an application at a state, before a transition, or in a situation, with a condition (Shift+F9) only while that holds; what was set in a project is offered to the next robot. Step does the next thing that waits; an event is raised, a value set, the robot sent to a state. Who did it stands in the trace.</source>
+        <translation>操作者にはさらにできることがあります。ブレークポイント (F9) は、状態や遷移の前、状況でアプリケーションを止めます。条件を付けると (Shift+F9)、それが成り立つ間だけ止まります。プロジェクトで付けたものは、次のロボットにも付けるかどうかを選べます。「ステップ」は待っている次のことを一つ進めます。イベントを起こす、値を入れる、ロボットを別の状態へ送ることもできます。誰がしたかは記録に残ります。</translation>
     </message>
     <message>
         <source>Another name for what is selected, in its place.</source>
@@ -7059,6 +7748,10 @@ A right click or the down key gives other values.</source>
         <translation>すべてのウィンドウを閉じます。保存していないものがあれば、先に尋ねます。</translation>
     </message>
     <message>
+        <source>Compare, in the timeline, puts another recording below the run that is shown. F4 goes to where they part next, and says what each robot did; when it did it does not count. Count recordings tells over many runs how often people came to each state, how long, and where they gave up: in the panel Field, and on the drawings.</source>
+        <translation>タイムラインの「比べる」は、表示中の実行の下に別の記録を並べます。F4 で次に分かれるところへ移り、それぞれのロボットがしたことを伝えます。いつしたかの違いは数えません。「記録を数える」は、多くの実行を通して、人がそれぞれの状態に何回来て、どのくらいいて、どこであきらめたかを、「現場」パネルと図で示します。</translation>
+    </message>
+    <message>
         <source>Connect to a robot by its address. Its state and its situation glow in the drawings, and the tables below the canvas show what is on the blackboard, who holds which part of the robot, and what happened.</source>
         <translation>アドレスを指定してロボットに接続します。今の状態と状況が図の中で光り、下の表に、ブラックボードの中身、ロボットの各部分を誰が使っているか、何が起きたかが表示されます。</translation>
     </message>
@@ -7119,6 +7812,10 @@ A right click or the down key gives other values.</source>
         <translation>選んだもの、またはキーボードの位置にあるものを説明します。</translation>
     </message>
     <message>
+        <source>Field</source>
+        <translation>現場</translation>
+    </message>
+    <message>
         <source>Find</source>
         <translation>検索</translation>
     </message>
@@ -7167,6 +7864,10 @@ A right click or the down key gives other values.</source>
         <translation>動かないところの数。クリックで表示します。</translation>
     </message>
     <message>
+        <source>How often, how long, and where people gave up, counted over recordings. A click goes to the state; a head sorts.</source>
+        <translation>記録全体で数えた、回数、時間、あきらめたところ。クリックでその状態へ、見出しで並べ替えます。</translation>
+    </message>
+    <message>
         <source>In a script a test can look at time too. “Within” holds while the value was set less than so many seconds ago; “for” holds once it has been so without a break.</source>
         <translation>スクリプトの判定では時間も見られます。「以内」は、値が書き込まれてからその秒数の間だけ成り立ちます。「継続」は、途切れずにその秒数続いてから成り立ちます。</translation>
     </message>
@@ -7179,6 +7880,18 @@ A right click or the down key gives other values.</source>
         <translation>選んだものを貼り付けのために覚えます。別のプロジェクトにも貼り付けられます。</translation>
     </message>
     <message>
+        <source>Larger letters; drawings are made larger by zooming.</source>
+        <translation>文字を大きく。図はズームで大きくします。</translation>
+    </message>
+    <message>
+        <source>Letters are as large as the computer&apos;s others.</source>
+        <translation>文字の大きさをコンピューターのほかの文字に合わせます。</translation>
+    </message>
+    <message>
+        <source>Letters of the usual size.</source>
+        <translation>ふつうの大きさの文字。</translation>
+    </message>
+    <message>
         <source>Light letters on dark ground.</source>
         <translation>暗い地に明るい文字。</translation>
     </message>
@@ -7189,6 +7902,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Matrix</source>
         <translation>表</translation>
+    </message>
+    <message>
+        <source>Much larger letters; drawings are made larger by zooming.</source>
+        <translation>文字をかなり大きく。図はズームで大きくします。</translation>
     </message>
     <message>
         <source>One for each open document; at the right, the ways in which it can be shown.</source>
@@ -7315,6 +8032,10 @@ A right click or the down key gives other values.</source>
         <translation>大きさ</translation>
     </message>
     <message>
+        <source>Smaller letters: more has room.</source>
+        <translation>文字を小さく。より多くのものが入ります。</translation>
+    </message>
+    <message>
         <source>Speech and movement can end well or badly; give the names of the events that are raised then, and let the state expect them. When a state is left, what it still says or moves is stopped.</source>
         <translation>発話や動きは、うまく終わることも失敗することもあります。そのとき起こすイベントの名前を決め、状態に待たせてください。状態を出ると、まだ続いている発話や動きは止まります。</translation>
     </message>
@@ -7387,6 +8108,10 @@ A right click or the down key gives other values.</source>
         <translation>プロジェクトの文書とメディア。クリックするとタブに表示します。</translation>
     </message>
     <message>
+        <source>The drawing moves along with the robot (Follow where it is). On a card stands how often it came there, how long it stayed, and behind the clock how often the time ran out before anybody went on.</source>
+        <translation>図はロボットといっしょに動きます（「今いる場所を追う」）。カードには、そこに何回来たか、どのくらいいたか、時計の印の後ろには誰も進めないまま何回時間切れになったかが出ます。</translation>
+    </message>
+    <message>
         <source>The first expected event that fits is taken. It may depend on a condition, do actions on the way, and lead to another state, back to the one before (#back), or into the same one anew (#again). Without a target the state stays.</source>
         <translation>待っているイベントのうち、最初に合ったものが選ばれます。イベントには条件や途中の動作を付けられ、行き先は、別の状態、前の状態（#back）、同じ状態への入り直し（#again）です。行き先がなければ状態は変わりません。</translation>
     </message>
@@ -7401,6 +8126,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>The gaps from top to bottom become equal.</source>
         <translation>上下の間隔を等しくします。</translation>
+    </message>
+    <message>
+        <source>The largest letters; drawings are made larger by zooming.</source>
+        <translation>いちばん大きな文字。図はズームで大きくします。</translation>
     </message>
     <message>
         <source>The left edges come to stand below each other.</source>
@@ -7453,6 +8182,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>The same script can be seen as a drawing or as a matrix of situations and modules. Give the robot a situation that stops it, and put it first.</source>
         <translation>同じスクリプトを、図としても、状況とモジュールの表としても見られます。ロボットを止める状況を作り、最初に置いてください。</translation>
+    </message>
+    <message>
+        <source>The smallest letters: more has room.</source>
+        <translation>いちばん小さな文字。より多くのものが入ります。</translation>
     </message>
     <message>
         <source>The status bar says honestly what is seen: “no robot”, how far behind the picture is, or for how long nothing has been heard. What is shown after a robot was lost is old, and is shown as old.</source>
@@ -7531,6 +8264,10 @@ A right click or the down key gives other values.</source>
         <translation>ロボットが話し、行うこと</translation>
     </message>
     <message>
+        <source>What the robot says is shown with how long it still lasts. With Sound it is heard too, at 1 ×, where espeak-ng is installed.</source>
+        <translation>ロボットの発話は、あとどれだけ続くかといっしょに表示されます。espeak-ng が入っていれば、「音声」を入れると 1 × のとき聞くこともできます。</translation>
+    </message>
+    <message>
         <source>What the shown document has, in its order. A click selects it everywhere.</source>
         <translation>表示中の文書の中身を順に。クリックするとどの表示でも選ばれます。</translation>
     </message>
@@ -7547,8 +8284,8 @@ A right click or the down key gives other values.</source>
         <translation>プロジェクトを始めたり開いたりする場所。Esc で開いているものに戻ります。</translation>
     </message>
     <message>
-        <source>Where the robot pauses. A click goes there, Delete takes one away.</source>
-        <translation>ロボットが止まるところ。クリックでその場所へ、Delete で取り除きます。</translation>
+        <source>Where the robot pauses, and beside it while what. A click goes there, Delete takes one away.</source>
+        <translation>ロボットが止まるところと、その条件。クリックでその場所へ、Delete で取り除きます。</translation>
     </message>
     <message>
         <source>Whether a robot is followed, and how old what you see of it is.</source>
@@ -8909,6 +9646,22 @@ A right click or the down key gives other values.</source>
         <translation>、部品 {1} を {0}</translation>
     </message>
     <message>
+        <source>--not needs an “application” of {0}</source>
+        <translation>「アプリケーション」を {0} から指定してください</translation>
+    </message>
+    <message>
+        <source>--not of kind {0} needs “{1}”</source>
+        <translation>種類 {0} には「{1}」が必要です</translation>
+    </message>
+    <message>
+        <source>--not wants a “kind” of {0}, not {1}</source>
+        <translation>種類は {0} のどれかです。{1} ではありません</translation>
+    </message>
+    <message>
+        <source>--not: {0} has no state {1}</source>
+        <translation>{0} に状態 {1} はありません</translation>
+    </message>
+    <message>
         <source>: </source>
         <translation>：</translation>
     </message>
@@ -9017,6 +9770,10 @@ A right click or the down key gives other values.</source>
         <translation>いつも成り立つ状況 {0} を加える</translation>
     </message>
     <message>
+        <source>Add {0} to the languages</source>
+        <translation>{0} を言語に加える</translation>
+    </message>
+    <message>
         <source>Ask that {0} exists</source>
         <translation>{0} があることを条件にする</translation>
     </message>
@@ -9085,8 +9842,16 @@ A right click or the down key gives other values.</source>
         <translation>{0} は分かりません。調べるには時間がかかりすぎます。条件を簡単にするか、situ simulate で試してください</translation>
     </message>
     <message>
+        <source>Keep {0} when the robot restarts</source>
+        <translation>ロボットが始まり直しても {0} を残す</translation>
+    </message>
+    <message>
         <source>Lead to state {0}</source>
         <translation>行き先を状態 {0} にする</translation>
+    </message>
+    <message>
+        <source>Let any text be put in</source>
+        <translation>どんな文でも入れられるようにする</translation>
     </message>
     <message>
         <source>Let it always hold</source>
@@ -9095,6 +9860,22 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Let the timeout count from the end of the speech</source>
         <translation>時間切れを発話の終わりから数える</translation>
+    </message>
+    <message>
+        <source>Make it a choice</source>
+        <translation>選択式にする</translation>
+    </message>
+    <message>
+        <source>Make it a list</source>
+        <translation>一覧にする</translation>
+    </message>
+    <message>
+        <source>Make it a {0}</source>
+        <translation>{0} にする</translation>
+    </message>
+    <message>
+        <source>Make it the event {0}</source>
+        <translation>イベント {0} にする</translation>
     </message>
     <message>
         <source>Make it {0} mm large</source>
@@ -9153,6 +9934,10 @@ A right click or the down key gives other values.</source>
         <translation>{0} を観測する（モジュールが書き込みます）</translation>
     </message>
     <message>
+        <source>Offer each choice once</source>
+        <translation>それぞれの選択肢を一度だけ出す</translation>
+    </message>
+    <message>
         <source>Only &amp;amp; &amp;lt; &amp;gt; &amp;quot; &amp;apos; and numbers such as &amp;#233; may follow &amp;</source>
         <translation>&amp; の後には &amp;amp; &amp;lt; &amp;gt; &amp;quot; &amp;apos; か &amp;#233; のような番号だけを書けます</translation>
     </message>
@@ -9175,6 +9960,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Read {0} instead</source>
         <translation>代わりに {0} を読む</translation>
+    </message>
+    <message>
+        <source>Rename it to {0}</source>
+        <translation>名前を {0} に変える</translation>
     </message>
     <message>
         <source>Require {0} instead</source>
@@ -9243,6 +10032,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Take this one out</source>
         <translation>これを取り除く</translation>
+    </message>
+    <message>
+        <source>Take {0} out</source>
+        <translation>{0} を取り除く</translation>
     </message>
     <message>
         <source>Text cannot stand directly in &lt;{0}&gt;: {1}; put it into an element that holds text, such as &lt;speech&gt;, or into a comment &lt;!-- … --&gt;</source>
@@ -9513,6 +10306,14 @@ A right click or the down key gives other values.</source>
         <translation>{0} の意味 {1}</translation>
     </message>
     <message>
+        <source>Write it as the text {0}</source>
+        <translation>文 {0} として書く</translation>
+    </message>
+    <message>
+        <source>Write {0}</source>
+        <translation>{0} と書く</translation>
+    </message>
+    <message>
         <source>XML or text declaration not at start of entity</source>
         <translation>XML 宣言が先頭にありません</translation>
     </message>
@@ -9521,12 +10322,20 @@ A right click or the down key gives other values.</source>
         <translation>[{0}] にキー {1} はありません。{2} のことですか？</translation>
     </message>
     <message>
+        <source>a breakpoint&apos;s condition is judged at its moment: it can not have “for”</source>
+        <translation>ブレークポイントの条件はその時点で判定されます。「続いている間」は使えません</translation>
+    </message>
+    <message>
         <source>a list of texts such as [&quot;a&quot;, &quot;b&quot;]</source>
         <translation>[&quot;a&quot;, &quot;b&quot;] のような文字列の一覧</translation>
     </message>
     <message>
         <source>a million characters are the most</source>
         <translation>百万文字までです</translation>
+    </message>
+    <message>
+        <source>a person&apos;s use of it</source>
+        <translation>人の操作</translation>
     </message>
     <message>
         <source>a situated priority description script</source>
@@ -9543,6 +10352,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>a text in quotes</source>
         <translation>引用符で囲んだ文字列</translation>
+    </message>
+    <message>
+        <source>a touch of the screen raises it</source>
+        <translation>画面へのタッチで起こります</translation>
     </message>
     <message>
         <source>above {0}</source>
@@ -9577,6 +10390,10 @@ A right click or the down key gives other values.</source>
         <translation>イベント</translation>
     </message>
     <message>
+        <source>an unnamed event</source>
+        <translation>名前のないイベント</translation>
+    </message>
+    <message>
         <source>and</source>
         <translation>と</translation>
     </message>
@@ -9605,8 +10422,48 @@ A right click or the down key gives other values.</source>
         <translation>が {0} 以下</translation>
     </message>
     <message>
+        <source>at once</source>
+        <translation>すぐに</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>前の状態</translation>
+    </message>
+    <message>
+        <source>badly</source>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>because of #{0}</source>
+        <translation>#{0} のため</translation>
+    </message>
+    <message>
+        <source>besides, {0}</source>
+        <translation>そのうえ、{0}</translation>
+    </message>
+    <message>
+        <source>breakpoint {0}</source>
+        <translation>ブレークポイント {0}</translation>
+    </message>
+    <message>
         <source>comments or layout</source>
         <translation>コメントか配置</translation>
+    </message>
+    <message>
+        <source>error: {0}</source>
+        <translation>エラー：{0}</translation>
+    </message>
+    <message>
+        <source>event {0} comes to {1}</source>
+        <translation>イベント {0} が {1} に届く</translation>
+    </message>
+    <message>
+        <source>event {0} did not come while {1} was in {2}, since {3}</source>
+        <translation>{3} から {1} が {2} にいる間、イベント {0} は来ていません</translation>
+    </message>
+    <message>
+        <source>from outside</source>
+        <translation>外から</translation>
     </message>
     <message>
         <source>here and in what every state has</source>
@@ -9969,12 +10826,104 @@ A right click or the down key gives other values.</source>
         <translation>が {0}</translation>
     </message>
     <message>
+        <source>it began at {0} already</source>
+        <translation>{0} にすでに始まっています</translation>
+    </message>
+    <message>
+        <source>it comes from outside: from a module, a message, or the blackboard</source>
+        <translation>外から来るものです（モジュール、メッセージ、ブラックボードのどれか）</translation>
+    </message>
+    <message>
+        <source>it comes when a suspension ends</source>
+        <translation>中断が終わると来ます</translation>
+    </message>
+    <message>
+        <source>it comes when something is heard that is none of the phrases</source>
+        <translation>どの言葉でもないものが聞こえると来ます</translation>
+    </message>
+    <message>
+        <source>it comes when the part enters its end state {0}</source>
+        <translation>部品が終わりの状態 {0} に入ると来ます</translation>
+    </message>
+    <message>
+        <source>it could not go on, as {0}</source>
+        <translation>続けられませんでした：{0}</translation>
+    </message>
+    <message>
+        <source>it did happen later, at {0}</source>
+        <translation>後で、{0} に起こりました</translation>
+    </message>
+    <message>
+        <source>it ended {0} at {1}</source>
+        <translation>{1} に終わりました（{0}）</translation>
+    </message>
+    <message>
+        <source>it ends after {0} at the latest</source>
+        <translation>遅くとも {0} で終わります</translation>
+    </message>
+    <message>
+        <source>it had not begun</source>
+        <translation>まだ始まっていませんでした</translation>
+    </message>
+    <message>
+        <source>it has been running since {0}</source>
+        <translation>{0} から続いています</translation>
+    </message>
+    <message>
+        <source>it is optional, and {0} did not hold {1}</source>
+        <translation>なくてもよい動作で、{0} は {1} を持っていませんでした</translation>
+    </message>
+    <message>
+        <source>it is what is heard as {0}</source>
+        <translation>{0} と聞こえると起こります</translation>
+    </message>
+    <message>
+        <source>it stays at least {0}</source>
+        <translation>少なくとも {0} は続きます</translation>
+    </message>
+    <message>
+        <source>it stays until {0}</source>
+        <translation>次のときまで続きます：{0}</translation>
+    </message>
+    <message>
+        <source>it waits for an action before it, or has been superseded</source>
+        <translation>前の動作を待っているか、別の動作に取って代わられました</translation>
+    </message>
+    <message>
+        <source>it waits for {0}, running since {1}</source>
+        <translation>{1} から続いている {0} を待っています</translation>
+    </message>
+    <message>
+        <source>it was cancelled at {0}</source>
+        <translation>{0} に取り消されました</translation>
+    </message>
+    <message>
         <source>it would have more than {0} states, because #back can lead back along ways of any length, or parts hold very many states</source>
         <translation>#back がどこまでも戻れるか、部品の状態が非常に多いため、状態が {0} 個を超えます</translation>
     </message>
     <message>
+        <source>its end</source>
+        <translation>再生の終わり</translation>
+    </message>
+    <message>
         <source>its file is {0}, was {1}</source>
         <translation>ファイルは {0}（前は {1}）</translation>
+    </message>
+    <message>
+        <source>its timeout of {0} had not run out</source>
+        <translation>時間切れの {0} がまだ過ぎていませんでした</translation>
+    </message>
+    <message>
+        <source>its unnamed event could be taken, but a livelock had ended the moment</source>
+        <translation>名前のないイベントは起こりえましたが、堂々巡りのためその時点で打ち切られました</translation>
+    </message>
+    <message>
+        <source>its unnamed event could be taken, but by then {0} was leaving</source>
+        <translation>名前のないイベントは起こりえましたが、{0} はもう離れるところでした</translation>
+    </message>
+    <message>
+        <source>its unnamed event could be taken, but {0}</source>
+        <translation>名前のないイベントは起こりえましたが、{0}</translation>
     </message>
     <message>
         <source>junk after document element</source>
@@ -10097,6 +11046,14 @@ A right click or the down key gives other values.</source>
         <translation>そこへ向かうイベントも時間切れも起こりえません</translation>
     </message>
     <message>
+        <source>no module {0} is declared</source>
+        <translation>モジュール {0} は宣言されていません</translation>
+    </message>
+    <message>
+        <source>no situation</source>
+        <translation>状況なし</translation>
+    </message>
+    <message>
         <source>no state expects it</source>
         <translation>どの状態もそれを待っていません</translation>
     </message>
@@ -10105,8 +11062,16 @@ A right click or the down key gives other values.</source>
         <translation>そのような値はありません：{0}</translation>
     </message>
     <message>
+        <source>nobody held {0}</source>
+        <translation>{0} は誰も持っていませんでした</translation>
+    </message>
+    <message>
         <source>none of the states {0} expects it</source>
         <translation>状態 {0} のどれもそれを待っていません</translation>
+    </message>
+    <message>
+        <source>none of these held: {0}</source>
+        <translation>次のどれも成り立ちませんでした：{0}</translation>
     </message>
     <message>
         <source>none of: {0}</source>
@@ -10123,6 +11088,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>notes, or what is not used</source>
         <translation>覚え書き、または使われないもの</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
     </message>
     <message>
         <source>on this screen</source>
@@ -10197,6 +11166,10 @@ A right click or the down key gives other values.</source>
         <translation>{1} からの結果 {0}</translation>
     </message>
     <message>
+        <source>robot {0} on {1}</source>
+        <translation>ロボット {0}（{1}）</translation>
+    </message>
+    <message>
         <source>robot {0} {1}</source>
         <translation>ロボット {0} {1}</translation>
     </message>
@@ -10225,6 +11198,14 @@ A right click or the down key gives other values.</source>
         <translation>状況 {0}</translation>
     </message>
     <message>
+        <source>situation {0} after {1}</source>
+        <translation>状況 {1} の次に状況 {0}</translation>
+    </message>
+    <message>
+        <source>situation {0}, which goes before {1}, was current since {2}</source>
+        <translation>{1} より先の状況 {0} が {2} から続いていました</translation>
+    </message>
+    <message>
         <source>so this event is never taken</source>
         <translation>そのためこのイベントは起こりません</translation>
     </message>
@@ -10239,6 +11220,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>something else stands there now</source>
         <translation>そこには今は別のものがあります</translation>
+    </message>
+    <message>
+        <source>sound {0}</source>
+        <translation>音 {0}</translation>
     </message>
     <message>
         <source>speech {0}</source>
@@ -10285,12 +11270,32 @@ A right click or the down key gives other values.</source>
         <translation>文字の大きさ</translation>
     </message>
     <message>
+        <source>the condition can not be read: {0}</source>
+        <translation>条件を読み取れません: {0}</translation>
+    </message>
+    <message>
+        <source>the condition of situation {0} holds</source>
+        <translation>状況 {0} の条件が成り立つ</translation>
+    </message>
+    <message>
+        <source>the condition of situation {0} no longer holds</source>
+        <translation>状況 {0} の条件が成り立たなくなる</translation>
+    </message>
+    <message>
+        <source>the condition of {0} did not hold: {1}</source>
+        <translation>{0} の条件が成り立っていませんでした：{1}</translation>
+    </message>
+    <message>
         <source>the event resumed leaves state {0} before its screen was shown, and &lt;always&gt; has a screen</source>
         <translation>イベント resumed が画面を表示する前に状態 {0} を離れ、すべての状態に共通の画面がある</translation>
     </message>
     <message>
         <source>the file</source>
         <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>the guard of its unnamed event did not hold: {0}</source>
+        <translation>名前のないイベントの条件が成り立っていませんでした：{0}</translation>
     </message>
     <message>
         <source>the movie of &lt;always&gt; would begin again with the start state</source>
@@ -10313,6 +11318,10 @@ A right click or the down key gives other values.</source>
         <translation>開始は同じで、明示したか、最初の状態に任せたかの違いだけ</translation>
     </message>
     <message>
+        <source>the same state</source>
+        <translation>同じ状態</translation>
+    </message>
+    <message>
         <source>the same state anew</source>
         <translation>同じ状態をもう一度</translation>
     </message>
@@ -10321,36 +11330,432 @@ A right click or the down key gives other values.</source>
         <translation>優先度を与える状況になることがありません</translation>
     </message>
     <message>
+        <source>the start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
         <source>the state is left first, as {0} without a name {1} then: give it a condition</source>
         <translation>名前のない {0} がそのとき {1} ので、状態を先に離れます。条件を付けてください</translation>
+    </message>
+    <message>
+        <source>the state is the right one, but {0}</source>
+        <translation>状態は合っていますが、{0}</translation>
     </message>
     <message>
         <source>the timeout of every state</source>
         <translation>すべての状態に共通の時間切れ</translation>
     </message>
     <message>
+        <source>the unnamed event</source>
+        <translation>名前のないイベント</translation>
+    </message>
+    <message>
+        <source>the unnamed event ({0})</source>
+        <translation>名前のないイベント（{0}）</translation>
+    </message>
+    <message>
+        <source>the voice was taken by {0} since {1}</source>
+        <translation>{1} から {0} が声を使っていました</translation>
+    </message>
+    <message>
+        <source>there is no application {0}, only {1}</source>
+        <translation>アプリケーション {0} はありません。あるのは {1} です</translation>
+    </message>
+    <message>
+        <source>there is no event {0} in this trace; its last is {1}</source>
+        <translation>この記録にイベント {0} はありません。最後は {1} です</translation>
+    </message>
+    <message>
+        <source>there is no situation {0}, only {1}</source>
+        <translation>状況 {0} はありません。あるのは {1} です</translation>
+    </message>
+    <message>
+        <source>there is nothing of that kind</source>
+        <translation>その種類のものはありません</translation>
+    </message>
+    <message>
+        <source>this must not hold, and did: {0}</source>
+        <translation>成り立ってはならないのに成り立っていました：{0}</translation>
+    </message>
+    <message>
+        <source>this project</source>
+        <translation>このプロジェクト</translation>
+    </message>
+    <message>
+        <source>until of {0} held, so it does not begin: {1}</source>
+        <translation>{0} の「終わる条件」が成り立っていたので始まりません：{1}</translation>
+    </message>
+    <message>
+        <source>version {0} takes over, deployed by {1}</source>
+        <translation>{1} が配備したバージョン {0} に切り替わる</translation>
+    </message>
+    <message>
+        <source>version {0} takes over, deployed by {1}; changed: {2}</source>
+        <translation>{1} が配備したバージョン {0} に切り替わる（変更：{2}）</translation>
+    </message>
+    <message>
+        <source>warning: {0}</source>
+        <translation>警告：{0}</translation>
+    </message>
+    <message>
+        <source>well</source>
+        <translation>成功</translation>
+    </message>
+    <message>
         <source>whenever it could be, {0} comes first: change a condition, or their order</source>
         <translation>起こりうるときには必ず {0} が先になります。条件か順序を変えてください</translation>
+    </message>
+    <message>
+        <source>{0} and was taken</source>
+        <translation>{0}。そのとおり進みました</translation>
+    </message>
+    <message>
+        <source>{0} asks for {1}</source>
+        <translation>{0} が {1} を求める</translation>
+    </message>
+    <message>
+        <source>{0} asks for {1} together: all of them or none</source>
+        <translation>{0} は {1} をまとめて求めています（全部か、なしか）</translation>
+    </message>
+    <message>
+        <source>{0} begins {1}</source>
+        <translation>{0} が {1} を始める</translation>
+    </message>
+    <message>
+        <source>{0} came at {1}</source>
+        <translation>{0} が {1} に来ました</translation>
     </message>
     <message>
         <source>{0} comes first, on no condition: put this one before it, or give it one</source>
         <translation>{0} が先にあり、条件がありません。これをその前に置くか、あちらに条件を付けてください</translation>
     </message>
     <message>
+        <source>{0} connects</source>
+        <translation>{0} が接続する</translation>
+    </message>
+    <message>
+        <source>{0} deletes {1}</source>
+        <translation>{0} が {1} を消す</translation>
+    </message>
+    <message>
+        <source>{0} did not ask for {1}</source>
+        <translation>{0} は {1} を求めていませんでした</translation>
+    </message>
+    <message>
+        <source>{0} did not ask for {1}, only for {2}</source>
+        <translation>{0} は {1} を求めておらず、求めていたのは {2} だけです</translation>
+    </message>
+    <message>
+        <source>{0} did not declare {1}, only {2}</source>
+        <translation>{0} は {1} を宣言しておらず、宣言しているのは {2} だけです</translation>
+    </message>
+    <message>
+        <source>{0} ends badly: {1}</source>
+        <translation>{0} が失敗する：{1}</translation>
+    </message>
+    <message>
+        <source>{0} ends well</source>
+        <translation>{0} が終わる</translation>
+    </message>
+    <message>
+        <source>{0} enters {1}</source>
+        <translation>{0} が {1} に入る</translation>
+    </message>
+    <message>
+        <source>{0} gave {1} back at {2} and has not asked for it again</source>
+        <translation>{0} は {1} を {2} に返し、その後は求めていません</translation>
+    </message>
+    <message>
+        <source>{0} gets {1}</source>
+        <translation>{0} が {1} を得る</translation>
+    </message>
+    <message>
+        <source>{0} gets {1} from {2}</source>
+        <translation>{0} が {2} から {1} を得る</translation>
+    </message>
+    <message>
+        <source>{0} gives back {1}</source>
+        <translation>{0} が {1} を返す</translation>
+    </message>
+    <message>
         <source>{0} gives {1} no priority in any situation: give it one</source>
         <translation>{0} はどの状況でも {1} に優先度を与えていません。どれかで与えてください</translation>
+    </message>
+    <message>
+        <source>{0} goes from {1} to {2} by {3}</source>
+        <translation>{0} が {3} で {1} から {2} へ移る</translation>
+    </message>
+    <message>
+        <source>{0} goes on</source>
+        <translation>{0} が再開する</translation>
+    </message>
+    <message>
+        <source>{0} had not started yet</source>
+        <translation>{0} はまだ始まっていませんでした</translation>
+    </message>
+    <message>
+        <source>{0} has ended at {1} by until or limit and begins again only after its condition has once been false</source>
+        <translation>{0} は終わる条件か期限により {1} に終わり、条件が一度成り立たなくなるまで再び始まりません</translation>
+    </message>
+    <message>
+        <source>{0} has ended by until or limit and begins again only after its condition has once been false</source>
+        <translation>{0} は終わる条件か期限により終わり、条件が一度成り立たなくなるまで再び始まりません</translation>
+    </message>
+    <message>
+        <source>{0} has no priority in {1}</source>
+        <translation>{0} は {1} では優先度がありません</translation>
+    </message>
+    <message>
+        <source>{0} has no state {1}</source>
+        <translation>{0} に状態 {1} はありません</translation>
+    </message>
+    <message>
+        <source>{0} has no such action</source>
+        <translation>{0} にそのような動作はありません</translation>
+    </message>
+    <message>
+        <source>{0} held {1} already, since {2}</source>
+        <translation>{0} は {2} からすでに {1} を持っていました</translation>
+    </message>
+    <message>
+        <source>{0} held {1} but had no valid command for it</source>
+        <translation>{0} は {1} を持っていましたが、有効な命令がありませんでした</translation>
+    </message>
+    <message>
+        <source>{0} held {1} since {2}</source>
+        <translation>{0} が {2} から {1} を持っていました</translation>
+    </message>
+    <message>
+        <source>{0} ignores {1}: it does not expect it here</source>
+        <translation>{0} は {1} を無視する：ここでは待っていない</translation>
+    </message>
+    <message>
+        <source>{0} ignores {1}: it has no guard for it that holds</source>
+        <translation>{0} は {1} を無視する：条件が成り立つものがない</translation>
+    </message>
+    <message>
+        <source>{0} ignores {1}: it is suspended</source>
+        <translation>{0} は {1} を無視する：中断している</translation>
+    </message>
+    <message>
+        <source>{0} ignores {1}: it {2}</source>
+        <translation>{0} は {1} を無視する：{2}</translation>
+    </message>
+    <message>
+        <source>{0} is cancelled</source>
+        <translation>{0} が取り消される</translation>
+    </message>
+    <message>
+        <source>{0} is lost</source>
+        <translation>{0} が失われる</translation>
+    </message>
+    <message>
+        <source>{0} is no longer paused, by {1}</source>
+        <translation>{1} が {0} の一時停止を解く</translation>
+    </message>
+    <message>
+        <source>{0} is not there any more</source>
+        <translation>{0} はもうありません</translation>
+    </message>
+    <message>
+        <source>{0} is paused in {1} by {2}</source>
+        <translation>{2} が {0} を {1} で一時停止する</translation>
+    </message>
+    <message>
+        <source>{0} is suspended: it does not hold {1}</source>
+        <translation>{0} が中断する：{1} を持っていない</translation>
+    </message>
+    <message>
+        <source>{0} is there already</source>
+        <translation>{0} はもうあります</translation>
     </message>
     <message>
         <source>{0} is used but not observed: add it to the data observed</source>
         <translation>{0} は使われていますが観測されていません。観測するデータに加えてください</translation>
     </message>
     <message>
+        <source>{0} leads back, and there was nothing to go back to</source>
+        <translation>{0} は前に戻りますが、戻る先がありませんでした</translation>
+    </message>
+    <message>
+        <source>{0} leads to back</source>
+        <translation>{0} は前の状態に戻ります</translation>
+    </message>
+    <message>
+        <source>{0} leads to {1}</source>
+        <translation>{0} の行き先は {1} です</translation>
+    </message>
+    <message>
+        <source>{0} leaves {1}</source>
+        <translation>{0} が {1} を離れる</translation>
+    </message>
+    <message>
+        <source>{0} loses {1}, nobody holds it</source>
+        <translation>{0} が {1} を失い、誰も持っていない</translation>
+    </message>
+    <message>
+        <source>{0} more actions fit; name its state to be told of one</source>
+        <translation>ほかに {0} 個の動作が当てはまります。一つに絞るには状態を指定してください</translation>
+    </message>
+    <message>
+        <source>{0} moves {1}: {2}</source>
+        <translation>{0} が {1} を動かす：{2}</translation>
+    </message>
+    <message>
+        <source>{0} of always</source>
+        <translation>{0}（すべての状態）</translation>
+    </message>
+    <message>
+        <source>{0} of an event of {1}</source>
+        <translation>{1} のイベントの {0}</translation>
+    </message>
+    <message>
+        <source>{0} of its screen raises it by {1}</source>
+        <translation>画面の {0} が{1}で起こします</translation>
+    </message>
+    <message>
+        <source>{0} of state {1}</source>
+        <translation>状態 {1} の {0}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} raises it</source>
+        <translation>{1} の {0} が起こします</translation>
+    </message>
+    <message>
+        <source>{0} raises it when it ends {1}: {2}</source>
+        <translation>{0} が終わると（{1}）起こります：{2}</translation>
+    </message>
+    <message>
+        <source>{0} says {1}</source>
+        <translation>{0} が {1} と言う</translation>
+    </message>
+    <message>
+        <source>{0} sets {1} to {2}</source>
+        <translation>{0} が {1} を {2} にする</translation>
+    </message>
+    <message>
+        <source>{0} shows something else on the {1}</source>
+        <translation>{0} が {1} に別のものを出す</translation>
+    </message>
+    <message>
+        <source>{0} shows the screen of {1}</source>
+        <translation>{0} が {1} の画面を出す</translation>
+    </message>
+    <message>
+        <source>{0} shows {1} on the {2}</source>
+        <translation>{0} が {2} に {1} を出す</translation>
+    </message>
+    <message>
+        <source>{0} stays</source>
+        <translation>{0} は状態を変えません</translation>
+    </message>
+    <message>
+        <source>{0} stops and holds</source>
+        <translation>{0} が止まり、そのまま保つ</translation>
+    </message>
+    <message>
         <source>{0} uses {1} here but does not declare it: add it to the resources of its module</source>
         <translation>{0} はここで {1} を使いますが、宣言していません。そのモジュールのリソースに加えてください</translation>
     </message>
     <message>
+        <source>{0} was already moved by {1}: {2}</source>
+        <translation>{0} はすでに {1} が動かしていました：{2}</translation>
+    </message>
+    <message>
+        <source>{0} was current already, since {1}</source>
+        <translation>{1} からすでに {0} でした</translation>
+    </message>
+    <message>
+        <source>{0} was in {1} already, since {2}</source>
+        <translation>{0} は {2} からすでに {1} にいました</translation>
+    </message>
+    <message>
+        <source>{0} was in {1} since {2}</source>
+        <translation>{0} は {2} から {1} にいました</translation>
+    </message>
+    <message>
+        <source>{0} was lost at {1} and has not asked again</source>
+        <translation>{0} は {1} に失われ、その後は求めていません</translation>
+    </message>
+    <message>
+        <source>{0} was not suspended</source>
+        <translation>{0} は中断していませんでした</translation>
+    </message>
+    <message>
+        <source>{0} was suspended since {1}: it did not hold {2}</source>
+        <translation>{0} は {1} から中断していました：{2} を持っていませんでした</translation>
+    </message>
+    <message>
         <source>{0} without waiting ({1}): let a condition fail once it was followed, or wait for a timeout or for an event from outside</source>
         <translation>待つことなく {0}（{1}）。一度たどったら条件が成り立たなくなるようにするか、時間切れか外からのイベントを待ってください</translation>
+    </message>
+    <message>
+        <source>{0}, and an event before this one took it: {1}</source>
+        <translation>{0}。先にあるイベントが取りました：{1}</translation>
+    </message>
+    <message>
+        <source>{0}, and no way leads from there to {1}</source>
+        <translation>{0}。そこから {1} へ行く道はありません</translation>
+    </message>
+    <message>
+        <source>{0}, but its guard did not hold: {1}</source>
+        <translation>{0}。しかし条件が成り立っていませんでした：{1}</translation>
+    </message>
+    <message>
+        <source>{0}, but {1}</source>
+        <translation>{0}。しかし{1}</translation>
+    </message>
+    <message>
+        <source>{0}, deleted at {1} by {2}</source>
+        <translation>{0}（{1} に {2} が消した）</translation>
+    </message>
+    <message>
+        <source>{0}, set at {1} by {2}</source>
+        <translation>{0}（{1} に {2} が設定）</translation>
+    </message>
+    <message>
+        <source>{0}: it was never set</source>
+        <translation>{0}：一度も設定されていません</translation>
+    </message>
+    <message>
+        <source>{0}: it was {1}</source>
+        <translation>{0}：値は {1} でした</translation>
+    </message>
+    <message>
+        <source>{0}: not told by a trace alone</source>
+        <translation>{0}：トレースだけでは分かりません</translation>
+    </message>
+    <message>
+        <source>{0}: priority {1} against {2} of {3} in {4}</source>
+        <translation>{0}：{4} での優先度は {1}、{3} は {2}</translation>
+    </message>
+    <message>
+        <source>{0}: priority {1} like {2}, and it came first</source>
+        <translation>{0}：優先度は {2} と同じ {1} で、先に求めていました</translation>
+    </message>
+    <message>
+        <source>{0}: {1} had passed</source>
+        <translation>{0}：{1} 過ぎていました</translation>
+    </message>
+    <message>
+        <source>{0}; it counts anew from the end of speech and from every touch</source>
+        <translation>{0}。発話の終わりとタッチのたびに数え直します</translation>
+    </message>
+    <message>
+        <source>{0}; it stands still, since {1}</source>
+        <translation>{0}。止まっています：{1}</translation>
+    </message>
+    <message>
+        <source>{0}; the nearest way to {1}: {2}</source>
+        <translation>{0}。{1} への最も近い道：{2}</translation>
+    </message>
+    <message>
+        <source>{0}; what it commanded, {1}, was older than its authority</source>
+        <translation>{0}。出していた命令 {1} は実行権より前のものでした</translation>
+    </message>
+    <message>
+        <source>{0}; {1} was {2}</source>
+        <translation>{0}。{1} は {2} でした</translation>
     </message>
     <message>
         <source>“Is one of” needs a list such as [&quot;a&quot;, &quot;b&quot;], not {0}</source>
