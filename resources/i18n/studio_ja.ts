@@ -10323,7 +10323,7 @@ A right click or the down key gives other values.</source>
     </message>
     <message>
         <source>a breakpoint&apos;s condition is judged at its moment: it can not have “for”</source>
-        <translation>ブレークポイントの条件はその時点で判定されます。「続いている間」は使えません</translation>
+        <translation>ブレークポイントの条件はその時点で判定されます。「継続」は使えません</translation>
     </message>
     <message>
         <source>a list of texts such as [&quot;a&quot;, &quot;b&quot;]</source>
