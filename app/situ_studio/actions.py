@@ -24,7 +24,8 @@ class Command(Struct, frozen=True, kw_only=True):
 
     menu: the menu's title, with the submenu's behind ``/``; "": in no menu.
     toolbar: at the left or right end of the toolbar; outlined buttons show their text.
-    when: must hold for the command to be enabled; shown: for it to be there at all.
+    when: what must hold for the command to be enabled, divided by blanks; of what does not, the
+        first is told as the reason. shown: must hold for it to be there at all.
     choice: commands of one choice are exclusive and checkable, ``checked`` says which one is.
     rule: a line stands before it in its menu.
     argument: given to the handler, if not None.
@@ -1066,7 +1067,7 @@ COMMANDS: tuple[Command, ...] = (
         "rehearse.back",
         "Go back to before the changes",
         "take_back_in_rehearsal",
-        icon="history",
+        icon="undo",
         menu="Robot",
         when="can_go_back",
         tip="What ran in the rehearsal before the last changes runs again, at once.",
@@ -1129,6 +1130,7 @@ COMMANDS: tuple[Command, ...] = (
         menu="Robot",
         toolbar="right",
         outlined=True,
+        when="may_operate",
         shown="differs_from_robot",
         tip="See what the robot would do differently, and have it run what is open here.",
     ),
@@ -1148,6 +1150,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="pause",
         menu="Robot",
         toolbar="right",
+        when="may_operate",
         shown="can_pause",
         rule=True,
         argument="pause",
@@ -1160,6 +1163,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="play",
         menu="Robot",
         toolbar="right",
+        when="may_operate",
         shown="is_paused",
         argument="resume",
         tip="What was paused goes on.",
@@ -1171,6 +1175,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="step",
         menu="Robot",
         toolbar="right",
+        when="may_operate",
         shown="is_paused",
         argument="step",
         tip="The paused application does the next thing that waits.",
@@ -1182,7 +1187,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="breakpoint",
         shortcut="F9",
         menu="Robot",
-        when="can_break",
+        when="may_operate can_break",
         shown="can_operate",
         argument="toggle_breakpoint",
         tip="The robot pauses when it comes to this state, takes this transition, or is in this "
@@ -1196,7 +1201,7 @@ COMMANDS: tuple[Command, ...] = (
         icon="guard",
         shortcut="Shift+F9",
         menu="Robot",
-        when="can_break",
+        when="may_operate can_break",
         shown="can_operate",
         argument="break_while",
         tip="The robot pauses here only while something holds, such as a value above a limit.",
@@ -1207,7 +1212,7 @@ COMMANDS: tuple[Command, ...] = (
         "Remove all breakpoints",
         "operate",
         menu="Robot",
-        when="has_breakpoints",
+        when="may_operate has_breakpoints",
         shown="can_operate",
         argument="clear_breakpoints",
         tip="Nothing pauses the robot any more; what is paused stays so until you let it go on.",
@@ -1218,7 +1223,7 @@ COMMANDS: tuple[Command, ...] = (
         "operate",
         icon="target",
         menu="Robot",
-        when="can_go_to",
+        when="may_operate can_go_to",
         shown="can_operate",
         argument="go_to",
         tip="The robot's application leaves its state for this one.",
@@ -1230,6 +1235,7 @@ COMMANDS: tuple[Command, ...] = (
         "operate",
         icon="event",
         menu="Robot",
+        when="may_operate",
         shown="can_operate",
         argument="raise_event",
         tip="As if it had happened: the one of the selected transition, or any other.",
@@ -1241,6 +1247,7 @@ COMMANDS: tuple[Command, ...] = (
         "operate",
         icon="set",
         menu="Robot",
+        when="may_operate",
         shown="can_operate",
         argument="set_value",
         tip="A value on the robot's blackboard.",
