@@ -118,7 +118,7 @@ def test_a_tab_that_is_moved_within_its_strip_lands_nowhere_else(
     studio: Start, project: Copy
 ) -> None:
     used = studio(project("conversation"))
-    used.window.resize(800, 700)
+    used.window.resize(1000, 700)
     used.settle()
     sides, bar = used.window.sides, used.window.tabs.bar
     end = bar.mapToGlobal(QPoint(bar.width() - 5, bar.height() // 2))
