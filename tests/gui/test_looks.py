@@ -19,8 +19,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QDialog, QWidget
 from tests.gui.conftest import Studio
 from tests.gui.likeness import differences, keep, made_small, marked
+from tests.gui.live.test_comparing import until
+from tests.gui.live.test_field import recorded, until_counted
+from tests.gui.live.test_recordings import until_shown
 
-from situ_studio import theme
+from situ_studio import letters, theme
 from situ_studio.dialogs import Dialogs
 from situ_studio.language import Speaking
 from situ_studio.shortcuts import Shortcuts
@@ -136,6 +139,7 @@ def views(
         return Views(studio(project(name) if name else None, colours), colours, code)
 
     yield start
+    letters.use(100)
     speaking = qt.findChild(Speaking)
     assert speaking is not None
     assert speaking.code == code
@@ -246,6 +250,50 @@ def test_a_script_looks_as_it_should(views: Callable[..., Views]) -> None:
     shown.compare("script-matrix")
     shown.window.show_mode("outline")
     shown.compare("script-outline")
+    assert shown.result() == ""
+
+
+def test_what_robots_did_looks_as_it_should(views: Callable[..., Views], tmp_path: Path) -> None:
+    shown = views("reception")
+    window, robot = shown.window, shown.window.robot
+    shown.open("reception.rbd.xml")
+    scripts = ("known-user.jsonl", "second-thoughts.jsonl")
+    ours, other = recorded(tmp_path, "reception", *scripts)
+    robot.open_recording(ours)
+    until_shown(shown.made)
+    window.bottom.choose("timeline")
+    robot.follower.viewing.seek(16.0)
+    shown.made.settle()
+    shown.compare("live")
+    robot.comparing.compare_with(other)
+    until(robot.comparing.comparing)
+    window.commands.next_difference(1)
+    shown.made.settle()
+    shown.compare("compared")
+    shown.made.select("state", "5")
+    window.commands.ask_why()
+    shown.made.settle()
+    shown.compare("why")
+    robot.close_recording()
+    window.field.count([ours, other])
+    until_counted(shown.made)
+    shown.compare("field")
+    window.rehearsing.clock = lambda: 0.0
+    window.rehearsing.rehearse()
+    shown.made.settle()
+    shown.compare("rehearsal")
+    window.rehearsing.end()
+    assert shown.result() == ""
+
+
+def test_large_letters_look_as_they_should(
+    views: Callable[..., Views], settings: QSettings
+) -> None:
+    settings.setValue("letters", "150")
+    shown = views("reception")
+    shown.open("reception.rbd.xml")
+    shown.made.select("state", "7")
+    shown.compare("large-letters")
     assert shown.result() == ""
 
 
