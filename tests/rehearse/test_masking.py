@@ -254,6 +254,96 @@ def test_where_components_stand_is_no_secret() -> None:
     assert told["value"]["components"] == [{**component, **shown}]
 
 
+def test_what_the_runtime_says_of_itself_is_never_filled_in_so_it_is_shown() -> None:
+    mask = Mask(["user.**"])
+    mask.know("user", {"id": 3, "name": "Ann"})
+    for tag, value in (
+        ("application/home", {"state": "3", "name": "Ann asks", "suspended": False}),
+        ("situation", {"name": "day", "priorities": {"home": 3}}),
+        ("clock.weekday", 3),
+        ("clock.time", "03:00"),
+    ):
+        assert mask.shown(tag, value, "situ") == value
+    told = {"ok": True, "status": 3, "error": "Ann: 3"}
+    assert mask.shown("service/find", told, "home") == {**told, "error": HIDDEN}
+    assert Mask(["clock.*"]).shown("clock.time", "03:00") == HIDDEN
+
+
+@pytest.mark.parametrize(
+    ("writer", "value", "hidden"),
+    [
+        ("cuff", 3, False),
+        ("operator:ann", {"at": [3, {"room": 3}]}, False),
+        ("scenario", 3, False),
+        ("cuff", "3", True),
+        ("cuff", "room 3", True),
+        ("home", 3, True),
+        ("home", [{"id": 3}], True),
+        ("screen", {"id": 3}, True),
+    ],
+)
+def test_a_number_that_no_application_has_set_was_not_filled_in(
+    writer: str, value: Any, hidden: bool
+) -> None:
+    """The same of a trace and of the blackboard; what an application or a list's entry copies
+    may be somebody's."""
+    event = {"kind": "enter", "application": "home", "state": "3"}
+    mask = Mask(["user.*"])
+    entered, _, told = mask.step(
+        [event, data("user.id", 3), {**data("x", value), "writer": writer}]
+    )
+    assert entered == event
+    assert (HIDDEN in json.dumps(told["value"], ensure_ascii=False)) == hidden
+    on_board = Mask(["user.*"], applications=["home"])
+    on_board.know("user.id", 3)
+    assert on_board.shown("x", value, writer) == told["value"]
+
+
+def test_what_a_module_commands_has_its_numbers_and_what_an_application_commands_has_not() -> None:
+    mask = Mask(["user.*"], applications=["home"])
+    mask.know("user.room", 3)
+    command = {"kind": "mapping", "resource": "base", "value": {"vx": 3, "to": "room 3"}}
+    told = mask.step([{**command, "module": "joystick"}, {**command, "module": "home"}])
+    assert [one["value"] for one in told] == [
+        {"vx": 3, "to": HIDDEN},
+        {"vx": HIDDEN, "to": HIDDEN},
+    ]
+
+
+def test_texts_of_the_project_are_shown_as_they_are_written_unless_they_are_the_value() -> None:
+    mask = Mask(["user.*"], written=["Blood pressure", "Question 3 of 5", "Ann"])
+    mask.know("user.last", "pressure")
+    mask.know("user.id", 3)
+    mask.know("user.name", "Ann")
+    texts = ("Blood pressure", "Question 3 of 5", "Ann", "Ann: blood pressure", "3 of 5")
+    shown = ["Blood pressure", "Question 3 of 5", HIDDEN, HIDDEN, HIDDEN]
+    assert [mask.text(one) for one in texts] == shown
+
+
+def test_written_are_the_texts_without_a_reference_in_all_languages(ward: Path) -> None:
+    (ward / "texts").mkdir()
+    (ward / "texts" / "ja.po").write_text(
+        'msgid "Good morning"\nmsgstr "おはようございます"\n\n'
+        'msgid "Hello {user.name}"\nmsgstr "{user.name}さん、こんにちは"\n'
+    )
+    toml = TOML.replace("[privacy]", 'languages = ["en", "ja"]\n[privacy]')
+    (ward / "situ.toml").write_text(toml, encoding="utf-8")
+    assert masking.written(load_ready(ward)) == {"Good morning", "おはようございます"}
+
+
+def test_a_recording_knows_the_texts_of_its_project(
+    ward: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "run.mcap"
+    run = Recorded(ward, made(file, ward))
+    run.at(SECOND, inputs.Use("name", "morning"))
+    run.recorder.close()
+    assert cli.main(["replay", str(file), "--role", "viewer"]) == 0
+    events = trace(capfd.readouterr().out)
+    screen = next(e for e in events if e["kind"] == "screen" and e["state"] == "2")
+    assert [c["text"] for c in screen["components"]] == [HIDDEN, "Good morning"]
+
+
 def test_only_so_many_are_known_and_the_last_seen_stay(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(masking, "MANY", 2)
     mask = Mask(["user"])

@@ -326,7 +326,7 @@ def _change(effect: Changed) -> bytes:
 
 
 def _masked_change(mask: Mask, effect: Changed) -> bytes:
-    body = _changed(effect, mask.shown(effect.tag, effect.value))
+    body = _changed(effect, mask.shown(effect.tag, effect.value, effect.writer))
     return wire.notice(topics.MASKED + topics.change(effect.tag), body)
 
 

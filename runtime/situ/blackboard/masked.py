@@ -15,7 +15,7 @@ from situ.blackboard import protocol
 from situ.blackboard.backlog import Backlog
 from situ.decide.board import Board
 from situ.decide.expected import Expectation
-from situ.decide.masking import Mask
+from situ.decide.masking import Mask, written
 from situ.document.project import Project
 
 
@@ -31,7 +31,8 @@ _data = msgspec.json.Decoder(_Data)
 def learned(project: Project, board: Board, backlog: Backlog) -> Mask:
     """The mask of a project, which knows what stands on the board now and what the backlog has
     of what stood there before."""
-    mask = Mask(project.private)
+    names = (application.name for application in project.applications.values())
+    mask = Mask(project.private, written(project), names)
     for line in backlog:
         if line.startswith(_DATA):
             event = _data.decode(line)
@@ -49,7 +50,7 @@ def events(mask: Mask, lines: Iterable[bytes]) -> tuple[Raw, ...]:
 
 def entries(mask: Mask, found: Mapping[str, protocol.Entry]) -> dict[str, protocol.Entry]:
     return {
-        tag: msgspec.structs.replace(entry, value=mask.shown(tag, entry.value))
+        tag: msgspec.structs.replace(entry, value=mask.shown(tag, entry.value, entry.writer or ""))
         for tag, entry in found.items()
     }
 

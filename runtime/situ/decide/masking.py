@@ -3,18 +3,22 @@
 What is private is told by its tag, ``[privacy] private`` (formats.md, *A project*). What is filled
 with it, a speech, a screen, the address of a service, does not say so in a trace; so what equals a
 private value, or holds one, is hidden whole wherever it stands; of a service's result all of it.
-Rather too much is hidden than too little.
+Rather too much is hidden than too little. Shown, for no private value can have come there: what
+the runtime itself says of its states, situations and clock, the project's texts as they are
+written, and numbers that a module, a person or the project sets.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 from urllib.parse import unquote_plus
 
 from situ.decide.values import in_text
 from situ.document import names
+from situ.document.project import Project
+from situ.document.texts_shown import shown_texts
 
 HIDDEN = "•••"
 MANY = 2_000
@@ -26,14 +30,48 @@ _OWN = frozenset(
     | {"name", "resource", "resources", "optional", "module", "missing", "reason", "situation"}
     | {"holds", "ok", "timeout", "tag", "writer", "version", "lang", "where"}
 )
-_LAID_OUT = frozenset({"type", "id", "x", "y", "width", "height", "size", "max", "align", "tag"})
+_LAID_OUT = frozenset(
+    {"type", "id", "x", "y", "width", "height", "size", "max", "align", "tag", "color", "fill"}
+    | {"event", "done", "kind"}
+)
+_KEPT = ("application/*", "situation", "clock.*")
+# Of ``service/<name>``; its ``error`` may repeat what was asked.
+_ANSWER = frozenset({"ok", "status"})
+
+
+def written(project: Project) -> frozenset[str]:
+    """The texts that the robot shows and says as they are written, in all languages."""
+    found = {
+        each
+        for application in (*project.applications.values(), *project.parts.values())
+        for one in shown_texts(application)
+        for each in (one.text, *(texts.get(one.text, "") for texts in project.texts.values()))
+    }
+    return frozenset(
+        literal
+        for pieces in map(names.split, map(str.strip, found))
+        for literal, name in pieces
+        if name is None and len(pieces) == 1
+    )
 
 
 class Mask:
-    """Hides what is private in the events of one trace, which it must be given in order."""
+    """Hides what is private in the events of one trace, which it must be given in order.
 
-    def __init__(self, private: Iterable[str]) -> None:
+    written: texts that are shown though they hold a private value, but not where they are one.
+    applications: those known from the beginning; more are learned from the trace.
+    """
+
+    def __init__(
+        self,
+        private: Iterable[str],
+        written: Collection[str] = frozenset(),
+        applications: Iterable[str] = (),
+    ) -> None:
         self._private = tuple(private)
+        self._written = written
+        # Who fills in what is private; ``screen`` sets an entry that was chosen from a list.
+        self._filling = {"screen", *applications}
         # In order of when they were last seen. No patterns are made of them: they change with
         # every write, and a search each is cheaper.
         self._within: dict[str, None] = {}
@@ -52,9 +90,16 @@ class Mask:
             return [self.know(f"{tag}.{n}", inner) for n, inner in enumerate(value)]
         return value
 
-    def shown(self, tag: str, value: Any) -> Any:
-        """What is to be seen of a tag's value."""
-        return self._shown(self.know(tag, value))
+    def shown(self, tag: str, value: Any, writer: str = "screen") -> Any:
+        """What is to be seen of the value of a tag that ``writer`` has set."""
+        known = self.know(tag, value)
+        if any(names.matches(kept, tag) for kept in _KEPT):
+            return known
+        if tag.startswith("service/") and isinstance(known, dict):
+            return {
+                key: inner if key in _ANSWER else self._shown(inner) for key, inner in known.items()
+            }
+        return self._shown(known, counts=writer not in self._filling)
 
     def text(self, text: str) -> str:
         """What is to be seen of a text."""
@@ -62,18 +107,24 @@ class Mask:
 
     def step(self, events: list[dict[str, Any]]) -> list[dict[str, Any]]:
         """The events of one step, or of several, without what is private."""
-        told = [
-            {**event, "value": self.know(event["tag"], event.get("value"))}
-            if event["kind"] == "data"
-            else event
+        for event in events:
+            if event["kind"] == "data":
+                self.know(event["tag"], event.get("value"))
+            elif name := event.get("application"):
+                self._filling.add(name)
+        # A service's result stands before the tags that it goes to.
+        return [
+            {key: self._field(event, key, value) for key, value in event.items()}
             for event in events
         ]
-        # A service's result stands before the tags that it goes to.
-        return [{key: self._field(key, value) for key, value in event.items()} for event in told]
 
-    def _field(self, key: str, value: Any) -> Any:
+    def _field(self, event: dict[str, Any], key: str, value: Any) -> Any:
         if key in _OWN:
             return value
+        if key == "value" and event["kind"] == "data":
+            return self.shown(event["tag"], value, event.get("writer", "screen"))
+        if key == "value" and event["kind"] == "mapping" and "module" in event:
+            return self._shown(value, counts=event["module"] not in self._filling)
         shown = self._shown(value, key == "components")
         return HIDDEN if key == "result" and shown != value else shown
 
@@ -94,8 +145,8 @@ class Mask:
             if len(known) > MANY:
                 del known[next(iter(known))]
 
-    def _shown(self, value: Any, component: bool = False) -> Any:
-        """component: it is one of a screen, or all of them."""
+    def _shown(self, value: Any, component: bool = False, *, counts: bool = False) -> Any:
+        """component: it is one of a screen, or all of them. counts: its numbers are nobody's."""
         if isinstance(value, str):
             return HIDDEN if self._holds(value) else value
         if isinstance(value, dict):
@@ -103,19 +154,22 @@ class Mask:
                 HIDDEN if self._holds(key) and not component else key: (
                     inner
                     if component and key in _LAID_OUT
-                    else self._shown(inner, key == "components")
+                    else self._shown(inner, key == "components", counts=counts)
                 )
                 for key, inner in value.items()
             }
         if isinstance(value, list):
-            return [self._shown(inner, component) for inner in value]
+            return [self._shown(inner, component, counts=counts) for inner in value]
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
-        if not number:
+        if counts or not number:
             return value
         plain = _plain(value)
         return HIDDEN if plain in self._alone or plain in self._within else value
 
     def _holds(self, text: str) -> bool:
+        if text in self._written:
+            plain = _plain(text)
+            return plain in self._within or plain in self._alone
         # In an address it is written with signs of its own.
         for one in {text, unquote_plus(text)}:
             folded = one.casefold()

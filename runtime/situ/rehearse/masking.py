@@ -7,17 +7,22 @@ from typing import Any
 
 import msgspec
 
-from situ.decide.masking import Mask
-from situ.rehearse.recorded import Heading, Line, Piece, Snapshot, Torn
+from situ.decide.masking import Mask, written
+from situ.rehearse.recorded import Document, Heading, Line, Piece, Snapshot, Torn, loaded
 from situ.rehearse.recording import Fields
 
 
 def masked(recording: Iterable[Piece]) -> Iterator[Piece]:
     """The same recording as a viewer may see it: its trace, without what is private."""
-    mask = Mask(())
+    heading, mask = Heading(), Mask(())
+    documents: list[Document] = []
     ended: list[Piece] = []
     moment: list[tuple[Line, Fields]] = []
     for piece in recording:
+        if documents and isinstance(piece, (Line, Snapshot)):
+            project = loaded(heading, documents)
+            mask = Mask(heading.private, written(project) if project is not None else ())
+            documents = []
         if isinstance(piece, Line):
             event = msgspec.json.decode(piece.text)
             if moment and moment[0][1]["t"] != event["t"]:
@@ -25,8 +30,10 @@ def masked(recording: Iterable[Piece]) -> Iterator[Piece]:
                 moment = []
             moment.append((piece, event))
         elif isinstance(piece, Heading):
-            mask = Mask(piece.private)
+            heading, mask = piece, Mask(piece.private)
             yield msgspec.structs.replace(piece, tags={}, masked=True)
+        elif isinstance(piece, Document):
+            documents.append(piece)
         elif isinstance(piece, Snapshot):
             for tag, entry in _board.decode(piece.state).board.items():
                 mask.know(tag, entry.value)
