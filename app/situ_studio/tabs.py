@@ -149,6 +149,7 @@ class BottomPanels(QWidget):
     """
 
     folded = Signal(bool)
+    """It is folded now, or not any more."""
     chosen = Signal(str)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -244,6 +245,8 @@ class BottomPanels(QWidget):
 
     def set_folded(self, folded: bool) -> None:
         """Only the strip, or the panel too."""
+        if folded == self.is_folded:
+            return
         self._stack.setVisible(not folded)
         self.setMaximumHeight(0 if folded else 16777215)
         if folded:

@@ -175,6 +175,23 @@ def test_what_is_folded_below_stays_so_and_unfolds_to_the_height_that_it_had(
     assert studio(used.session.root).window.bottom.is_folded
 
 
+def test_another_panel_below_is_as_high_as_a_person_made_the_one_before(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    bottom, dock = used.window.bottom, used.window.docks["bottom"]
+    used.click(bottom.button("problems"))
+    used.click(bottom.button("problems"))
+    edge = QPoint(dock.geometry().center().x(), dock.geometry().top() - 1)
+    drag_line(used, edge, QPoint(0, -150))
+    high = dock.height()
+    for name in ("find", "problems", "scenarios", "find"):
+        used.click(bottom.button(name))
+        assert dock.height() == high
+    used.click(used.window.status.errors)
+    assert dock.height() == high
+
+
 def test_a_layout_that_can_not_be_read_is_the_first_one(
     studio: Start, project: Copy, settings: QSettings
 ) -> None:
