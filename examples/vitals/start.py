@@ -4,7 +4,7 @@
 
 Each is a process of its own; where one ends, all end. The broker is Debian's mosquitto, where it
 is installed and nobody else answers at the address of ``[mqtt]``. What the robot is told of the
-records in confidence is written into its state folder, once.
+records in confidence, and which programs it may start, is written into its state folder, once.
 """
 
 from __future__ import annotations
@@ -74,6 +74,14 @@ def confide(records: Path, robot: Path, url: str) -> None:
         out.write(said)
 
 
+def allow(robot: Path) -> None:
+    """The programs that the robot may start, where its state folder does not list any yet."""
+    file = robot / "launch.toml"
+    if not file.exists():
+        command = [sys.executable, str(HERE / "programs" / "video_call.py"), "{address}"]
+        file.write_text(f"video-call = {json.dumps(command)}\n", "utf-8")
+
+
 def start_broker(programs: Programs, url: str) -> None:
     host, port = urlsplit(url).hostname or "127.0.0.1", urlsplit(url).port or 1883
     with socket.socket() as look:
@@ -100,6 +108,7 @@ def main() -> int:
         told = ("--host", address.hostname or "", "--port", str(address.port))
         nurse = first_line(programs.python("-m", "ward_records", state / "records", *told))
         confide(state / "records", state, records)
+        allow(state)
         start_broker(programs, project["mqtt"]["url"])
         run = programs.python("-m", "situ", "run", HERE, "--state", state, "--json")
         ready = json.loads(first_line(run))

@@ -24,6 +24,19 @@ INVENTED = (
 )
 """Residents of no ward: room, name, PIN."""
 
+CONTACTS = (
+    (12, "family", "Anna Nilsen"),
+    (12, "family", "Peter Nilsen"),
+    (12, "friends", "Bob Hart"),
+    (7, "family", "Mere Nikora"),
+    (7, "friends", "Rose Baker"),
+    (3, "family", "Hana Tamihana"),
+    (21, "family", "木村ゆき"),
+    (21, "family", "木村けんじ"),
+    (21, "friends", "佐藤ふみ"),
+)
+"""Whom they may call: room, group, name. Nobody has such an address."""
+
 
 def tokens_in(folder: Path) -> Tokens:
     """Those of ``tokens.json``, which is made where there is none; for its owner only."""
@@ -52,8 +65,9 @@ def main() -> int:
         return 2
     store = Store(args.folder / "ward.db", lambda: datetime.now(UTC))
     if not store.residents():
-        for room, name, pin in INVENTED:
-            store.add(room, name, pin)
+        made = {room: store.add(room, name, pin).id for room, name, pin in INVENTED}
+        for number, (room, group, name) in enumerate(CONTACTS, 1):
+            store.add_contact(made[room], group, name, f"sip:{number}@ward.invalid")
     said = f"http://{args.host}:{args.port}/?token={tokens.operator}"
     try:
         web.run_app(

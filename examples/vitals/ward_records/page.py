@@ -21,7 +21,12 @@ _LABELS = {
     "glucose_low": "Glucose, lower limit, mmol/L",
     "glucose_high": "Glucose, upper limit, mmol/L",
 }
-_KINDS = {"pressure": "Blood pressure", "oxygen": "Blood oxygen", "glucose": "Blood glucose"}
+_KINDS = {
+    "pressure": "Blood pressure",
+    "oxygen": "Blood oxygen",
+    "glucose": "Blood glucose",
+    "game": "Brain game",
+}
 
 
 def entrance(wrong: str = "") -> str:
@@ -122,6 +127,8 @@ def _value(one: Resident, reading: Reading, open_: bool) -> str:
         shown = f"{value['systolic']:g} / {value['diastolic']:g}, pulse {value['pulse']:g}"
     elif reading.kind == "oxygen":
         shown = f"{value['oxygen']:g} %, pulse {value['pulse']:g}"
+    elif reading.kind == "game":
+        shown = f"{value['score']:g} of 5"
     else:
         shown = f"{value['glucose']:g} mmol/L"
     if _is_outside(one, reading):

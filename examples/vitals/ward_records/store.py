@@ -25,8 +25,10 @@ KINDS: dict[str, dict[str, tuple[float, float]]] = {
     "pressure": {"systolic": (40, 300), "diastolic": (20, 200), "pulse": (20, 250)},
     "oxygen": {"oxygen": (40, 100), "pulse": (20, 250)},
     "glucose": {"glucose": (0.5, 40)},
+    "game": {"score": (0, 5)},
 }
-"""What is measured, and between which values anybody can live: all else is a fault of a device."""
+"""What is measured, and between which values anybody can live: all else is a fault of a device.
+A game is its score: who knows less from week to week is to be looked at."""
 
 LIMITS: dict[str, float] = {
     "systolic_low": 100,
@@ -39,6 +41,9 @@ LIMITS: dict[str, float] = {
 }
 """Between these nobody is told, for whom the nurse has not set others. In mmHg, %, mmol/L."""
 
+GROUPS = ("family", "friends")
+"""Whom a resident calls. The staff are not called but come, as to any call for a nurse."""
+
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS resident (
   id INTEGER PRIMARY KEY, room INTEGER NOT NULL, name TEXT NOT NULL,
@@ -48,6 +53,10 @@ CREATE TABLE IF NOT EXISTS wrong_pin (room INTEGER NOT NULL, at TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS reading (
   id INTEGER PRIMARY KEY, resident INTEGER NOT NULL REFERENCES resident (id),
   at TEXT NOT NULL, kind TEXT NOT NULL, measured TEXT NOT NULL
+);
+CREATE TABLE IF NOT EXISTS contact (
+  id INTEGER PRIMARY KEY, resident INTEGER NOT NULL REFERENCES resident (id),
+  kind TEXT NOT NULL, name TEXT NOT NULL, address TEXT NOT NULL
 );
 CREATE TABLE IF NOT EXISTS call (
   id INTEGER PRIMARY KEY, at TEXT NOT NULL, why TEXT NOT NULL, room TEXT NOT NULL, seen TEXT
@@ -87,6 +96,14 @@ class Reading(Struct, frozen=True):
     at: datetime
     kind: str
     measured: dict[str, float]
+
+
+class Contact(Struct, frozen=True):
+    """address: what the robot's video program calls."""
+
+    id: int
+    name: str
+    address: str
 
 
 class Call(Struct, frozen=True):
@@ -178,6 +195,26 @@ class Store:
             self._db.execute(
                 "UPDATE resident SET limits = ? WHERE id = ?", (json.dumps(dict(limits)), number)
             )
+
+    def add_contact(self, resident: int, group: str, name: str, address: str) -> None:
+        """Whom a resident may call. Raises Unknown, and Unfit where the group is none."""
+        self.resident(resident)
+        if group not in GROUPS:
+            raise Unfit(f"the group must be one of {', '.join(GROUPS)}")
+        with self._db:
+            self._db.execute(
+                "INSERT INTO contact (resident, kind, name, address) VALUES (?, ?, ?, ?)",
+                (resident, group, name, address),
+            )
+
+    def contacts(self, resident: int, group: str) -> list[Contact]:
+        """In the order in which they were added. Raises Unknown."""
+        self.resident(resident)
+        rows = self._db.execute(
+            "SELECT id, name, address FROM contact WHERE resident = ? AND kind = ? ORDER BY id",
+            (resident, group),
+        )
+        return [Contact(*row) for row in rows]
 
     def _who(self, room: int, pin: str) -> int | None:
         rows = self._db.execute("SELECT id, salt, pin FROM resident WHERE room = ?", (room,))

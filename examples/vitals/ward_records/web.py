@@ -4,6 +4,7 @@
 ``POST /login`` {room, pin}             {user: {id, name, room, limits}}; 401: not this PIN, 429:
                                         too many wrong ones
 ``POST /readings`` {reading}            {kept: true}; 400: no such reading, 404: no such resident
+``POST /contacts`` {user, group}        {contacts: [{id, name, address}, …]}; 404: no such resident
 ``GET /``                               the nurse's page
 ``GET /residents/ID``                   one resident: readings, limits
 ``POST /residents/ID``                  her limits, from that page's form
@@ -23,11 +24,11 @@ from collections.abc import Awaitable, Callable
 from typing import Any, Literal
 
 from aiohttp import web
-from msgspec import Struct
+from msgspec import Struct, to_builtins
 
 from situ.resources import resource
 from ward_records import page
-from ward_records.store import LIMITS, Locked, Store, Unfit, Unknown, WrongPin, number_in
+from ward_records.store import LIMITS, Locked, Reading, Store, Unfit, Unknown, WrongPin, number_in
 
 COOKIE = "ward"
 LONGEST_BODY = 64 * 1024
@@ -58,6 +59,7 @@ def application(store: Store, tokens: Tokens) -> web.Application:
     made = web.Application(client_max_size=LONGEST_BODY, middlewares=[_careful])
     made.router.add_post("/login", ward.login)
     made.router.add_post("/readings", ward.keep)
+    made.router.add_post("/contacts", ward.contacts)
     made.router.add_get("/", ward.page)
     made.router.add_get("/page.css", ward.style)
     made.router.add_static("/fonts", resource("fonts"))
@@ -123,6 +125,17 @@ class _Ward:
             return _refused(404, str(unknown))
         return web.json_response({"kept": True})
 
+    async def contacts(self, request: web.Request) -> web.Response:
+        asked = await self._asked(request)
+        who, group = number_in(asked.get("user")), asked.get("group")
+        if who is None or not who.is_integer() or not isinstance(group, str):
+            return _refused(400, "user must be the id that login gave, and group a text")
+        try:
+            found = self._store.contacts(int(who), group)
+        except Unknown as unknown:
+            return _refused(404, str(unknown))
+        return web.json_response({"contacts": [to_builtins(one) for one in found]})
+
     async def _asked(self, request: web.Request) -> dict[str, Any]:
         """The body, of the robot only."""
         given = request.headers.get("Authorization", "")
@@ -151,8 +164,12 @@ class _Ward:
         if role is None:
             return _page(page.entrance(), 403)
         residents = self._store.residents()
-        latest = {one.id: self._store.readings(one.id, most=1) for one in residents}
+        latest = {one.id: self._measured(one.id) for one in residents}
         return _page(page.ward(residents, latest, self._store.calls(), role == "operator"))
+
+    def _measured(self, number: int) -> list[Reading]:
+        """The last reading of the body: a game does not hide it."""
+        return [one for one in self._store.readings(number) if one.kind != "game"][:1]
 
     async def resident(self, request: web.Request) -> web.Response:
         role = self._role(request)
