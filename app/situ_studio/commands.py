@@ -22,7 +22,6 @@ from situ_studio.menus import told
 from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
 from situ_studio.preferences import Preferences
-from situ_studio.reasons import reasons
 from situ_studio.screens import ordering
 from situ_studio.shortcuts import Shortcuts
 from situ_studio.showing import show_beside
@@ -397,7 +396,7 @@ class Commands(FileCommands):
         """Commands, with why where one can not be done now, then all of the project's names."""
         window = self._window
         window.actions_.refresh()
-        found, why = [], reasons()
+        found = []
         for id, action in window.actions_.actions.items():
             if not action.isVisible() or id == "find":
                 continue
@@ -408,7 +407,7 @@ class Commands(FileCommands):
                 keys = action.shortcut().toString()
                 found.append(Find(text, one.icon, "text2", keys, action.trigger, one.menu, id))
             else:
-                said = why[one.when]
+                said = window.actions_.reason(one)
                 say = partial(window.say, f"{text}: {said}")
                 found.append(Find(text, one.icon, "text2", said, say, one.menu, id, said))
         project = self._session.project
@@ -559,6 +558,9 @@ class Commands(FileCommands):
 
     def differs_from_robot(self) -> bool:
         return self._window.deploying.differs
+
+    def may_operate(self) -> bool:
+        return not self._window.robot.link.looks_only
 
     def can_operate(self) -> bool:
         return self._window.operating.can_operate

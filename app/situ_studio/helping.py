@@ -17,7 +17,6 @@ from situ_studio.help_topics import HELP, Topic, command_topic, topics
 from situ_studio.help_window import CONTENTS, HelpWindow
 from situ_studio.keys import written
 from situ_studio.menus import translated
-from situ_studio.reasons import reasons
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -91,8 +90,9 @@ class HelpSide(QObject):
         keys = written(action.shortcuts())
         if keys:
             rows.append((self.tr("Keys"), keys))
-        if not action.isEnabled() and one.when:
-            rows.append((self.tr("Not now"), reasons()[one.when]))
+        reason = window.actions_.reason(one)
+        if reason:
+            rows.append((self.tr("Not now"), reason))
         return rows
 
     # -- what is at a place ------------------------------------------------------------

@@ -13,6 +13,7 @@ from situ_studio import icons
 from situ_studio.actions import COMMANDS, MENUS, SUBMENU_ICONS, Command
 from situ_studio.help_texts import explained
 from situ_studio.letters import px
+from situ_studio.reasons import reasons
 from situ_studio.theme import Theme
 
 
@@ -88,15 +89,25 @@ class Actions(QObject):
         known: dict[str, bool] = {}
         for command in COMMANDS:
             action = self.actions[command.id]
-            for asked in (command.shown, command.when):
-                if asked and asked not in known:
+            for asked in (*command.shown.split(), *command.when.split()):
+                if asked not in known:
                     known[asked] = bool(getattr(self._handlers, asked)())
             if command.shown:
                 action.setVisible(known[command.shown])
             if command.when:
-                action.setEnabled(known[command.when])
+                lacking = [one for one in command.when.split() if not known[one]]
+                action.setEnabled(not lacking)
+                if command.tip and command.toolbar:
+                    told = [explained(command), *(reasons()[one] for one in lacking[:1])]
+                    action.setToolTip("\n".join(told))
             if command.checked:
                 action.setChecked(bool(getattr(self._handlers, command.checked)(command.argument)))
+
+    def reason(self, command: Command) -> str:
+        """Why it can not be done now, in the user's language; "" where it can."""
+        asked = command.when.split()
+        lacking = next((one for one in asked if not getattr(self._handlers, one)()), "")
+        return reasons()[lacking] if lacking else ""
 
     def fill_menus(self, bar: QMenuBar) -> None:
         """Makes the menus."""

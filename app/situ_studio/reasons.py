@@ -6,7 +6,7 @@ from situ_studio.language import tr
 
 
 def reasons() -> dict[str, str]:
-    """A short line for every ``when`` of ``actions.COMMANDS``, in the user's language."""
+    """A short line for everything in a ``when`` of ``actions.COMMANDS``, in the user's language."""
     application = tr("only in an application")
     graph = tr("only in the graph")
     card = tr("select a state first")
@@ -48,6 +48,7 @@ def reasons() -> dict[str, str]:
         "can_space": tr("select three states first"),
         "can_step_exit": either,
         "can_undo": tr("nothing was changed"),
+        "may_operate": tr("only an operator may: your key lets you look only"),
         "has_breakpoints": tr("there is no breakpoint"),
         "has_cells": tr("only in the matrix of a script"),
         "has_data": tr("select data in the graph first"),

@@ -47,6 +47,7 @@ class Breakpoints(QWidget):
         self._points: dict[str, Point] = {}
         self._vocabulary = Vocabulary()
         self._adds: Point | None = None
+        self._may_change = True
         self.setProperty("role", "panel")
         titles = (tr("No."), tr("The robot pauses"), tr("Application"), tr("Set by"))
         self.table = BreakpointTable(tr("Breakpoints"), titles, (40, 250, 90), theme)
@@ -115,18 +116,20 @@ class Breakpoints(QWidget):
         stopped: frozenset[int],
         earlier: Sequence[Point],
         vocabulary: Vocabulary,
+        may_change: bool = True,
     ) -> None:
         """every: as the tag ``debugger.breakpoints`` has them. stopped: those at which something
-        waits now. earlier: those that the robot has not. vocabulary: for conditions.
+        waits now. earlier: those that the robot has not. vocabulary: for conditions. may_change:
+        whether the robot takes others from us.
         """
-        self._vocabulary = vocabulary
+        self._vocabulary, self._may_change = vocabulary, may_change
         before = self.current
         self._points = {str(one["id"]): one for one in every}
         self._points |= {f"{EARLIER}{n}": one for n, one in enumerate(earlier)}
         self.table.rows.show(
             [self._row(key, one, one.get("id") in stopped) for key, one in self._points.items()]
         )
-        self.again.setVisible(bool(earlier))
+        self.again.setVisible(bool(earlier) and may_change)
         self.again.setText(tr("Set {0} from before on this robot, too").format(len(earlier)))
         wanted = self._adds or (point_of(before) if before is not None else None)
         same = [key for key, one in self._points.items() if point_of(one) == wanted]
@@ -189,9 +192,12 @@ class Breakpoints(QWidget):
         settable = one is not None and "id" in one
         condition = _condition(one) if one is not None and settable else None
         self.condition.show_value(self._theme, condition, self._vocabulary)
-        self.add.setEnabled(settable)
-        self.hint.setVisible(condition is None)
-        if settable:
+        self.condition.setEnabled(self._may_change)
+        self.add.setEnabled(settable and self._may_change)
+        self.hint.setVisible(condition is None or not self._may_change)
+        if not self._may_change:
+            self.hint.setText(tr("Only an operator may change it: your key lets you look only."))
+        elif settable:
             self.hint.setText(tr("Always. Add a test, as in a guard."))
         else:
             self.hint.setText(tr("Select a breakpoint of this robot."))

@@ -118,6 +118,11 @@ class Deploying(QObject):
         elif self.is_on_its_way and self.state is not None:
             self.rollback(self.state.version)
 
+    @property
+    def is_allowed(self) -> bool:
+        """Whether the robot takes versions from who is connected."""
+        return not self._link.looks_only
+
     def ask_history(self) -> None:
         from situ.blackboard import sending
 

@@ -194,7 +194,11 @@ class DeployDialog(QDialog):
                 self.changes.addItem(more)
         elif plan.files:
             self.changes.addItem(self.tr("It will act the same; its media may differ."))
-        self.hindered.setText("\n".join(plan.hindrances[:5]) if plan is not None else "")
+        hindrances = list(plan.hindrances[:5]) if plan is not None else []
+        if not self._deploying.is_allowed:
+            only = self.tr("Only an operator may deploy: your key lets you look only.")
+            hindrances = [only]
+        self.hindered.setText("\n".join(hindrances))
         self.hindered.setVisible(bool(self.hindered.text()))
         self._on_deploying()
 
@@ -228,11 +232,12 @@ class DeployDialog(QDialog):
     def _settle_buttons(self) -> None:
         deploying, plan, turns = self._deploying, self._plan, self._deploying.turns
         busy = deploying.is_on_its_way
-        self.deploy.setEnabled(bool(plan and plan.files and not plan.hindrances) and not busy)
+        may = deploying.is_allowed and not busy
+        self.deploy.setEnabled(bool(plan and plan.files and not plan.hindrances) and may)
         self.stop.setVisible(busy)
         self.theirs.setEnabled(plan is not None)
         to = self._back_to
         words = self.tr("Roll back to version {0}").format(to) if to is not None else ""
         self.back.setText(words or self.tr("Roll back"))
         others = turns is not None and any(one != turns.version for one in turns.kept)
-        self.back.setEnabled(others and not busy)
+        self.back.setEnabled(others and may)

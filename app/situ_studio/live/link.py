@@ -35,6 +35,7 @@ class LinkState(Struct, frozen=True):
     kind: ``none`` (no robot), ``connecting``, ``live``, ``lost`` or ``refused``.
     since: seconds of the link's clock when it became so. behind: seconds between the
     last event at the robot and here, by both wall clocks; None before the first.
+    looks_only: whether the robot takes nothing from us but questions.
     """
 
     kind: str = "none"
@@ -43,13 +44,15 @@ class LinkState(Struct, frozen=True):
     since: float = 0.0
     behind: float | None = None
     why: str = ""
+    looks_only: bool = False
 
     def words(self, now: float) -> str:
         """As a designer reads it, at ``now`` of the link's clock."""
         if self.kind == "live":
-            if self.behind is None:
-                return tr("live")
-            return tr("live, {0} ms behind").format(round(self.behind * 1000))
+            told = tr("live")
+            if self.behind is not None:
+                told = tr("live, {0} ms behind").format(round(self.behind * 1000))
+            return tr("{0}, you can look only").format(told) if self.looks_only else told
         if self.kind == "lost":
             return tr("lost {0} s ago").format(round(now - self.since))
         if self.kind == "connecting":
@@ -141,6 +144,11 @@ class RobotLink(QObject):
     def connected(self) -> bool:
         return self.state.kind == "live"
 
+    @property
+    def looks_only(self) -> bool:
+        """Whether the robot is there and its keys here are a viewer's."""
+        return self.connected and self.state.looks_only
+
     # -- what an operator may do ---------------------------------------------
 
     def set(self, tags: Mapping[str, Any], told: Callable[[str], None]) -> None:
@@ -230,7 +238,9 @@ class RobotLink(QObject):
                 self._backlog = dialog.welcome.seq
                 self._greeted(dialog.welcome.runtime)
                 project = dialog.welcome.project
-                self._become(LinkState("live", at, project, link.clock()))
+                looks_only = dialog.person.role == "viewer"
+                now = link.clock()
+                self._become(LinkState("live", at, project, now, looks_only=looks_only))
         elif dialog.ended:
             self._become(LinkState("refused", at, since=link.clock(), why=str(dialog.problem)))
         elif self.state.kind == "live":

@@ -21,6 +21,7 @@ from situ_studio.live.breaking import KeptBreakpoints, Point, point_of, points_a
 from situ_studio.live.breakpoints import Breakpoints
 from situ_studio.live.moment import ApplicationMoment
 from situ_studio.live.views import runs_of
+from situ_studio.reasons import reasons
 from situ_studio.theme import Theme
 
 if TYPE_CHECKING:
@@ -191,7 +192,9 @@ class OperatingSide(QObject):
         one = self.panel.point(key)
         if one is None:
             return
-        if "id" in one:
+        if "id" in one and self._link.looks_only:
+            self._window.say(reasons()["may_operate"])
+        elif "id" in one:
             self._unbreak(one)
         elif self._root is not None:
             self._kept.remove(self._root, one)
@@ -329,7 +332,9 @@ class OperatingSide(QObject):
         project = window.session.project
         document = project.spds if project is not None else None
         vocabulary = window.vocabulary(document or window.current_document)
-        self.panel.show_breakpoints(self._standing, stopped, earlier, vocabulary)
+        self.panel.show_breakpoints(
+            self._standing, stopped, earlier, vocabulary, not self._link.looks_only
+        )
         window.bottom.set_shown("breakpoints", bool(self._standing or earlier))
 
     def _waiting(self, name: str, state: str | None, stopped: int | None) -> str:
