@@ -116,6 +116,7 @@ def test_a_whole_project_is_read(write: Write) -> None:
     assert project.languages == ("en", "ja")
     assert project.texts == {"ja": {"Hello {user.name}": "こんにちは、{user.name}さん"}}
     assert (project.endpoint, project.adapter) == ("tcp://127.0.0.1:5571", "sim")
+    assert project.announce
     assert project.tags == {"services.records": "http://127.0.0.1:8080"}
     assert project.durable == ("medication.*",)
     assert project.places == {"lobby": (2.0, 1.5, 90.0)}
@@ -161,7 +162,8 @@ def test_a_single_document_is_a_project(write: Write) -> None:
 
 def test_robot_local_toml_overrides_what_is_per_robot(write: Write) -> None:
     root = write(
-        robot_local_toml='[robot]\nendpoint = "tcp://127.0.0.1:6000"\n[tags]\nlanguage = "ja"\n'
+        robot_local_toml='[robot]\nendpoint = "tcp://127.0.0.1:6000"\nannounce = false\n'
+        '[tags]\nlanguage = "ja"\n'
         '"services.records" = "http://10.0.0.2"\n[places]\nbed = [1, 2, 3]\n'
     )
     project, problems = found_in(root)
@@ -169,6 +171,7 @@ def test_robot_local_toml_overrides_what_is_per_robot(write: Write) -> None:
     assert project is not None
     assert project.tags == {"services.records": "http://10.0.0.2", "language": "ja"}
     assert (project.endpoint, project.adapter) == ("tcp://127.0.0.1:6000", "sim")
+    assert not project.announce
     assert set(project.places) == {"lobby", "bed"}
 
 
@@ -182,6 +185,7 @@ def test_robot_local_toml_overrides_what_is_per_robot(write: Write) -> None:
         ("[project]\nnam = 'a'\n", "situ.toml", "unknown-key", 2),
         ("name = 'a'\n", "situ.toml", "unknown-key", 1),
         ("[robot]\nport = 1\n[tags]\n", "situ.toml", "unknown-key", 2),
+        ("[robot]\nannounce = 0\n[tags]\n", "situ.toml", "bad-value", 2),
         ("[project]\nname = 3\n", "situ.toml", "bad-value", 2),
         ("[project]\napplications = 'a.rbd.xml'\n", "situ.toml", "bad-value", 2),
         ("project = 3\n", "situ.toml", "bad-value", 1),
@@ -494,12 +498,9 @@ def test_malformed_texts_are_told_with_their_line(write: Write) -> None:
     )
 
 
-def test_a_setting_that_is_lost_at_a_restart_is_a_warning(write: Write) -> None:
+def test_a_setting_is_durable_by_itself(write: Write) -> None:
     toml = TOML.replace('tags = ["medication.*"]', "tags = []")
-    assert told(write(situ_toml=toml)) == [
-        ("situ.toml", "setting-not-durable", 24),
-        ("situ.toml", "setting-not-durable", 28),
-    ]
+    assert told(write(situ_toml=toml)) == []
 
 
 def test_parts_are_read_and_checked_too(write: Write) -> None:

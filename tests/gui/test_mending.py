@@ -68,9 +68,11 @@ languages = ["en", "ja", "de"]
 
 [[setting]]
 tag = "volume"
+type = "numbr"
 
 [[setting]]
 tag = "dose"
+type = "numbr"
 """
 PO = """msgid ""
 msgstr "Content-Type: text/plain; charset=UTF-8\\n"
@@ -162,11 +164,11 @@ def test_a_problem_is_shown_where_it_can_be_seen(ward: Any) -> None:
     assert table.texts.language(index.column()) == "de"
     assert index.siblingAtColumn(index.column() - 2).data() == "Coffee"
 
-    second = [p for p in ward.session.problems if p.code == "setting-not-durable"][1]
+    second = [p for p in ward.session.problems if p.code == "bad-value"][1]
     ward.click_row(rows, row_of(ward, second))
     assert window.tabs.chosen_file == "situ.toml"
     form = window.sides.current.documents.currentWidget()
-    field = form.sections["settings"].rows.field(1, 1)
+    field = form.sections["settings"].rows.field(1, 2)
     assert field.hasFocus()
     assert not field.visibleRegion().isEmpty()
     # An edit that is not saved has moved what stands below it.
@@ -175,7 +177,7 @@ def test_a_problem_is_shown_where_it_can_be_seen(ward: Any) -> None:
     ward.session.commit("situ.toml", moved, "Choose an adapter")
     ward.settle()
     form.sections["tags"].setFocus()
-    second = [p for p in ward.session.problems if p.code == "setting-not-durable"][1]
+    second = [p for p in ward.session.problems if p.code == "bad-value"][1]
     ward.click_row(rows, row_of(ward, second))
     assert field.hasFocus()
     ward.click_row(rows, row_of(ward, problem(ward, "unknown-key")))

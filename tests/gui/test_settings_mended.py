@@ -11,6 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QPushButton
 
+from situ.document.beside import Toml
+
 Start = Callable[..., Any]
 TOML = """[project]
 name = "ward"   # as on the door
@@ -19,8 +21,10 @@ langages = ["en"]
 
 [[setting]]
 tag = "volume"
+type = "numbr"
 [[setting]]
 tag = "pace"
+type = "tet"
 
 [privacy]
 private = ["User.**", "bp.**"]
@@ -75,8 +79,8 @@ def choose(used: Any, menu: QMenu, words: str) -> None:
 def test_a_field_with_a_problem_has_a_sign_that_tells_and_mends_it(used: Any) -> None:
     signs, settings = form(used).signs, form(used).sections["settings"].rows
     sign = signs.at(settings.field(1, 0))
-    assert sign.toolTip() == 'The setting "pace" is lost at a restart: add it to [durable]'
-    assert sign.accessibleName() == f"Warning: {sign.toolTip()}"
+    assert sign.toolTip().startswith('No setting is a "tet"; did you mean text?')
+    assert sign.accessibleName() == f"Error: {sign.toolTip()}"
     field = settings.field(1, 0)
     middle = sign.mapToGlobal(sign.rect().center()).y()
     assert abs(middle - field.mapToGlobal(field.rect().center()).y()) <= 1
@@ -84,10 +88,9 @@ def test_a_field_with_a_problem_has_a_sign_that_tells_and_mends_it(used: Any) ->
         sign.mapToGlobal(sign.rect().topRight()).x()
         <= settings.mapToGlobal(settings.rect().topLeft()).x()
     )
-    # An unknown key has no field: the section of its table has the sign, an error's shape.
+    # An unknown key has no field: the section of its table has the sign.
     unknown = signs.at(form(used).sections["project"])
     assert unknown.accessibleName().startswith("Error: ")
-    assert unknown.icon().cacheKey() != sign.icon().cacheKey()
     # By keys: the sign comes before its row; its menu has the mend chosen already.
     field.setFocus()
     form(used).area.ensureWidgetVisible(field)
@@ -97,15 +100,15 @@ def test_a_field_with_a_problem_has_a_sign_that_tells_and_mends_it(used: Any) ->
     used.key(Qt.Key.Key_Space)
     menu = used.window.mending.shown
     assert entries(menu) == [
-        'Keep "pace" when the robot restarts',
+        "Make it a text",
         "Mend all 2 of this kind",
         "Show where it is",
     ]
     before = text(used)
     QTest.keyClick(menu, Qt.Key.Key_Return)
     used.settle()
-    assert text(used).endswith('[durable]\ntags = ["pace"]\n')
-    assert used.session.undo_text == 'Keep "pace" when the robot restarts'
+    assert text(used) == before.replace('"tet"', '"text"')
+    assert used.session.undo_text == "Make it a text"
     codes(used)
     assert signs.at(field) is None
     assert signs.at(settings.field(0, 0)) is not None
@@ -116,6 +119,17 @@ def test_a_field_with_a_problem_has_a_sign_that_tells_and_mends_it(used: Any) ->
     assert signs.at(field) is not None
 
 
+def test_what_only_warns_has_a_sign_of_another_shape(used: Any) -> None:
+    toml = Toml(text(used).replace('langages = ["en"]', 'languages = ["en", "de"]'))
+    used.session.commit("situ.toml", toml, "Add a language")
+    codes(used)
+    signs, sections = form(used).signs, form(used).sections
+    warning = signs.at(sections["languages"].rows.field(1, 0))
+    assert warning.accessibleName().startswith("Warning: There is no texts/de.po")
+    error = signs.at(sections["settings"].rows.field(1, 0))
+    assert warning.icon().cacheKey() != error.icon().cacheKey()
+
+
 def test_all_of_a_kind_in_situ_toml_are_mended_as_one_step(used: Any) -> None:
     before = text(used)
     rows = form(used).sections["settings"].rows
@@ -124,7 +138,8 @@ def test_all_of_a_kind_in_situ_toml_are_mended_as_one_step(used: Any) -> None:
     used.settle()
     used.click(sign)
     choose(used, used.window.mending.shown, "Mend all 2 of this kind")
-    assert "setting-not-durable" not in codes(used)
+    assert 'type = "number"' in text(used)
+    assert 'type = "text"' in text(used)
     assert used.session.undo_text == "Mend 2 problems of one kind"
     used.window.actions_.actions["undo"].trigger()
     assert text(used) == before

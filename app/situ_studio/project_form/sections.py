@@ -375,14 +375,12 @@ class SettingsSection(RowsSection):
             tr("a setting"),
         )
         self._settings: list[dict[str, Any]] = []
-        self._durable: list[str] = []
 
     def show_tables(self, tables: Tables) -> None:
         listed = tables.get("setting")
         self._settings = (
             [one for one in listed if isinstance(one, dict)] if isinstance(listed, list) else []
         )
-        self._durable = texts_of(table_of(tables, "durable").get("tags"))
         self.show_values([self._row(one) for one in self._settings])
         for row, one in enumerate(self._settings):
             self.rows.field(row, 3).setEnabled(one.get("type") == "choice")
@@ -391,13 +389,6 @@ class SettingsSection(RowsSection):
         kind = one.get("type", "text")
         return one.get("label", ""), one.get("tag", ""), kind, texts_of(one.get("choices"))
 
-    def _kept(self, toml: Toml, name: str) -> Toml:
-        """A setting that is lost at a restart is none."""
-        good = [one for one in self._durable if names.is_pattern(one)]
-        if any(names.matches(one, name) for one in good):
-            return toml
-        return writing.put(toml, "durable", "tags", [*self._durable, name])
-
     def on_changed(self, row: int, column: int, value: Any) -> None:
         one = self._settings[row]
         words = tr("Change the setting {0}").format(one.get("label") or one.get("tag", ""))
@@ -405,8 +396,6 @@ class SettingsSection(RowsSection):
         def change(toml: Toml) -> Toml:
             key = ("label", "tag", "type", "choices")[column]
             toml = writing.put_setting(toml, row, key, value or None)
-            if key == "tag":
-                return self._kept(toml, value)
             if key == "type" and value == "choice" and not one.get("choices"):
                 usual = [tr("first"), tr("second")]
                 return writing.put_setting(toml, row, "choices", usual)
@@ -424,7 +413,7 @@ class SettingsSection(RowsSection):
     def on_added(self) -> None:
         name = free("setting.new", [one.get("tag", "") for one in self._settings])
         values = {"tag": name, "label": tr("New setting"), "type": "text"}
-        self.added(lambda toml: self._kept(writing.add_setting(toml, values), name))
+        self.added(lambda toml: writing.add_setting(toml, values))
 
 
 class _Choices(Line):

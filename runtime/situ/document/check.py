@@ -10,10 +10,9 @@ import json
 from collections.abc import Callable, Iterable
 from itertools import takewhile
 
-from situ.document import names, projectfile
-from situ.document import projectfile_mends as mends
+from situ.document import projectfile
 from situ.document.accept import ACCEPT
-from situ.document.check_application import check_application, used_resources
+from situ.document.check_application import check_application, to_declare, used_resources
 from situ.document.check_script import check_modules, check_script
 from situ.document.datatypes import shown
 from situ.document.finding import Disk, Files, Findings
@@ -179,8 +178,7 @@ def give_priority(project: Project, script: Spds, application: Application) -> M
     last = script.situations[at]
     changes = []
     if project.resources(application.name) is None:
-        used = tuple(sorted(one for one in used_resources(project, application) if one))
-        declared = Declaration(application.name, used)
+        declared = Declaration(application.name, to_declare(project, application))
         changes.append(put_in(("modules", len(script.modules)), declared))
     lowest = min([1, *(value - 1 for value in script.priorities(last).values())])
     entries: Path = ("situations", at, "entries", len(last.entries))
@@ -279,15 +277,6 @@ def _project(
                 "situ texts, or take the language out"
             )
             told.append(("warning", "missing-texts", said, ("project", "languages", at), None))
-    durable = [pattern for pattern in project.durable if names.is_pattern(pattern)]
-    for at, setting in enumerate(project.settings):
-        tag = setting.tag
-        if not any(names.matches(pattern, tag) for pattern in durable):
-            said = f"The setting {shown(tag)} is lost at a restart: add it to [durable]"
-            words = f"Keep {shown(tag)} when the robot restarts"
-            end = ("durable", "tags", len(project.durable))
-            keep = mends.add(project.toml, end, tag, words, safe=True)
-            told.append(("warning", "setting-not-durable", said, ("setting", at, "tag"), keep))
     if not told:
         return []
     text = (files.read(project.toml) or b"").decode(errors="replace")
