@@ -7,8 +7,9 @@ from typing import Any
 from msgspec.structs import replace
 
 from situ.document import drawing, modules, rbd, spds
-from situ.document.condition import Condition, Test
+from situ.document.condition import Condition
 from situ_studio import changes, kinds, places, words
+from situ_studio.canvas.script_conditions import test_of
 from situ_studio.edit import Document, Place
 from situ_studio.kinds import Kind
 
@@ -124,7 +125,7 @@ def _into_script(document: spds.Spds, kind: Kind, at: Place) -> tuple[Document, 
         owner = places.get(document, at[:2])
         if not isinstance(owner, spds.Situation):
             raise NotHere("Select a situation first, then add the condition.")
-        test = kind.make(document.observe[0].tag if document.observe else "data")
+        test = test_of(document, document.observe[0].tag if document.observe else "data")
         old = owner.condition or Condition()
         new = replace(old, children=(*old.children, test))
         after = places.change(document, at[:2], condition=new)
@@ -139,7 +140,9 @@ def _into_script(document: spds.Spds, kind: Kind, at: Place) -> tuple[Document, 
     if every:
         # Only the last one may hold always, and a new one stands before it.
         tag = document.observe[0].tag if document.observe else "data"
-        made = spds.Situation(name=name, condition=Condition((Test(tag, "exists", "true"),)))
+        if at[:1] == ("data",):
+            tag = at[1]
+        made = spds.Situation(name=name, condition=Condition((test_of(document, tag),)))
     every.insert(index, made)
     after = places.change(document, (), situations=tuple(every))
     return after, ("situation", name), f"Add situation {name}"

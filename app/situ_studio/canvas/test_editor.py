@@ -93,6 +93,22 @@ class TestEditor(QFrame):
         if ends or event.key() == Qt.Key.Key_Escape:
             self.close_editor()
 
+    def focusNextPrevChild(self, next: bool) -> bool:
+        """Tab goes from field to field and round again: the drawing beneath would keep it."""
+        if self._gone:
+            return False
+        fields = [
+            w
+            for w in self.findChildren(QWidget)
+            if w.isVisible() and w.isEnabled() and w.focusPolicy() & Qt.FocusPolicy.TabFocus
+        ]
+        now = self.focusWidget()
+        step = 1 if next else -1
+        at = fields.index(now) if now in fields else -step
+        reason = Qt.FocusReason.TabFocusReason if next else Qt.FocusReason.BacktabFocusReason
+        fields[(at + step) % len(fields)].setFocus(reason)
+        return True
+
     def event(self, event: QEvent) -> bool:
         # The drawing beneath takes no key that a field left over.
         handled = super().event(event)
