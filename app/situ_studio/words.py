@@ -166,7 +166,9 @@ def situation_words(script: spds.Spds, situation: spds.Situation) -> str:
     if situation.condition is None or not situation.condition.children:
         told = [tr("This always holds.")]
     else:
-        told = [tr("This holds while {0}.").format(condition_words(situation.condition))]
+        told = [tr("This holds while {0}.").format(_clause(situation.condition))]
+    if situation.until is not None and situation.until.children:
+        told.append(tr("Once current it stays until {0}.").format(_clause(situation.until)))
     if situation.dwell is not None:
         told.append(tr("Once current it stays for {0} s at least.").format(f"{situation.dwell:g}"))
     if situation.limit is not None:
@@ -180,7 +182,9 @@ def situation_words(script: spds.Spds, situation: spds.Situation) -> str:
     else:
         told.append(tr("{0} go first.").format(listed(before)))
     every = sorted(script.priorities(situation).items(), key=lambda pair: -pair[1])
-    if every:
+    if len(every) == 1:
+        told.append(tr("{0} may move the robot.").format(every[0][0]))
+    elif every:
         movers = listed([module for module, _ in every])
         told.append(tr("{0} may move the robot, in this order.").format(movers))
     else:
@@ -193,6 +197,17 @@ def listed(names: list[str]) -> str:
     if len(names) < 2:
         return "".join(names)
     return tr("{0} and {1}").format(tr(", ").join(names[:-1]), names[-1])
+
+
+def _clause(condition: Condition) -> str:
+    """A condition as a part of a sentence: each test has its verb."""
+    verbs = {
+        "above {0}": tr("is above {0}"),
+        "below {0}": tr("is below {0}"),
+        "at least {0}": tr("is at least {0}"),
+        "at most {0}": tr("is at most {0}"),
+    }
+    return said.condition(condition, lambda text: verbs.get(text) or say(text))
 
 
 def condition_words(condition: Condition | None) -> str:

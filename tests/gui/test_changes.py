@@ -192,6 +192,29 @@ def test_a_situation_is_said_in_words(script: Spds) -> None:
     assert "nod and talk may move the robot" in said
 
 
+def test_a_situation_is_said_in_whole_sentences() -> None:
+    """What ends it is told, each test has its verb, and one mover stands in no order."""
+    hot = Condition((Check("heat", "above", "30"), Check("heat", "atmost", "40")))
+    script = Spds(
+        name="ward",
+        modules=(Declaration("nod", ("head",)),),
+        situations=(
+            Situation(
+                "hot",
+                condition=hot,
+                until=Condition((Check("door", "is", "true"),)),
+                entries=(Entry("nod", 1),),
+            ),
+            Situation("always"),
+        ),
+    )
+    assert words.situation_words(script, script.situations[0]) == (
+        "This holds while heat is above 30 and heat is at most 40. "
+        "Once current it stays until door is true. It goes before all others. "
+        "nod may move the robot."
+    )
+
+
 def test_every_problem_of_a_broken_example_has_a_place_that_is_there() -> None:
     project, _ = folder.load(example("reception"))
     assert project is not None
