@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from situ.document.check_application import used_resources
+from situ.document.check_application import to_declare
 from situ.document.modules import Module, Modules, Provides, Requires
 from situ.document.project import Project
 from situ.document.spds import DATA_TYPES, Declaration, Entry, Observed, Spds
@@ -41,7 +41,7 @@ def known(project: Project, told: Iterable[ModuleState] = ()) -> dict[str, Known
     if project.modules is not None:
         found = {m.name: Known(m) for m in project.modules.modules}
     for application in project.applications.values():
-        resources = tuple(sorted(used_resources(project, application)))
+        resources = to_declare(project, application)
         found[application.name] = Known(Module(application.name, resources), application=True)
     for one in told:
         if one.application:

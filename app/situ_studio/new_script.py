@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from situ.document.beside import Toml
-from situ.document.check_application import used_resources
+from situ.document.check_application import to_declare
 from situ.document.check_script import DEFAULT
 from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
@@ -26,8 +26,8 @@ def can_begin(project: Project) -> bool:
 def begun(project: Project, toml: Toml, taken: frozenset[str]) -> dict[str, Written]:
     """The files that change, each with what is in it then: the script first, and ``situ.toml``.
 
-    Every application is a module of the script, with what it uses, and has in its one situation
-    the priority that it had without a script. taken: files that are there already.
+    Every application is a module of the script, declared as ``to_declare`` says, and has in its
+    one situation the priority that it had without a script. taken: files that are there already.
     """
     name = re.sub(r"[^a-z0-9-]+", "-", project.name.lower()).strip("-") or "script"
     file, number = f"{name}{END}", 2
@@ -35,7 +35,7 @@ def begun(project: Project, toml: Toml, taken: frozenset[str]) -> dict[str, Writ
         file, number = f"{name}-{number}{END}", number + 1
     every = {a.name: a for a in project.applications.values()}
     modules = tuple(
-        Declaration(name, tuple(sorted(r for r in used_resources(project, one) if r)))
+        Declaration(name, to_declare(project, one))
         for name, one in every.items()
         if project.modules is None or all(m.name != name for m in project.modules.modules)
     )

@@ -9,12 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
 from situ.document import folder
 from situ.document.check import check, merge
+from situ.document.rbd import Screen, Speech, Text
 
 Start = Callable[..., Any]
 APPLICATION = (
@@ -22,6 +24,8 @@ APPLICATION = (
     "<backgroundactions><speech>Hello</speech></backgroundactions></state>"
     '<state no="2" name="Bye" final="true"/></application>'
 )
+
+SCREEN = Screen(components=(Text(id="t", x=10, y=10, width=80, height=20, text="Good night"),))
 
 
 @pytest.fixture
@@ -116,6 +120,14 @@ def test_a_new_application_is_named_opened_and_gone_after_undo(used: Any, tmp_pa
     assert used.window.current_document.name == "night-round"
     used.session.check_now()
     assert [p.code for p in used.session.problems if p.severity == "error"] == []
+    # It may speak and show something without another step in the script.
+    first = used.window.current_document
+    (state,) = first.states
+    says = replace(state, actions=(Speech(text="Good night"),), screen=SCREEN)
+    used.window.commit(replace(first, states=(says,)), "Speak", used.window.current_file)
+    used.session.check_now()
+    assert [p.code for p in used.session.problems if p.severity == "error"] == []
+    undo(used)
     used.window.open_file("situ.toml")
     used.settle()
     assert shown(used)[1] == ["night-round", "night-round.rbd.xml", "1 start"]

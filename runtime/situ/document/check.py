@@ -12,7 +12,7 @@ from itertools import takewhile
 
 from situ.document import projectfile
 from situ.document.accept import ACCEPT
-from situ.document.check_application import check_application, used_resources
+from situ.document.check_application import check_application, to_declare, used_resources
 from situ.document.check_script import check_modules, check_script
 from situ.document.datatypes import shown
 from situ.document.finding import Disk, Files, Findings
@@ -178,8 +178,7 @@ def give_priority(project: Project, script: Spds, application: Application) -> M
     last = script.situations[at]
     changes = []
     if project.resources(application.name) is None:
-        used = tuple(sorted(one for one in used_resources(project, application) if one))
-        declared = Declaration(application.name, used)
+        declared = Declaration(application.name, to_declare(project, application))
         changes.append(put_in(("modules", len(script.modules)), declared))
     lowest = min([1, *(value - 1 for value in script.priorities(last).values())])
     entries: Path = ("situations", at, "entries", len(last.entries))

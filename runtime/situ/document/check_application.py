@@ -53,6 +53,17 @@ MOST_LOOKED_FOR = 30
 _ELSEWHERE = re.compile(r"https?://|data:", re.IGNORECASE)
 
 
+USUAL = ("screen", "speech")
+"""The resources that most applications use sooner or later."""
+
+
+def to_declare(project: Project, application: Application) -> tuple[str, ...]:
+    """With which resources an application is declared: those that it uses, and the usual ones
+    while it uses none, so that its first speech or screen is no error.
+    """
+    return tuple(sorted(one for one in used_resources(project, application) if one)) or USUAL
+
+
 def used_resources(project: Project, application: Application) -> dict[str, Aside]:
     """What the states of an application ask for, parts included, and one value that does.
 

@@ -9,7 +9,7 @@ from typing import Any
 from msgspec import Struct
 
 from situ.document import names
-from situ.document.check_application import another, used_resources
+from situ.document.check_application import another, to_declare
 from situ.document.check_values import check_values
 from situ.document.condition import Condition, Group, Test
 from situ.document.datatypes import shown
@@ -210,7 +210,7 @@ def declare(found: Findings, script: Spds, project: Project, name: str) -> Mend 
     application = next((a for a in project.applications.values() if a.name == name), None)
     if application is None:
         return None
-    used = tuple(sorted(one for one in used_resources(project, application) if one))
+    used = to_declare(project, application)
     added = put_in(("modules", len(script.modules)), Declaration(name, used))
     return Mend(found.file, f"Declare {shown(name)} with {_listed(used)}", (added,))
 
