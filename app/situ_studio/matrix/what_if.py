@@ -345,9 +345,15 @@ def holders_words(holdings: dict[str, Holding]) -> str:
     return tr(", ").join(parts)
 
 
+_BOLD = ('<span style="font-weight:600">', "</span>")
+"""Not <b>: the typeface has no bolder weight, and Qt would smear the letters."""
+
+
 def _bold(text: str) -> str:
-    return f"<b>{escape(text)}</b>"
+    return escape(text).join(_BOLD)
 
 
 def _plain(text: str) -> str:
-    return text.replace("<b>", "").replace("</b>", "")
+    for mark in _BOLD:
+        text = text.replace(mark, "")
+    return text

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QFont, QFontDatabase, QTextCursor, QTextDocument, QTextDocumentFragment
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
 from tests.gui.matrix.conftest import TIED, Desk, read
@@ -13,6 +14,7 @@ from tests.gui.matrix.conftest import TIED, Desk, read
 from situ.document.project import Project
 from situ_studio.canvas.live import LiveScript
 from situ_studio.matrix.chips import Chip
+from situ_studio.theme import FAMILY
 
 Make = Callable[..., Desk]
 DOWN = Qt.Orientation.Vertical
@@ -30,7 +32,7 @@ def press(used: Desk, name: str) -> None:
 
 def answer(used: Desk) -> tuple[str, str]:
     strip = used.view.what_if
-    plain = strip.holders.text().replace("<b>", "").replace("</b>", "")
+    plain = QTextDocumentFragment.fromHtml(strip.holders.text()).toPlainText()
     return strip.situation.text(), plain
 
 
@@ -73,6 +75,21 @@ def test_a_supposed_value_says_the_situation_and_who_holds_what_at_once(desk: Ma
     press(used, "robot.stop")
     assert answer(used)[0] == "invited"
     assert used.steps == [], "nothing of it is in the document"
+
+
+def test_a_holder_stands_in_a_weight_that_the_typeface_has(desk: Make) -> None:
+    """Qt smears the letters of a bolder one."""
+    used = desk()
+    press(used, "sound.slap")
+    letters = used.view.what_if.holders
+    told = QTextDocument()
+    told.setHtml(letters.text())
+    cursor = QTextCursor(told)
+    cursor.setPosition(told.toPlainText().index("gaze-sound") + 1)
+    weight = cursor.charFormat().fontWeight()
+    styles = QFontDatabase.styles(FAMILY)
+    assert weight > QFont.Weight.Medium
+    assert weight in {QFontDatabase.weight(FAMILY, one) for one in styles}
 
 
 def test_a_robots_situation_is_marked_where_nothing_is_supposed(desk: Make) -> None:
