@@ -114,6 +114,8 @@ def main() -> int:
         ready = json.loads(first_line(run))
         for device in DEVICES:
             programs.python(HERE / "modules" / f"{device}.py", ready["requests"])
+        seen = ("--records", records, "--tokens", state / "records" / "tokens.json")
+        programs.python(HERE / "modules" / "monitor.py", ready["requests"], *seen)
         print(f"the robot's screen: {ready['http']}\nthe nurse's page: {nurse}", flush=True)
         os.wait()
     return 0

@@ -12,8 +12,11 @@ import aiohttp
 import pytest
 from aiohttp.test_utils import TestServer
 
+from ward_records.access import Tokens
+from ward_records.day import Day
 from ward_records.store import LIMITS, Locked, Resident, Store, Unfit, Unknown, WrongPin
-from ward_records.web import Tokens, application
+from ward_records.watching import Watching
+from ward_records.web import application
 
 TOKENS = Tokens("the-robot", "a-nurse", "a-visitor")
 PRESSURE = {"kind": "pressure", "systolic": "128", "diastolic": "76", "pulse": 68}
@@ -221,10 +224,12 @@ ROBOT = {"Authorization": "Bearer the-robot"}
 
 
 def over_http(store: Store, asking: Asking) -> None:
+    ward = application(store, Day(store.db, Clock()), Watching(Clock()), TOKENS)
+
     async def run() -> None:
         jar = aiohttp.CookieJar(unsafe=True)
         async with (
-            TestServer(application(store, TOKENS)) as server,
+            TestServer(ward) as server,
             aiohttp.ClientSession(server.make_url("/"), cookie_jar=jar) as session,
         ):
             await asking(session)

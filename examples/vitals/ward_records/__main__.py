@@ -13,8 +13,11 @@ from pathlib import Path
 import msgspec
 from aiohttp import web
 
+from ward_records.access import Tokens
+from ward_records.day import Day
 from ward_records.store import Store
-from ward_records.web import Tokens, application
+from ward_records.watching import Watching
+from ward_records.web import application
 
 INVENTED = (
     (3, "Aroha Tamihana", "3141"),
@@ -36,6 +39,23 @@ CONTACTS = (
     (21, "friends", "佐藤ふみ"),
 )
 """Whom they may call: room, group, name. Nobody has such an address."""
+
+MEDICINE = (
+    (12, "morning", "two white tablets, with water"),
+    (12, "evening", "one white tablet, with water"),
+    (3, "morning", "one yellow capsule, after breakfast"),
+    (7, "noon", "one drop in each eye"),
+    (21, "morning", "白い錠剤を一つ、お水で"),
+)
+"""Room, round, what."""
+
+TOLD = (
+    (None, "10:30", "bingo in the hall"),
+    (None, "15:00", "tea in the garden"),
+    (7, "14:00", "the doctor comes to see you"),
+    (12, "16:30", "your daughter comes to visit"),
+)
+"""Every day; for the room, or for all."""
 
 
 def tokens_in(folder: Path) -> Tokens:
@@ -63,15 +83,24 @@ def main() -> int:
     except (OSError, msgspec.MsgspecError) as error:
         print(f"ward_records: {args.folder / 'tokens.json'}: {error}", file=sys.stderr)
         return 2
-    store = Store(args.folder / "ward.db", lambda: datetime.now(UTC))
+
+    def now() -> datetime:
+        return datetime.now(UTC)
+
+    store = Store(args.folder / "ward.db", now)
+    day = Day(store.db, now)
     if not store.residents():
         made = {room: store.add(room, name, pin).id for room, name, pin in INVENTED}
         for number, (room, group, name) in enumerate(CONTACTS, 1):
             store.add_contact(made[room], group, name, f"sip:{number}@ward.invalid")
+        for room, round_, what in MEDICINE:
+            day.prescribe(made[room], round_, what)
+        for whom, begins, what in TOLD:
+            day.remind(begins, what, made.get(whom or 0), daily=True)
     said = f"http://{args.host}:{args.port}/?token={tokens.operator}"
     try:
         web.run_app(
-            application(store, tokens),
+            application(store, day, Watching(now), tokens),
             host=args.host,
             port=args.port,
             print=lambda _: print(said, flush=True),

@@ -37,27 +37,34 @@ def entrance(wrong: str = "") -> str:
         '<input id="token" name="token" type="password" autocomplete="off" required autofocus>'
         "<button>Open</button></form>"
     )
-    return _page("Ward", f"<h1>Ward</h1>{told}{form}")
+    return framed("Ward", f"<h1>Ward</h1>{told}{form}")
 
 
 def ward(
     residents: Sequence[Resident],
     latest: Mapping[int, Sequence[Reading]],
     calls: Sequence[Call],
+    watched: str,
     open_: bool,
 ) -> str:
-    """Calls, then residents with what was measured last. open_: what is private is shown."""
+    """Calls, then residents with what was measured last. open_: what is private is shown.
+
+    watched: links to what the robot sees now.
+    """
     rows = "".join(_resident_row(one, latest[one.id], open_) for one in residents)
     body = (
-        f"<h1>Ward</h1>{_note(open_)}<h2>Calls</h2>{_calls(calls, open_)}<h2>Residents</h2>"
+        f"<h1>Ward</h1>{_note(open_)}{watched}<h2>Calls</h2>{_calls(calls, open_)}"
+        '<p><a href="/today">Medicine, and what is told today</a></p><h2>Residents</h2>'
         '<table id="residents"><thead><tr><th>Room</th><th>Name</th><th>Measured last</th>'
         f"<th>When</th></tr></thead><tbody>{rows}</tbody></table>"
     )
-    return _page("Ward", body, refresh=10)
+    return framed("Ward", body, refresh=10)
 
 
-def resident(one: Resident, readings: Sequence[Reading], open_: bool, wrong: str) -> str:
-    """One resident. wrong: what is wrong with the limits that were just given."""
+def resident(
+    one: Resident, readings: Sequence[Reading], medicine: str, open_: bool, wrong: str
+) -> str:
+    """One resident. medicine: a form; wrong: what is wrong with the limits that were just given."""
     name = escape(one.name) if open_ else HIDDEN
     rows = "".join(
         f"<tr><td>{_when(each.at)}</td><td>{_KINDS[each.kind]}</td>{_value(one, each, open_)}</tr>"
@@ -73,7 +80,7 @@ def resident(one: Resident, readings: Sequence[Reading], open_: bool, wrong: str
         f'<p><a href="/">Ward</a></p><h1>{name}</h1><p>Room {one.room if open_ else HIDDEN}</p>'
         f"{_note(open_)}<h2>Measured</h2>{measured}"
     )
-    return _page("Resident", body + (_limits(one, wrong) if open_ else ""))
+    return framed("Resident", body + (_limits(one, wrong) + medicine if open_ else ""))
 
 
 def _limits(one: Resident, wrong: str) -> str:
@@ -153,7 +160,8 @@ def _when(at: datetime) -> str:
     return f'<time datetime="{at.isoformat()}">{local:%d.%m. %H:%M}</time>'
 
 
-def _page(title: str, body: str, refresh: int = 0) -> str:
+def framed(title: str, body: str, refresh: int = 0) -> str:
+    """A whole page. refresh: seconds after which the browser asks for it again; 0: never."""
     again = f'<meta http-equiv="refresh" content="{refresh}">' if refresh else ""
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'

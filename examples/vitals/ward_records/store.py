@@ -65,7 +65,12 @@ CREATE TABLE IF NOT EXISTS call (
 
 
 class Unfit(Exception):
-    """What was given can not be kept; says why, in one line."""
+    """What was given can not be kept; says why, in one line: ``text`` with ``values`` at its
+    ``{0}``, ``{1}``."""
+
+    def __init__(self, text: str, *values: object) -> None:
+        super().__init__(text.format(*values) if values else text)
+        self.text, self.values = text, values
 
 
 class Unknown(Exception):
@@ -128,18 +133,21 @@ class Store:
         self._db.executescript(_SCHEMA)
         self._now = now
 
+    @property
+    def db(self) -> sqlite3.Connection:
+        """For what else is kept of the residents, in the same file."""
+        return self._db
+
     def close(self) -> None:
         self._db.close()
 
     # -- residents ---------------------------------------------------------------
 
     def add(self, room: int, name: str, pin: str) -> Resident:
-        """A new resident, with the usual limits. Raises Unfit where the PIN is not four digits,
-        or somebody in the room has it."""
-        if not (len(pin) == 4 and pin.isascii() and pin.isdigit()):
-            raise Unfit("a PIN is four digits")
-        if self._who(room, pin) is not None:
-            raise Unfit("somebody in this room has this PIN already")
+        """A new resident, with the usual limits. Raises Unfit where there is no name, the PIN is
+        not four digits, or somebody in the room has it."""
+        _must_be_named(name)
+        self._must_be_free(room, pin)
         salt = secrets.token_bytes(16)
         with self._db:
             made = self._db.execute(
@@ -148,6 +156,33 @@ class Store:
             )
         assert made.lastrowid is not None
         return self.resident(made.lastrowid)
+
+    def change(self, number: int, room: int, name: str, pin: str | None) -> None:
+        """Another name, room or PIN (None: as it is). Raises Unknown, and Unfit as ``add``; where
+        somebody lives in the new room a new PIN is needed: nobody knows whether the old ones are
+        the same, for no file holds them."""
+        here = self.resident(number)
+        _must_be_named(name)
+        if pin is not None:
+            self._must_be_free(room, pin, but=number)
+        elif room != here.room and any(one.room == room for one in self.residents()):
+            raise Unfit("somebody lives in room {0}: give a new PIN, too", room)
+        with self._db:
+            self._db.execute(
+                "UPDATE resident SET room = ?, name = ? WHERE id = ?", (room, name, number)
+            )
+            if pin is not None:
+                salt = secrets.token_bytes(16)
+                self._db.execute(
+                    "UPDATE resident SET salt = ?, pin = ? WHERE id = ?",
+                    (salt, _hashed(pin, salt), number),
+                )
+
+    def _must_be_free(self, room: int, pin: str, but: int | None = None) -> None:
+        if not (len(pin) == 4 and pin.isascii() and pin.isdigit()):
+            raise Unfit("a PIN is four digits")
+        if self._who(room, pin) not in (None, but):
+            raise Unfit("somebody in this room has this PIN already")
 
     def residents(self) -> list[Resident]:
         """By room."""
@@ -190,7 +225,8 @@ class Store:
         for which, (least, most) in (one for kind in KINDS.values() for one in kind.items()):
             low, high = limits.get(f"{which}_low", least), limits.get(f"{which}_high", most)
             if not least <= low < high <= most:
-                raise Unfit(f"{which}: the lower limit below the upper, {least:g} to {most:g}")
+                said = "{0}: the lower limit below the upper, {1} to {2}"
+                raise Unfit(said, which, f"{least:g}", f"{most:g}")
         with self._db:
             self._db.execute(
                 "UPDATE resident SET limits = ? WHERE id = ?", (json.dumps(dict(limits)), number)
@@ -306,6 +342,11 @@ def number_in(value: Any) -> float | None:
     except ValueError:
         return None
     return number if abs(number) < 1e12 else None
+
+
+def _must_be_named(name: str) -> None:
+    if not 0 < len(name.strip()) <= 80:
+        raise Unfit("a name has 1 to 80 letters")
 
 
 def _resident(row: tuple[int, str, int, str]) -> Resident:

@@ -1,0 +1,138 @@
+"""What the robot does by itself, over HTTP.
+
+=========================================  ==================================================
+``POST /rounds`` {round}                   {round: [{id, room, what, round}, …]}: who is to be
+                                           visited now; 400: no such round
+``POST /schedule``                         {notices, reminders}: what is still to be told today
+``PUT /watch/ROOM`` a picture              {watched, ended}; 415: no picture
+``GET /watch/ROOM``                        a nurse looks; ``/live`` and ``/picture`` are in it
+``POST /watch/ROOM``                       help is there, from that page's button
+``GET /today``                              medicine and reminders of today, a page
+``POST /reminders``, ``/reminders/ID``     something is to be told, or no more, from the page
+``POST /residents/ID/medicine``            what somebody is given, from her page
+=========================================  ==================================================
+"""
+
+from __future__ import annotations
+
+from aiohttp import web
+
+from ward_records import day_page, page
+from ward_records.access import Tokens
+from ward_records.answers import refused, shown
+from ward_records.day import ROUNDS, Day
+from ward_records.store import Store, Unfit, Unknown
+from ward_records.watching import KINDS, Picture, Watching
+
+_ROOM = "/watch/{room:[A-Za-z0-9-]{1,20}}"
+
+
+class DayWeb:
+    """wrong: what is wrong with what was given to a form of the ward's page."""
+
+    def __init__(self, store: Store, day: Day, watching: Watching, tokens: Tokens) -> None:
+        self._store = store
+        self._day = day
+        self._watching = watching
+        self._tokens = tokens
+
+    def add_to(self, router: web.UrlDispatcher) -> None:
+        router.add_post("/rounds", self._round)
+        router.add_post("/schedule", self._schedule)
+        router.add_put(_ROOM, self._show)
+        router.add_get(_ROOM, self._watch)
+        router.add_get(f"{_ROOM}/live", self._live)
+        router.add_get(f"{_ROOM}/picture", self._picture)
+        router.add_post(_ROOM, self._end)
+        router.add_get("/today", self._today)
+        router.add_post("/reminders", self._remind)
+        router.add_post("/reminders/{id:[0-9]{1,9}}", self._forget)
+        router.add_post("/residents/{id:[0-9]{1,9}}/medicine", self._prescribe)
+
+    # -- parts of other pages ----------------------------------------------------
+
+    def watched(self, open_: bool) -> str:
+        return day_page.watched_rooms(self._watching.rooms(), open_)
+
+    def medicine_form(self, resident: int) -> str:
+        return day_page.medicine_form(resident, self._day.medicines(resident))
+
+    # -- what the robot asks -----------------------------------------------------
+
+    async def _round(self, request: web.Request) -> web.Response:
+        asked = await self._tokens.asked(request)
+        try:
+            return web.json_response({"round": self._day.round(str(asked.get("round")))})
+        except Unfit as unfit:
+            return refused(400, str(unfit))
+
+    async def _schedule(self, request: web.Request) -> web.Response:
+        await self._tokens.asked(request)
+        return web.json_response(self._day.schedule())
+
+    async def _show(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_robot(request)
+        if request.content_type not in KINDS:
+            return refused(415, f"a picture is one of {', '.join(KINDS)}")
+        picture = Picture(request.content_type, await request.read())
+        return web.json_response(self._watching.show(request.match_info["room"], picture))
+
+    # -- what the nurse does -----------------------------------------------------
+
+    async def _today(self, request: web.Request) -> web.Response:
+        role = self._tokens.nurse(request)
+        if role is None:
+            return shown(page.entrance(), 403)
+        return self._day_shown(role == "operator")
+
+    def _day_shown(self, open_: bool, wrong: str = "", status: int = 200) -> web.Response:
+        every = (self._day.medicines(), self._day.reminders(), self._store.residents())
+        return shown(day_page.today(*every, open_, wrong), status)
+
+    async def _watch(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        return shown(day_page.watch(request.match_info["room"]))
+
+    async def _live(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        room = request.match_info["room"]
+        return shown(day_page.live(room, self._watching.look(room) is not None))
+
+    async def _picture(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        picture = self._watching.look(request.match_info["room"])
+        if picture is None:
+            raise web.HTTPNotFound(text="the robot shows nothing now")
+        return web.Response(body=picture.content, content_type=picture.kind)
+
+    async def _end(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        self._watching.end(request.match_info["room"])
+        raise web.HTTPSeeOther("/")
+
+    async def _remind(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        form = {name: str(value) for name, value in (await request.post()).items()}
+        whom = form.get("whom", "")
+        try:
+            who = self._store.resident(int(whom)).id if whom.isdecimal() else None
+            self._day.remind(form.get("begins", ""), form.get("what", ""), who, "daily" in form)
+        except (Unfit, Unknown) as wrong:
+            return self._day_shown(True, str(wrong), 400)
+        raise web.HTTPSeeOther("/today")
+
+    async def _forget(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        self._day.forget(int(request.match_info["id"]))
+        raise web.HTTPSeeOther("/today")
+
+    async def _prescribe(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        form = await request.post()
+        try:
+            who = self._store.resident(int(request.match_info["id"])).id
+        except Unknown as unknown:
+            raise web.HTTPNotFound(text=str(unknown)) from None
+        for name in ROUNDS:
+            self._day.prescribe(who, name, str(form.get(name, "")))
+        raise web.HTTPSeeOther(f"/residents/{who}")

@@ -1,0 +1,71 @@
+"""What the robot's camera sees while it is with somebody who has fallen, for the nurse's page.
+
+Nothing is kept: a picture is replaced by the next one, and gone when none comes any more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import datetime, timedelta
+
+from msgspec import Struct
+
+KINDS = ("image/jpeg", "image/png", "image/svg+xml")
+
+GONE, WATCHED = timedelta(seconds=10), timedelta(seconds=4)
+"""So long after the last picture there is none; so long after the last look nobody looks."""
+
+
+class Picture(Struct, frozen=True):
+    """kind: its media type, one of ``KINDS``."""
+
+    kind: str
+    content: bytes
+
+
+class _View(Struct):
+    picture: Picture
+    at: datetime
+    looked: datetime | None = None
+    ended: bool = False
+
+
+class Watching:
+    """By room."""
+
+    def __init__(self, now: Callable[[], datetime]) -> None:
+        self._now = now
+        self._views: dict[str, _View] = {}
+
+    def show(self, room: str, picture: Picture) -> dict[str, bool]:
+        """From the robot. ``watched``: a nurse looks; ``ended``: she has ended it, told once."""
+        now, view = self._now(), self._view(room)
+        if view is None:
+            view = self._views[room] = _View(picture, now)
+        view.picture, view.at = picture, now
+        if view.ended:
+            del self._views[room]
+        watched = view.looked is not None and now - view.looked < WATCHED
+        return {"watched": watched and not view.ended, "ended": view.ended}
+
+    def look(self, room: str) -> Picture | None:
+        """By a nurse."""
+        view = self._view(room)
+        if view is None:
+            return None
+        view.looked = self._now()
+        return view.picture
+
+    def end(self, room: str) -> None:
+        """Help is there: the robot may go."""
+        view = self._view(room)
+        if view is not None:
+            view.ended = True
+
+    def rooms(self) -> list[str]:
+        """Where there is something to be seen."""
+        return sorted(room for room in self._views if self._view(room) is not None)
+
+    def _view(self, room: str) -> _View | None:
+        view = self._views.get(room)
+        return view if view is not None and self._now() - view.at < GONE else None

@@ -1,0 +1,344 @@
+"""What the records of examples/vitals know of a day: rounds, what is told, who is watched."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from datetime import UTC, datetime, timedelta
+from typing import Any
+
+import aiohttp
+import pytest
+from aiohttp.test_utils import TestServer
+
+from ward_records.access import Tokens
+from ward_records.day import TIMES, Day
+from ward_records.store import Resident, Store, Unfit
+from ward_records.watching import GONE, WATCHED, Picture, Watching
+from ward_records.web import application
+
+TOKENS = Tokens("the-robot", "a-nurse", "a-visitor")
+ROBOT = {"Authorization": "Bearer the-robot"}
+
+
+class Clock:
+    def __init__(self) -> None:
+        self.now = datetime(2026, 5, 4, 8, 0, tzinfo=UTC)
+
+    def __call__(self) -> datetime:
+        return self.now
+
+    def at(self, time: str) -> None:
+        self.now = self.now.replace(hour=int(time[:2]), minute=int(time[3:]))
+
+    def on(self, **passed: float) -> None:
+        self.now += timedelta(**passed)
+
+
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
+
+
+@pytest.fixture
+def store(clock: Clock) -> Store:
+    return Store(None, clock)
+
+
+@pytest.fixture
+def day(store: Store, clock: Clock) -> Day:
+    return Day(store.db, clock, UTC)
+
+
+@pytest.fixture
+def jack(store: Store) -> Resident:
+    return store.add(12, "Jack <Nilsen>", "1234")
+
+
+def visited(jack: Resident, outcome: str, round_: str = "morning") -> dict[str, str]:
+    return {"kind": "medication", "user": str(jack.id), "round": round_, "outcome": outcome}
+
+
+def told(reminder: int, outcome: str) -> dict[str, str]:
+    return {"kind": "reminder", "reminder": str(reminder), "outcome": outcome}
+
+
+def at(found: list[dict[str, Any]]) -> list[tuple[int, str]]:
+    return [(one["reminder"], one["at"]) for one in found]
+
+
+# -- rounds ----------------------------------------------------------------------------
+
+
+def test_a_round_visits_by_room_who_has_not_taken_it_today(
+    store: Store, day: Day, jack: Resident, clock: Clock
+) -> None:
+    joan = store.add(7, "Joan Nikora", "2718")
+    day.prescribe(jack.id, "morning", "two white tablets")
+    day.prescribe(joan.id, "morning", "one drop")
+    day.prescribe(joan.id, "noon", "one tablet")
+    drop = {"id": joan.id, "room": 7, "what": "one drop", "round": "morning"}
+    tablets = {"id": jack.id, "room": 12, "what": "two white tablets", "round": "morning"}
+    assert day.round("morning") == [drop, tablets]
+    day.keep(visited(jack, "taken"))
+    day.keep(visited(joan, "refused"))
+    assert day.round("morning") == [drop]
+    assert [one.outcome for one in day.medicines()] == ["refused", "taken", None]
+    clock.on(days=1)
+    assert day.round("morning") == [drop, tablets]
+    day.prescribe(joan.id, "morning", " ")
+    assert day.round("morning") == [tablets]
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"outcome": "eaten"},
+        {"round": "midnight"},
+        {"user": "99"},
+        {"user": None},
+        {"kind": "reminder", "reminder": "99", "outcome": "told"},
+    ],
+)
+def test_a_visit_that_can_not_be_is_not_kept(
+    day: Day, jack: Resident, wrong: dict[str, Any]
+) -> None:
+    with pytest.raises(Unfit):
+        day.keep(visited(jack, "taken") | wrong)
+    with pytest.raises(Unfit):
+        day.round("midnight")
+    with pytest.raises(Unfit):
+        day.prescribe(jack.id, "midnight", "milk")
+
+
+# -- what is told -------------------------------------------------------------------------
+
+
+def test_all_hear_what_is_for_all_and_one_what_is_for_one_ten_minutes_before(
+    day: Day, jack: Resident
+) -> None:
+    day.remind("15:00", "tea", None)
+    day.remind("10:30", "bingo", None, daily=True)
+    day.remind("14:00", "the doctor", jack.id)
+    found = day.schedule()
+    assert at(found["notices"]) == [(2, "10:20"), (1, "14:50")]
+    (doctor,) = found["reminders"]
+    assert doctor == {
+        "reminder": 3,
+        "at": "13:50",
+        "begins": "14:00",
+        "id": jack.id,
+        "room": 12,
+        "what": "the doctor",
+    }
+
+
+def test_what_is_told_is_told_once_a_day_and_a_day_has_what_is_daily(
+    day: Day, clock: Clock
+) -> None:
+    day.remind("10:30", "bingo", None, daily=True)
+    day.remind("15:00", "tea", None)
+    day.keep(told(1, "told"))
+    assert at(day.schedule()["notices"]) == [(2, "14:50")]
+    clock.on(days=1)
+    assert at(day.schedule()["notices"]) == [(1, "10:20")]
+    day.forget(1)
+    assert day.schedule() == {"notices": [], "reminders": []}
+
+
+def test_later_is_ten_minutes_later_and_nobody_is_looked_for_three_times(
+    day: Day, jack: Resident, clock: Clock
+) -> None:
+    day.remind("10:30", "the doctor", jack.id)
+    clock.at("10:21")
+    day.keep(told(1, "later"))
+    assert at(day.schedule()["reminders"]) == [(1, "10:31")]
+    for absent in range(TIMES):
+        assert len(day.schedule()["reminders"]) == 1, absent
+        day.keep(told(1, "nobody"))
+    assert day.schedule()["reminders"] == []
+    assert [one.outcome for one in day.reminders()] == ["nobody"]
+
+
+def test_half_an_hour_after_its_begin_nothing_is_told_any_more(day: Day, clock: Clock) -> None:
+    day.remind("10:30", "bingo", None)
+    clock.at("11:00")
+    assert len(day.schedule()["notices"]) == 1
+    clock.on(seconds=1)
+    assert day.schedule()["notices"] == []
+
+
+@pytest.mark.parametrize(("begins", "now", "tell"), [("00:05", "00:00", "00:00")])
+def test_what_begins_soon_after_midnight_is_told_at_midnight(
+    day: Day, clock: Clock, begins: str, now: str, tell: str
+) -> None:
+    clock.at(now)
+    day.remind(begins, "fireworks", None)
+    assert at(day.schedule()["notices"]) == [(1, tell)]
+
+
+@pytest.mark.parametrize("begins", ["", "9:30", "24:00", "soon", "10:3x"])
+def test_a_time_is_written_as_08_05(day: Day, begins: str) -> None:
+    with pytest.raises(Unfit):
+        day.remind(begins, "bingo", None)
+    with pytest.raises(Unfit):
+        day.remind("08:05", " ", None)
+
+
+# -- who is watched ------------------------------------------------------------------------
+
+PICTURE = Picture("image/png", b"one")
+
+
+def test_a_nurse_looks_while_she_asks_for_pictures(clock: Clock) -> None:
+    watching = Watching(clock)
+    assert watching.look("7") is None
+    assert watching.show("7", PICTURE) == {"watched": False, "ended": False}
+    assert watching.look("7") == PICTURE
+    assert watching.show("7", PICTURE) == {"watched": True, "ended": False}
+    clock.on(seconds=WATCHED.total_seconds())
+    assert watching.show("7", PICTURE) == {"watched": False, "ended": False}
+
+
+def test_no_picture_stays_when_none_comes_any_more(clock: Clock) -> None:
+    watching = Watching(clock)
+    watching.show("7", PICTURE)
+    assert watching.rooms() == ["7"]
+    clock.on(seconds=GONE.total_seconds())
+    assert watching.rooms() == []
+    assert watching.look("7") is None
+
+
+def test_that_help_is_there_is_told_once(clock: Clock) -> None:
+    watching = Watching(clock)
+    watching.end("7")
+    watching.show("7", PICTURE)
+    watching.look("7")
+    watching.end("7")
+    assert watching.show("7", PICTURE) == {"watched": False, "ended": True}
+    assert watching.show("7", PICTURE) == {"watched": False, "ended": False}
+
+
+# -- over HTTP -------------------------------------------------------------------------
+
+Asking = Callable[[aiohttp.ClientSession], Awaitable[None]]
+Over = Callable[[Asking], None]
+
+
+@pytest.fixture
+def over_http(store: Store, day: Day, clock: Clock) -> Over:
+    ward = application(store, day, Watching(clock), TOKENS)
+
+    def begin(asking: Asking) -> None:
+        async def run() -> None:
+            jar = aiohttp.CookieJar(unsafe=True)
+            async with (
+                TestServer(ward) as server,
+                aiohttp.ClientSession(server.make_url("/"), cookie_jar=jar) as session,
+            ):
+                await asking(session)
+
+        asyncio.run(run())
+
+    return begin
+
+
+def test_the_robot_asks_what_is_to_be_done_and_tells_how_it_ended(
+    over_http: Over, day: Day, jack: Resident
+) -> None:
+    day.prescribe(jack.id, "morning", "two white tablets")
+    day.remind("10:30", "bingo", None)
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        answer = await session.post("/rounds", json={"round": "morning"}, headers=ROBOT)
+        assert [one["room"] for one in (await answer.json())["round"]] == [12]
+        for reading in (visited(jack, "taken"), told(1, "told")):
+            answer = await session.post("/readings", json={"reading": reading}, headers=ROBOT)
+            assert answer.status == 200
+        answer = await session.post("/rounds", json={"round": "morning"}, headers=ROBOT)
+        assert await answer.json() == {"round": []}
+        answer = await session.post("/schedule", json={}, headers=ROBOT)
+        assert await answer.json() == {"notices": [], "reminders": []}
+        answer = await session.post("/rounds", json={"round": "tea"}, headers=ROBOT)
+        assert answer.status == 400
+
+    over_http(asking)
+
+
+def test_a_nurse_looks_and_lets_the_robot_go(over_http: Over) -> None:
+    png = ROBOT | {"Content-Type": "image/png"}
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        wrong = ROBOT | {"Content-Type": "text/html"}
+        assert (await session.put("/watch/7", data=b"<p>", headers=wrong)).status == 415
+        await session.put("/watch/7", data=b"one", headers=png)
+        await session.get("/", params={"token": "a-nurse"})
+        assert "/watch/7" in await (await session.get("/")).text()
+        assert "/watch/7/live" in await (await session.get("/watch/7")).text()
+        inside = await session.get("/watch/7/live")
+        assert "frame-ancestors 'self'" in inside.headers["Content-Security-Policy"]
+        assert "/watch/7/picture" in await inside.text()
+        picture = await session.get("/watch/7/picture")
+        assert (picture.content_type, await picture.read()) == ("image/png", b"one")
+        answer = await session.put("/watch/7", data=b"two", headers=png)
+        assert await answer.json() == {"watched": True, "ended": False}
+        assert (await session.post("/watch/7")).status == 200
+        answer = await session.put("/watch/7", data=b"three", headers=png)
+        assert await answer.json() == {"watched": False, "ended": True}
+        assert (await session.get("/watch/3/picture")).status == 404
+        assert "nothing" in await (await session.get("/watch/3/live")).text()
+
+    over_http(asking)
+
+
+def test_a_nurse_changes_what_is_given_and_what_is_told(
+    over_http: Over, day: Day, jack: Resident
+) -> None:
+    async def asking(session: aiohttp.ClientSession) -> None:
+        await session.get("/", params={"token": "a-nurse"})
+        path = f"/residents/{jack.id}/medicine"
+        shown = await session.post(path, data={"morning": "<b>one</b> tablet", "noon": ""})
+        assert "&lt;b&gt;one&lt;/b&gt; tablet" in await shown.text()
+        assert (await session.post("/residents/99/medicine")).status == 404
+        new = {"begins": "10:30", "what": "the <b>doctor</b>", "whom": str(jack.id)}
+        shown = await session.post("/reminders", data=new)
+        assert (shown.status, shown.url.path) == (200, "/today")
+        text = await shown.text()
+        assert "the &lt;b&gt;doctor&lt;/b&gt;" in text
+        assert "&lt;b&gt;one&lt;/b&gt; tablet" in text
+        wrong = await session.post("/reminders", data={**new, "begins": "soon"})
+        assert (wrong.status, "Not added" in await wrong.text()) == (400, True)
+        assert (await session.post("/reminders", data={**new, "whom": "99"})).status == 400
+        await session.post("/reminders/1")
+
+    over_http(asking)
+    assert [one.what for one in day.medicines(jack.id)] == ["<b>one</b> tablet"]
+    assert day.reminders() == []
+
+
+def test_a_visitor_sees_no_medicine_no_camera_and_changes_nothing(
+    over_http: Over, day: Day, jack: Resident
+) -> None:
+    day.prescribe(jack.id, "morning", "two white tablets")
+    day.remind("10:30", "the doctor", jack.id)
+    day.remind("15:00", "tea", None)
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        picture = ROBOT | {"Content-Type": "image/png"}
+        await session.put("/watch/7", data=b"one", headers=picture)
+        assert (await session.get("/today")).status == 403
+        assert (await session.put("/watch/7", data=b"one")).status == 403
+        assert (await session.post("/rounds", json={"round": "noon"})).status == 403
+        await session.get("/", params={"token": "a-visitor"})
+        assert "/watch/7" not in await (await session.get("/")).text()
+        shown = await (await session.get("/today")).text()
+        for hidden in ("tablets", "doctor", "12", "<form"):
+            assert hidden not in shown
+        assert "tea" in shown
+        for path in ("/watch/7", "/watch/7/live", "/watch/7/picture"):
+            assert (await session.get(path)).status == 403
+        for path in ("/watch/7", "/reminders", "/reminders/1", f"/residents/{jack.id}/medicine"):
+            assert (await session.post(path)).status == 403
+
+    over_http(asking)
+    assert len(day.reminders()) == 2
