@@ -21,11 +21,11 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from situ.document.folder import media_of
 from situ.document.modules import Modules
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio.edit import Document
+from situ_studio.screens.media_import import home_of
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -46,9 +46,9 @@ class Setting(Struct, frozen=True):
     project: Callable[[], Project | None] = lambda: None
 
     def media(self) -> Path | None:
-        """The folder of the project's pictures, at the time of the call."""
+        """The folder from which the project names its pictures, at the time of the call."""
         project = self.project()
-        return media_of(project) if project is not None else None
+        return home_of(project) if project is not None else None
 
 
 class View(Struct, frozen=True, kw_only=True):

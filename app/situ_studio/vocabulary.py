@@ -11,12 +11,12 @@ from msgspec import Struct
 
 from situ.document import rbd
 from situ.document.condition import Condition, Group, Test
-from situ.document.folder import media_of
 from situ.document.names import references
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import DataType, Observed, Spds
 from situ_studio.edit import Document
+from situ_studio.screens.media_import import names_of
 
 
 class Vocabulary(Struct, frozen=True):
@@ -150,14 +150,6 @@ def _called(part: rbd.State | rbd.Always) -> tuple[str, str]:
     return part.no, part.name
 
 
-def _media(project: Project) -> tuple[str, ...]:
-    folder = media_of(project)
-    if folder is None or not folder.is_dir():
-        return ()
-    every = (f for f in folder.rglob("*") if f.is_file())
-    return tuple(sorted(f.relative_to(folder).as_posix() for f in every))
-
-
 class Lexicon:
     """Makes vocabularies of successive values of a project; only what changed is read anew."""
 
@@ -200,7 +192,7 @@ class Lexicon:
             resources=tuple(sorted(resources)),
             situations=tuple(s.name for s in script.situations) if script is not None else (),
             modules=tuple(sorted({*project.declared(), *_names(project)})),
-            media=_media(project),
+            media=names_of(project),
             data=known_data(project, script.observe if script is not None else ()),
         )
 

@@ -7,11 +7,11 @@ from typing import Any
 
 from msgspec import Struct
 
-from situ.document.folder import media_of
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ_studio.edit import Document, Place
 from situ_studio.screens.devices import USUAL, Device
+from situ_studio.screens.media_import import home_of
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
 
@@ -34,5 +34,5 @@ class Subject(Struct, frozen=True, kw_only=True):
 
     @property
     def media(self) -> Path | None:
-        """The folder of the project's pictures."""
-        return media_of(self.project) if self.project is not None else None
+        """The folder from which the project names its pictures."""
+        return home_of(self.project) if self.project is not None else None

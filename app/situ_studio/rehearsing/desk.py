@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 from situ.decide import inputs
-from situ.document.folder import media_of
 from situ.document.project import Project
 from situ.document.values import read
 from situ.rehearse.scenario import WRITER
@@ -38,6 +37,7 @@ from situ_studio.rehearsing.running import Running
 from situ_studio.rehearsing.sounding import Sounding
 from situ_studio.rehearsing.speech_bubble import SpeechBubble
 from situ_studio.rehearsing.taking_notice import TakingNotice
+from situ_studio.screens.media_import import home_of
 from situ_studio.screens.shown import Content
 from situ_studio.texts.listening import Listening
 from situ_studio.theme import Theme
@@ -224,7 +224,7 @@ class Desk(OverScroll):
         language = course.look("language")
         spoken = language if isinstance(language, str) else "en"
         content = Content(components, behind, spoken)
-        self.screen_.show_content(content, media_of(course.project))
+        self.screen_.show_content(content, home_of(course.project))
         self.says.show_speaking(course.speaking, course.now)
         self._show_phrases(
             [

@@ -8,6 +8,7 @@ import shutil
 import unicodedata
 from pathlib import Path
 
+from situ.document.folder import resolve
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ_studio.language import tr
@@ -26,6 +27,31 @@ def kind_of(path: str | Path) -> str:
     """``image`` or ``movie``; "" where the robot's page can not show such a file."""
     ending = Path(path).suffix.lower()
     return "image" if ending in PICTURES else "movie" if ending in MOVIES else ""
+
+
+def home_of(project: Project) -> Path | None:
+    """The folder from which a project names its media: its media folder, its own without one; None
+    where that is outside of it.
+    """
+    return resolve(project.root, project.media or ".")
+
+
+def names_of(project: Project) -> tuple[str, ...]:
+    """All media that are there, as a project names them, sorted.
+
+    Of one without a media folder those of the folder that ``bring`` fills, and what lies beside
+    its documents.
+    """
+    home = home_of(project)
+    if home is None or not home.is_dir():
+        return ()
+    if project.media is not None:
+        every = [one for one in home.rglob("*") if one.is_file()]
+    else:
+        both = (*home.glob("*"), *(home / FOLDER).rglob("*"))
+        endings = (*PICTURES, *MOVIES, *SOUNDS)
+        every = [one for one in both if one.suffix.lower() in endings and one.is_file()]
+    return tuple(sorted(one.relative_to(home).as_posix() for one in every))
 
 
 def bring(project: Project, source: Path, endings: tuple[str, ...] = (*PICTURES, *MOVIES)) -> str:

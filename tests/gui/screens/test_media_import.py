@@ -8,12 +8,19 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
 
 from situ.document.project import Project
+from situ.document.rbd import Application
 from situ.engine.screen.server import _MEDIA_TYPES
 from situ.errors import UsageError
-from situ_studio.screens import media_import
+from situ_studio.panels.subject import Subject
+from situ_studio.screens import media_import, media_pictures
 from situ_studio.screens.media_import import bring, free_name
+from situ_studio.theme import LIGHT
+from situ_studio.views import Setting
+from situ_studio.vocabulary import Lexicon
 
 
 @pytest.fixture
@@ -87,3 +94,23 @@ def test_the_page_serves_all_that_can_be_brought_in() -> None:
 def test_a_name_is_one_that_every_system_takes(stem: str, ending: str) -> None:
     made = free_name(Path("no such folder"), stem.replace("/", "").replace("\0", "") + ending)
     assert re.fullmatch(r"[a-z0-9-]{1,60}\.[a-z0-9]+", made), made
+
+
+def test_what_came_into_a_project_without_a_media_folder_is_shown_and_offered(
+    qt: QApplication, tmp_path: Path
+) -> None:
+    project = Project(root=str(tmp_path), name="p")
+    (tmp_path / "a.rbd.xml").write_text("<application/>")
+    picture = QImage(4, 4, QImage.Format.Format_RGB32)
+    assert picture.save(str(tmp_path / "beside.png"))
+    src = bring(project, tmp_path / "beside.png")
+    application = Application(name="a")
+    setting = Setting(application, LIGHT, None, lambda: project)
+    subject = Subject(
+        document=application, place=(), value=application, theme=LIGHT, project=project
+    )
+    for home in (setting.media(), subject.media):
+        assert media_pictures.picture(home, src) is not None
+        assert media_pictures.picture(home, "beside.png") is not None
+    offered = Lexicon().vocabulary(project, application).media
+    assert offered == ("beside.png", "media/beside.png")
