@@ -7,6 +7,8 @@ from datetime import datetime
 from html import escape
 from pathlib import Path
 
+from ward_records.curves import LINES, MOST, curve, is_outside
+from ward_records.language import say, spoken
 from ward_records.store import LIMITS, Call, Reading, Resident
 
 HIDDEN = "•••"
@@ -27,17 +29,20 @@ _KINDS = {
     "glucose": "Blood glucose",
     "game": "Brain game",
 }
+_LAST = ("Measured last", "When")
+_LISTED = 30
+"""Readings of one resident; all of them are in the table to take away."""
 
 
 def entrance(wrong: str = "") -> str:
     """For whoever has no token yet."""
-    told = f'<p class="wrong" role="alert">{escape(wrong)}</p>' if wrong else ""
+    told = f'<p class="wrong" role="alert">{say(wrong)}</p>' if wrong else ""
     form = (
-        '<form method="get" action="/"><label for="token">Your token</label>'
+        f'<form method="get" action="/"><label for="token">{say("Your token")}</label>'
         '<input id="token" name="token" type="password" autocomplete="off" required autofocus>'
-        "<button>Open</button></form>"
+        f"<button>{say('Open')}</button></form>"
     )
-    return framed("Ward", f"<h1>Ward</h1>{told}{form}")
+    return framed("Ward", f"<h1>{say('Ward')}</h1>{told}{form}")
 
 
 def ward(
@@ -53,65 +58,101 @@ def ward(
     """
     rows = "".join(_resident_row(one, latest[one.id], open_) for one in residents)
     body = (
-        f"<h1>Ward</h1>{_note(open_)}{watched}<h2>Calls</h2>{_calls(calls, open_)}"
-        '<p><a href="/today">Medicine, and what is told today</a></p><h2>Residents</h2>'
-        '<table id="residents"><thead><tr><th>Room</th><th>Name</th><th>Measured last</th>'
-        f"<th>When</th></tr></thead><tbody>{rows}</tbody></table>"
+        f"<h1>{say('Ward')}</h1>{_note(open_)}{watched}"
+        f"<h2>{say('Calls')}</h2>{_calls(calls, open_)}"
+        f'<p><a href="/today">{say("Medicine, and what is told today")}</a></p>'
+        f"<h2>{say('Residents')}</h2>{_table('residents', ('Room', 'Name', *_LAST), rows)}"
+        f"{_managed() if open_ else ''}"
     )
     return framed("Ward", body, refresh=10)
 
 
 def resident(
-    one: Resident, readings: Sequence[Reading], medicine: str, open_: bool, wrong: str
+    one: Resident, readings: Sequence[Reading], forms: str, open_: bool, wrong: str
 ) -> str:
-    """One resident. medicine: a form; wrong: what is wrong with the limits that were just given."""
+    """One resident. forms: those beside that of the limits; wrong: what is wrong with the limits
+    that were just given."""
     name = escape(one.name) if open_ else HIDDEN
     rows = "".join(
-        f"<tr><td>{_when(each.at)}</td><td>{_KINDS[each.kind]}</td>{_value(one, each, open_)}</tr>"
-        for each in readings
+        f"<tr><td>{_when(each.at)}</td><td>{say(_KINDS[each.kind])}</td>"
+        f"{_value(one, each, open_)}</tr>"
+        for each in readings[:_LISTED]
     )
     measured = (
-        '<table id="readings"><thead><tr><th>When</th><th>What</th><th>Measured</th></tr></thead>'
-        f"<tbody>{rows}</tbody></table>"
+        _table("readings", ("When", "What", "Measured"), rows)
         if readings
-        else "<p>Nothing has been measured yet.</p>"
+        else f"<p>{say('Nothing has been measured yet.')}</p>"
     )
     body = (
-        f'<p><a href="/">Ward</a></p><h1>{name}</h1><p>Room {one.room if open_ else HIDDEN}</p>'
-        f"{_note(open_)}<h2>Measured</h2>{measured}"
+        f'<p><a href="/">{say("Ward")}</a></p><h1>{name}</h1>'
+        f"<p>{say('Room {0}').format(one.room if open_ else HIDDEN)}</p>"
+        f"{_note(open_)}<h2>{say('Measured')}</h2>{_curves(one, readings) if open_ else ''}"
+        f"{measured}"
     )
-    return framed("Resident", body + (_limits(one, wrong) + medicine if open_ else ""))
+    return framed("Resident", body + (_taken_away(one) + _limits(one, wrong) + forms) * open_)
+
+
+def _curves(one: Resident, readings: Sequence[Reading]) -> str:
+    found = []
+    for kind in LINES:
+        those = [each for each in readings if each.kind == kind][:MOST]
+        if those:
+            span = f"{_when(those[-1].at)}{_when(those[0].at)}"
+            found.append(curve(kind, say(_KINDS[kind]), those, one.limits, span))
+    return f'<div class="curves">{"".join(found)}</div>'
+
+
+def _taken_away(one: Resident) -> str:
+    href = f"/residents/{one.id}/readings.csv"
+    return f'<p><a href="{href}" download>{say("Readings as a table (CSV)")}</a></p>'
+
+
+def _managed() -> str:
+    return (
+        f'<p class="links"><a href="/residents">{say("Add a resident")}</a> '
+        f'<a href="/readings.csv" download>{say("All readings as a table (CSV)")}</a></p>'
+    )
+
+
+def _table(name: str, heads: Sequence[str], rows: str) -> str:
+    told = "".join(f"<th>{say(head)}</th>" for head in heads)
+    return (
+        f'<div class="wide"><table id="{name}"><thead><tr>{told}</tr></thead>'
+        f"<tbody>{rows}</tbody></table></div>"
+    )
 
 
 def _limits(one: Resident, wrong: str) -> str:
-    told = f'<p class="wrong" role="alert">Not saved: {escape(wrong)}</p>' if wrong else ""
+    said = say("Not saved: {0}").format(escape(wrong))
+    told = f'<p class="wrong" role="alert">{said}</p>' if wrong else ""
     fields = "".join(
-        f'<label for="{name}">{_LABELS[name]}</label>'
+        f'<label for="{name}">{say(_LABELS[name])}</label>'
         f'<input id="{name}" name="{name}" inputmode="decimal" required '
         f'value="{one.limits[name]:g}">'
         for name in LIMITS
     )
     return (
-        f"<h2>Limits</h2><p>Outside of these the robot measures again, and then calls you.</p>"
+        f"<h2>{say('Limits')}</h2>"
+        f"<p>{say('Outside of these the robot measures again, and then calls you.')}</p>"
         f'{told}<form method="post" action="/residents/{one.id}">{fields}'
-        "<button>Save</button></form>"
+        f"<button>{say('Save')}</button></form>"
     )
 
 
 def _calls(calls: Sequence[Call], open_: bool) -> str:
     if not calls:
-        return '<p id="quiet">Nobody has called.</p>'
+        return f'<p id="quiet">{say("Nobody has called.")}</p>'
     return f'<ul id="calls">{"".join(_call(one, open_) for one in calls)}</ul>'
 
 
 def _call(one: Call, open_: bool) -> str:
-    why, room = (escape(one.why), escape(one.room)) if open_ else (HIDDEN, HIDDEN)
-    where = f"room {room}" if room.isdigit() else room
+    why, room = (escape(say(one.why)), escape(say(one.room))) if open_ else (HIDDEN, HIDDEN)
+    where = say("room {0}").format(room) if room.isdigit() else room
     said = f"<strong>{where}</strong>: {why}, {_when(one.at)}"
     if one.seen is not None:
-        return f'<li class="seen">{said} · seen {_when(one.seen)}</li>'
+        return f'<li class="seen">{said} · {say("seen")} {_when(one.seen)}</li>'
     button = (
-        f'<form method="post" action="/calls/{one.id}"><button>I am going</button></form>'
+        f'<form method="post" action="/calls/{one.id}"><button>{say("I am going")}</button></form>'
         if open_
         else ""
     )
@@ -131,42 +172,39 @@ def _value(one: Resident, reading: Reading, open_: bool) -> str:
         return f"<td>{HIDDEN}</td>"
     value = reading.measured
     if reading.kind == "pressure":
-        shown = f"{value['systolic']:g} / {value['diastolic']:g}, pulse {value['pulse']:g}"
+        pressure = f"{value['systolic']:g} / {value['diastolic']:g}"
+        shown = f"{pressure}, {say('pulse')} {value['pulse']:g}"
     elif reading.kind == "oxygen":
-        shown = f"{value['oxygen']:g} %, pulse {value['pulse']:g}"
+        shown = f"{value['oxygen']:g} %, {say('pulse')} {value['pulse']:g}"
     elif reading.kind == "game":
-        shown = f"{value['score']:g} of 5"
+        shown = say("{0} of 5").format(f"{value['score']:g}")
     else:
         shown = f"{value['glucose']:g} mmol/L"
-    if _is_outside(one, reading):
-        return f'<td class="outside">{shown} <small>outside of the limits</small></td>'
+    if any(is_outside(name, each, one.limits) for name, each in value.items()):
+        return f'<td class="outside">{shown} <small>{say("outside of the limits")}</small></td>'
     return f"<td>{shown}</td>"
 
 
-def _is_outside(one: Resident, reading: Reading) -> bool:
-    limits = one.limits
-    return any(
-        not limits.get(f"{name}_low", value) <= value <= limits.get(f"{name}_high", value)
-        for name, value in reading.measured.items()
-    )
-
-
 def _note(open_: bool) -> str:
-    return "" if open_ else "<p class='note'>With this token private data are not shown.</p>"
+    said = say("With this token private data are not shown.")
+    return "" if open_ else f"<p class='note'>{said}</p>"
 
 
 def _when(at: datetime) -> str:
     local = at.astimezone()
-    return f'<time datetime="{at.isoformat()}">{local:%d.%m. %H:%M}</time>'
+    shown = f"{local:%d.%m. %H:%M}"
+    if spoken() == "ja":
+        shown = f"{local.month}月{local.day}日 {local:%H:%M}"
+    return f'<time datetime="{at.isoformat()}">{shown}</time>'
 
 
 def framed(title: str, body: str, refresh: int = 0) -> str:
     """A whole page. refresh: seconds after which the browser asks for it again; 0: never."""
     again = f'<meta http-equiv="refresh" content="{refresh}">' if refresh else ""
     return (
-        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        f'<!doctype html><html lang="{spoken()}"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f'<meta name="color-scheme" content="light dark">{again}<title>{title}</title>'
+        f'<meta name="color-scheme" content="light dark">{again}<title>{say(title)}</title>'
         '<link rel="icon" href="data:,"><link rel="stylesheet" href="/page.css"></head>'
         f"<body><main>{body}</main></body></html>"
     )

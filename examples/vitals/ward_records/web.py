@@ -11,24 +11,38 @@
 ``POST /calls/ID``                      a nurse goes there, from the page's button
 ======================================  =====================================================
 
-What the robot does by itself is ``day_web.py``'s; who may do what, ``access.py``'s.
+What the robot does by itself is ``day_web.py``'s; who lives here and tables to take away,
+``residents_web.py``'s; who may do what, ``access.py``'s.
 """
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
 from aiohttp import web
 from msgspec import to_builtins
 
 from situ.resources import resource
-from ward_records import page
+from ward_records import page, residents_page
 from ward_records.access import COOKIE, Tokens
 from ward_records.answers import refused, shown
+from ward_records.curves import MOST
 from ward_records.day import OUTCOMES, Day
 from ward_records.day_web import DayWeb
-from ward_records.store import LIMITS, Locked, Reading, Store, Unfit, Unknown, WrongPin, number_in
+from ward_records.language import speak, wanted, why
+from ward_records.residents_web import ResidentsWeb
+from ward_records.store import (
+    KINDS,
+    LIMITS,
+    Locked,
+    Reading,
+    Store,
+    Unfit,
+    Unknown,
+    WrongPin,
+    number_in,
+)
 from ward_records.watching import Watching
 
 LONGEST_BODY = 64 * 1024
@@ -51,13 +65,17 @@ def application(store: Store, day: Day, watching: Watching, tokens: Tokens) -> w
     made.router.add_post("/residents/{id:[0-9]{1,9}}", ward.set_limits)
     made.router.add_post("/calls/{id:[0-9]{1,9}}", ward.see)
     of_day.add_to(made.router)
+    ResidentsWeb(store, tokens.must_be_operator, ward.change_person).add_to(made.router)
     return made
 
 
 @web.middleware
 async def _careful(request: web.Request, handler: Handler) -> web.StreamResponse:
     """No answer but a font is kept by a browser, shown in a strange page, or may run anything."""
+    speak(wanted(request.headers.get("Accept-Language", "")))
     try:
+        if not _is_ours(request):
+            raise web.HTTPForbidden(text="a form of another page is not taken")
         answer = await handler(request)
     except web.HTTPException as said:
         _guard(request, said)
@@ -66,12 +84,24 @@ async def _careful(request: web.Request, handler: Handler) -> web.StreamResponse
     return answer
 
 
+def _is_ours(request: web.Request) -> bool:
+    """Whether what a nurse's browser sends to change something comes from this very page: another
+    port of the same machine is the same site to ``SameSite``."""
+    if request.method in ("GET", "HEAD") or COOKIE not in request.cookies:
+        return True
+    if request.headers.get("Sec-Fetch-Site", "same-origin") != "same-origin":
+        return False
+    origin = request.headers.get("Origin")
+    return origin is None or origin == f"{request.scheme}://{request.host}"
+
+
 def _guard(request: web.Request, answer: web.StreamResponse) -> None:
     kept = "max-age=86400" if request.path.startswith("/fonts/") else "no-store"
     # What the camera sees stands in a frame of the nurse's page.
     framed = "'self'" if request.path.endswith("/live") else "'none'"
     answer.headers["Cache-Control"] = kept
-    answer.headers["Referrer-Policy"] = "no-referrer"
+    # By it a form says where it comes from; nobody else is told an address.
+    answer.headers["Referrer-Policy"] = "same-origin"
     answer.headers["X-Content-Type-Options"] = "nosniff"
     answer.headers["Content-Security-Policy"] = (
         "default-src 'none'; style-src 'self'; font-src 'self'; img-src 'self' data:; "
@@ -170,7 +200,7 @@ class _Ward:
         try:
             self._store.set_limits(number, given)
         except Unfit as unfit:
-            return self._resident(number, True, str(unfit), 400)
+            return self._resident(number, True, why(unfit))
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         raise web.HTTPSeeOther(f"/residents/{number}")
@@ -183,12 +213,24 @@ class _Ward:
     async def style(self, _: web.Request) -> web.Response:
         return web.Response(text=page.STYLE, content_type="text/css")
 
+    def change_person(self, number: int, given: Mapping[str, str], wrong: str) -> web.Response:
+        """Her page once more, with what is wrong with what was given."""
+        return self._resident(number, True, "", given, wrong)
+
     def _resident(
-        self, number: int, open_: bool, wrong: str = "", status: int = 200
+        self,
+        number: int,
+        open_: bool,
+        wrong_limits: str = "",
+        given: Mapping[str, str] | None = None,
+        wrong: str = "",
     ) -> web.Response:
         try:
             found = self._store.resident(number)
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
-        readings, medicine = self._store.readings(number), self._of_day.medicine_form(number)
-        return shown(page.resident(found, readings, medicine, open_, wrong), status)
+        person = residents_page.change(found, given or {}, wrong)
+        forms = self._of_day.medicine_form(number) + person
+        readings = self._store.readings(number, most=MOST * len(KINDS))
+        made = page.resident(found, readings, forms, open_, wrong_limits)
+        return shown(made, 400 if wrong or wrong_limits else 200)
