@@ -109,6 +109,7 @@ def test_a_measurement_goes_on_after_a_fall(person: Person) -> None:
     person.robot.pass_time(25.0)
     assert person.at == "10/2"
     person.robot.publish("fallCleared")
+    person.robot.give(Finish(action="robot", name="goto"))
     assert (person.robot.situation, person.robot.holder("screen")) == ("day", "home")
     assert person.at in ("10/3", "10/4")
 

@@ -161,15 +161,16 @@ class Day:
             raise Unfit(f"the outcome must be one of {', '.join(OUTCOMES[kind])}")
         number = number_in(told.get("user" if kind == "medication" else "reminder"))
         at, day = self._now().isoformat(), self._today()
+        row: tuple[object, ...] = (number, day, at, outcome)
+        table = "telling (reminder, day, at, outcome) VALUES (?, ?, ?, ?)"
         if kind == "medication":
             if told.get("round") not in ROUNDS:
                 raise Unfit(f"the round must be one of {', '.join(ROUNDS)}")
-            row, statement = (number, told["round"], day, at, outcome), "visit VALUES (?,?,?,?,?)"
-        else:
-            row, statement = (number, day, at, outcome), "telling VALUES (?,?,?,?)"
+            row = (number, day, at, outcome, told["round"])
+            table = "visit (resident, day, at, outcome, round) VALUES (?, ?, ?, ?, ?)"
         try:
             with self._db:
-                self._db.execute(f"INSERT INTO {statement}", row)
+                self._db.execute(f"INSERT INTO {table}", row)
         except sqlite3.IntegrityError:
             raise Unfit("there is nobody and nothing of this number") from None
 
