@@ -41,6 +41,7 @@ GROUPS = (
     "cli_debug",
     "cli_deploy",
     "cli_keys",
+    "cli_robots",
 )
 """The modules of the command line, in the order in which ``situ --help`` lists them."""
 

@@ -492,6 +492,7 @@ def _project(**more: Any) -> Project:
             True,
         ),
         ({"media": "pictures"}, "folder of media none → “pictures”", True),
+        ({"announce": False}, "announced in the network yes → no", False),
         ({"adapter": "ros2"}, "adapter “sim” → “ros2”", True),
         ({"mqtt": Mqtt("mqtt://here", {})}, "mqtt x gone, was “event:y”", True),
         ({"applications": {}}, "application a gone", True),

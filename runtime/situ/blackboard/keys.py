@@ -17,6 +17,7 @@ import msgspec
 import zmq
 from msgspec import Struct
 
+from situ.blackboard.announced import fingerprint
 from situ.blackboard.curve import Curve, KeysOf
 from situ.blackboard.identity import ROBOT, Identity, KeyRole
 from situ.document import names
@@ -217,34 +218,55 @@ def client_folder() -> Path:
     return (Path(home) if home else Path.home() / ".config") / "situ" / "keys"
 
 
-def client_keys(endpoint: str, told: str | os.PathLike[str] | None = None) -> Curve | None:
-    """The keys for the robot at this address.
+def client_robots(folder: Path) -> dict[str, RobotKey]:
+    """The robots whose public keys lie in a client's folder, by name. Raises UsageError."""
+    return {file.stem: _read(file, RobotKey) for file in sorted((folder / ROBOTS).glob("*.toml"))}
+
+
+def client_keys(
+    endpoint: str, told: str | os.PathLike[str] | None = None, *, robot: str = ""
+) -> Curve | None:
+    """The keys for the robot at this address, or for the one whose public key has the fingerprint
+    ``robot``, wherever it is.
 
     told: their folder; else that of ``client_folder`` is meant, if it holds this robot, and None
     where it does not. Raises UsageError where the folder that was told holds no keys, or several
-    robots of which none has this address.
+    robots of which none has this address, and where none has that fingerprint.
     """
     meant = told is not None or bool(os.environ.get("SITU_KEYS"))
     folder = client_folder() if told is None else Path(told)
     if not meant and not (folder / SECRET).exists():
+        if robot:
+            raise _no_key(endpoint)
         return None
-    robots = {file: _read(file, RobotKey) for file in sorted((folder / ROBOTS).glob("*.toml"))}
-    fitting = [robot for robot in robots.values() if endpoint in robot.addresses]
+    robots = client_robots(folder)
+    if robot:
+        fitting = [one for one in robots.values() if fingerprint(one.public) == robot]
+        if not fitting:
+            raise _no_key(endpoint)
+    else:
+        fitting = [one for one in robots.values() if endpoint in one.addresses]
     if not fitting and not meant:
         return None
     if not fitting and len(robots) == 1:
         # The key, not the address, is what tells this robot from others.
         fitting = list(robots.values())
     if not fitting:
-        known = ", ".join(address for robot in robots.values() for address in robot.addresses)
+        known = ", ".join(address for one in robots.values() for address in one.addresses)
         raise UsageError(
             f"{folder / ROBOTS}: no robot there is asked at {endpoint}"
             + (f", only at {known}" if known else "; put the robot's public key there")
         )
     own = _read(folder / SECRET, KeyPair, secret=True)
-    robot = fitting[0]
+    found = fitting[0]
     return Curve(
-        own.public.encode(), own.secret.encode(), robot.public.encode(), own.name, robot.role
+        own.public.encode(), own.secret.encode(), found.public.encode(), own.name, found.role
+    )
+
+
+def _no_key(endpoint: str) -> UsageError:
+    return UsageError(
+        f"{endpoint}: there is no key for this robot here; situ keys add makes one on the robot"
     )
 
 

@@ -246,6 +246,7 @@ _VALUES = (
     ("project", "scenarios", "folder of scenarios", False),
     ("robot", "endpoint", "endpoint", True),
     ("robot", "adapter", "adapter", True),
+    ("robot", "announce", "announced in the network", False),
 )
 _SETS = (
     ("project", "languages", "language"),

@@ -11,7 +11,7 @@ import os
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar, cast
 
 from msgspec.structs import replace
 
@@ -24,6 +24,8 @@ from situ.document.projectfile import ProjectFile
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import UsageError
+
+T = TypeVar("T")
 
 PROJECT_FILE = "situ.toml"
 LOCAL_FILE = "robot.local.toml"
@@ -121,6 +123,7 @@ def settings(root: str, toml: ProjectFile, local: ProjectFile | None) -> dict[st
         "languages": tuple(toml.get("project", "languages") or ()),
         "endpoint": _first(local, toml, "robot", "endpoint", "tcp://127.0.0.1:5570"),
         "adapter": _first(local, toml, "robot", "adapter", "sim"),
+        "announce": _first(local, toml, "robot", "announce", True),
         "tags": _merged(local, toml, "tags"),
         "durable": tuple(toml.get("durable", "tags") or ()),
         "places": {
@@ -429,10 +432,11 @@ class _Loading:
         return replace(project, parts=parts) if parts else project
 
 
-def _first(local: ProjectFile | None, toml: ProjectFile, table: str, key: str, default: str) -> str:
+def _first(local: ProjectFile | None, toml: ProjectFile, table: str, key: str, default: T) -> T:
+    """What stands there, which is of the default's type: the file has been judged."""
     for one in (local, toml):
-        if one is not None and one.get(table, key) is not None:
-            return str(one.get(table, key))
+        if one is not None and (found := one.get(table, key)) is not None:
+            return cast(T, found)
     return default
 
 

@@ -46,6 +46,7 @@ class Project(Struct, frozen=True, kw_only=True):
     readings: language to (word as written to how its voice says it), from the same.
     tags: values before the start, ``robot.local.toml`` already laid over them.
     places: name to (x metres, y metres, heading degrees) in the robot's map.
+    announce: whether a robot that can be reached from the network tells there that it is there.
     """
 
     root: str
@@ -64,6 +65,7 @@ class Project(Struct, frozen=True, kw_only=True):
     readings: dict[str, dict[str, str]] = field(default_factory=dict)
     endpoint: str = "tcp://127.0.0.1:5570"
     adapter: str = "sim"
+    announce: bool = True
     tags: dict[str, Any] = field(default_factory=dict)
     durable: tuple[str, ...] = ()
     places: dict[str, tuple[float, float, float]] = field(default_factory=dict)

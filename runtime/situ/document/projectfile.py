@@ -22,11 +22,12 @@ from situ.document.project import SETTING_TYPES, Mqtt, Setting
 
 MAX_BYTES = 1_000_000
 
-_TEXT, _TEXTS, _ANY, _TABLE = "text", "texts", "any", "table"
+_TEXT, _TEXTS, _ANY, _TABLE, _FLAG = "text", "texts", "any", "table", "flag"
 _WORDS = {
     _TEXT: "a text in quotes",
     _TEXTS: 'a list of texts such as ["a", "b"]',
     _TABLE: 'a table such as { "a" = "b" }',
+    _FLAG: "true or false, without quotes",
 }
 
 KEYS: dict[str, dict[str, str]] = {
@@ -39,7 +40,7 @@ KEYS: dict[str, dict[str, str]] = {
         "scenarios": _TEXT,
         "languages": _TEXTS,
     },
-    "robot": {"endpoint": _TEXT, "adapter": _TEXT},
+    "robot": {"endpoint": _TEXT, "adapter": _TEXT, "announce": _FLAG},
     "tags": {"*": _ANY},
     "durable": {"tags": _TEXTS},
     "places": {"*": _ANY},
@@ -254,6 +255,7 @@ class ProjectFile:
             kind == _ANY
             or (kind == _TEXT and isinstance(value, str))
             or (kind == _TABLE and isinstance(value, dict))
+            or (kind == _FLAG and isinstance(value, bool))
             or (
                 kind == _TEXTS
                 and isinstance(value, list)

@@ -72,6 +72,8 @@ def kind(file: str, path: Path, was: Any, wanted: str) -> Mend | None:
         return put(file, path, was, _written(was), f"Write it as the text {shown(_written(was))}")
     if wanted == "texts" and isinstance(was, str):
         return put(file, path, was, [was], "Make it a list")
+    if wanted == "flag" and was in ("true", "false"):
+        return put(file, path, was, was == "true", f"Write it as {was}, without quotes")
     return None
 
 

@@ -7,8 +7,9 @@ from typing import Any
 
 import msgspec
 
+from situ.engine.announcing import Announcement, Announcing
 from situ.engine.parts import supervise
-from situ.engine.readiness import say_ready
+from situ.engine.readiness import ANNOUNCEMENT, say_ready
 
 HANDED_ON = (
     *("endpoint", "notify", "http", "keys", "insecure", "services", "adapter", "state", "sync"),
@@ -24,6 +25,7 @@ def keep_running(options: Mapping[str, Any]) -> int:
     apart: bool = options["apart"]
     parts = services if apart else services[:1]
     begun: set[str] = set()
+    announcing = Announcing()
 
     def command(part: str, fresh: bool, told: Mapping[str, str]) -> list[str]:
         known = {name: msgspec.json.decode(line) for name, line in told.items()}
@@ -43,10 +45,16 @@ def keep_running(options: Mapping[str, Any]) -> int:
     def ready(told: Mapping[str, str]) -> None:
         lines = [msgspec.json.decode(line) for line in told.values()]
         http = next((line["http"] for line in lines if line["http"] is not None), None)
+        announcement = lines[0].pop(ANNOUNCEMENT, None)
         line = msgspec.json.encode({**lines[0], "http": http}).decode()
         say_ready(line, as_json=options["json"], aside=options["trace"] == "-")
+        if announcement is not None:
+            announcing.begin(msgspec.convert(announcement, Announcement))
 
-    return supervise(parts, command, ready)
+    try:
+        return supervise(parts, command, ready)
+    finally:
+        announcing.close()
 
 
 def arguments(given: Mapping[str, Any]) -> list[str]:

@@ -14,6 +14,11 @@ from situ.engine.notify import ADDRESSES, READY, WATCHDOG, Notifier
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop
 
+    from situ.engine.announcing import Announcement, Announcing
+
+ANNOUNCEMENT = "announcement"
+"""The key of an ``Announcement`` in what the supervisor is told."""
+
 
 class Readiness:
     """Of one process of a robot. supervised: somebody started it who starts it again, and who
@@ -25,16 +30,36 @@ class Readiness:
         self._as_json = as_json
         self._aside = aside
         self._parent = os.getppid()
+        self._announcing: Announcing | None = None
 
-    def up(self, project: str, version: int, addresses: Addresses) -> None:
-        """All is ready. version: the one that runs (``situ.engine.versions``)."""
+    def up(
+        self,
+        project: str,
+        version: int,
+        addresses: Addresses,
+        announcement: Announcement | None = None,
+    ) -> None:
+        """All is ready. version: the one that runs (``situ.engine.versions``). announcement: what
+        whoever tells people has the network told, until ``close``."""
         said = {"project": project, "version": version, **msgspec.to_builtins(addresses)}
-        line = msgspec.json.encode(said).decode()
         if self._supervised:
+            if announcement is not None:
+                said[ANNOUNCEMENT] = msgspec.to_builtins(announcement)
+            line = msgspec.json.encode(said).decode()
             self.notifier.tell(**{READY: "1", ADDRESSES: line})
             return
-        say_ready(line, as_json=self._as_json, aside=self._aside)
+        say_ready(msgspec.json.encode(said).decode(), as_json=self._as_json, aside=self._aside)
         self.notifier.tell(**{READY: "1"})
+        if announcement is not None:
+            from situ.engine.announcing import Announcing
+
+            self._announcing = Announcing()
+            self._announcing.begin(announcement)
+
+    def close(self) -> None:
+        """The network is told that the robot has gone."""
+        if self._announcing is not None:
+            self._announcing.close()
 
     def beat(self, loop: AbstractEventLoop) -> None:
         """Says that we live, from now on, where somebody wants to know."""

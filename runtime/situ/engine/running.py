@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from situ.blackboard.client import AsyncBoard
     from situ.blackboard.journal import DurableTags
     from situ.blackboard.keys import RobotKeys
+    from situ.blackboard.protocol import Addresses
     from situ.document.project import Project
     from situ.engine.deploy import Deployer
     from situ.engine.live import Live
@@ -94,6 +95,12 @@ class Run:
 
     def run(self) -> int:
         """The exit status. Raises UsageError where it can not begin."""
+        try:
+            return self._run()
+        finally:
+            self._readiness.close()
+
+    def _run(self) -> int:
         if "core" not in self._options.services:
             import asyncio
 
@@ -216,6 +223,7 @@ class Run:
         from situ.engine.waking import Waking
 
         options, kept, readiness = self._options, self._kept, self._readiness
+        keys = self._keys()
         with Waking(signal.SIGINT, signal.SIGTERM) as waking:
             trace = None
             if out is not None:
@@ -233,7 +241,7 @@ class Run:
                 durable=kept.durable,
                 recovery=kept.recovery,
                 recorders=kept.recorders,
-                keys=self._keys(),
+                keys=keys,
                 insecure=options.insecure,
                 patience=options.patience,
                 deployer=self._deployer(),
@@ -243,7 +251,7 @@ class Run:
                 waking,
                 readiness.notifier,
                 kept.durable,
-                partial(readiness.up, self._project.name, kept.version),
+                partial(self._up, keys),
                 readiness.is_the_end,
             )
         return self._status(trace)
@@ -290,7 +298,7 @@ class Run:
         )
         addresses = await live.start()
         try:
-            self._readiness.up(project.name, kept.version, addresses)
+            self._up(keys, addresses)
             self._readiness.beat(loop)
             if script is None:
                 await stopped.wait()
@@ -360,6 +368,16 @@ class Run:
             if start.exception() is None:
                 await apart.stop()
         return 0
+
+    def _up(self, keys: RobotKeys | None, addresses: Addresses) -> None:
+        """The core, with what runs beside it here, is ready."""
+        project, announced = self._project, None
+        if self._lines is None:
+            from situ.engine.announcing import announcement
+
+            public = None if keys is None else keys.public
+            announced = announcement(project, addresses.requests, public)
+        self._readiness.up(project.name, self._kept.version, addresses, announced)
 
     # -- what they are made of ---------------------------------------------------
 

@@ -108,7 +108,10 @@ class Versions:
         if project is None or errors:
             which = "the project" if number is None else f"version {number}"
             raise ProjectError("\n".join(errors or [f"{which} can not be read"]))
-        return replace(project, endpoint=self.given.endpoint, adapter=self.given.adapter)
+        given = self.given
+        return replace(
+            project, endpoint=given.endpoint, adapter=given.adapter, announce=given.announce
+        )
 
     def texts(self, project: Project) -> dict[str, str]:
         """What a robot that does not have its files reads the project from."""
