@@ -1,4 +1,4 @@
-"""Copies of states, notes and frames, within an application and from one to another. No Qt."""
+"""Copies of states, notes and frames, within an application and from one to another."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from situ.document.rbd import Application, State, Timeout
 from situ_studio import changes, places
 from situ_studio.canvas import figures
 from situ_studio.edit import Place
+from situ_studio.language import tr
 
 Pasted = tuple[Application, str, tuple[Place, ...]]
 """The document, the edit's name, and the places of the copies."""
@@ -41,18 +42,23 @@ def is_empty(copied: Application) -> bool:
 
 def counted(copied: Application) -> str:
     """``1 state``, ``3 states``, ``2 notes``; ``4 things`` of several kinds."""
-    kinds = {"state": len(copied.states)}
-    for place in _drawn(copied):
-        kinds[place[0]] = kinds.get(place[0], 0) + 1
-    kinds = {kind: count for kind, count in kinds.items() if count}
-    kind, count = next(iter(kinds.items())) if len(kinds) == 1 else ("thing", sum(kinds.values()))
-    return f"{count} {kind}" if count == 1 else f"{count} {kind}s"
+    every = [*("state" for _ in copied.states), *(place[0] for place in _drawn(copied))]
+    kind = every[0] if len(set(every)) == 1 else ""
+    if len(every) == 1:
+        one = {"state": tr("1 state"), "note": tr("1 note"), "frame": tr("1 frame")}
+        return one[kind]
+    many = {"state": tr("{0} states"), "note": tr("{0} notes"), "frame": tr("{0} frames")}
+    return many.get(kind, tr("{0} things")).format(len(every))
 
 
 def named(copied: Application) -> str:
     """``state 5``, ``a note``; else as ``counted``."""
-    every = [*(f"state {s.no}" for s in copied.states), *(f"a {p[0]}" for p in _drawn(copied))]
-    return every[0] if len(every) == 1 else counted(copied)
+    drawn = _drawn(copied)
+    if len(copied.states) + len(drawn) != 1:
+        return counted(copied)
+    if copied.states:
+        return tr("state {0}").format(copied.states[0].no)
+    return tr("a note") if drawn[0][0] == "note" else tr("a frame")
 
 
 def _drawn(application: Application) -> list[Place]:
@@ -92,7 +98,7 @@ def paste(
     application: Application,
     copied: Application,
     at: tuple[float, float],
-    verb: str = "Paste",
+    text: str = "",
     same: bool = False,
 ) -> Pasted:
     """What was copied, with its upper left corner at ``at``.
@@ -139,7 +145,8 @@ def paste(
     stripped = figures.remove(replace(copied, states=tuple(states)), _drawn(copied))
     after = replace(application, states=(*application.states, *stripped.states))
     after, made = figures.pasted(after, drawn, across, down)
-    return after, f"{verb} {named(copied)}", (*(("state", s.no) for s in states), *made)
+    text = (text or tr("Paste {0}")).format(named(copied))
+    return after, text, (*(("state", s.no) for s in states), *made)
 
 
 def duplicate(application: Application, chosen: Iterable[Place]) -> Pasted:
@@ -148,4 +155,4 @@ def duplicate(application: Application, chosen: Iterable[Place]) -> Pasted:
     if is_empty(copied):
         return application, "", ()
     left, top = corner(copied)
-    return paste(application, copied, (left + OFFSET, top + OFFSET), "Duplicate", same=True)
+    return paste(application, copied, (left + OFFSET, top + OFFSET), tr("Duplicate {0}"), same=True)

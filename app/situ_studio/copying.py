@@ -12,6 +12,7 @@ from situ.document.rbd import Application
 from situ_studio import copies
 from situ_studio.canvas import gestures
 from situ_studio.edit import Place
+from situ_studio.language import said, tr
 
 MIME = "application/x-situ-states+xml"
 """Copied states, notes and frames: an application of their own, as a file has it."""
@@ -52,7 +53,7 @@ class Copying:
         """What is selected to the clipboard; says so."""
         copied = self._chosen()
         if copied is None:
-            self.status.emit("States, notes and frames can be copied: select some")
+            self.status.emit(tr("States, notes and frames can be copied: select some"))
             return
         data = codec.write(copied)
         mime = QMimeData()
@@ -60,7 +61,7 @@ class Copying:
         mime.setData(ORIGIN, self.origin.encode())
         mime.setText(data.decode())
         QGuiApplication.clipboard().setMimeData(mime)
-        self.status.emit(f"{copies.counted(copied)} copied")
+        self.status.emit(tr("{0} copied").format(copies.counted(copied)))
 
     def cut(self) -> None:
         """Copies what is selected and deletes it, with what leads there."""
@@ -70,7 +71,7 @@ class Copying:
         self.copy()
         gone = [p for p in self.selection() if len(p) == 2 and p[0] != "always"]
         after, _ = gestures.delete(document, gone)
-        self.edited.emit(after, f"Cut {copies.named(copied)}")
+        self.edited.emit(after, tr("Cut {0}").format(copies.named(copied)))
 
     def paste(self) -> None:
         """What the clipboard holds, selected then; says in one line where that is nothing."""
@@ -97,10 +98,11 @@ class Copying:
         copied, problems = codec.read(data, "clipboard") if data.strip() else (None, [])
         wrong = next((p for p in problems if p.severity == "error"), None)
         if isinstance(copied, Application) and wrong is not None:
-            self.status.emit(f"The text on the clipboard has errors. {wrong.message}")
+            told = tr("The text on the clipboard has errors. {0}")
+            self.status.emit(told.format(said(wrong.message)))
             return None
         if not isinstance(copied, Application) or copies.is_empty(copied):
-            self.status.emit("There are no states on the clipboard")
+            self.status.emit(tr("There are no states on the clipboard"))
             return None
         return copied
 

@@ -12,6 +12,7 @@ from situ_studio import changes, kinds, places, words
 from situ_studio.canvas.script_conditions import test_of
 from situ_studio.edit import Document, Place
 from situ_studio.kinds import Kind
+from situ_studio.language import tr, translated
 
 ABOVE = 176.0
 """How far above the others the card *In every state* is put."""
@@ -34,7 +35,7 @@ def insert(document: Document, kind: Kind, at: Place) -> tuple[Document, Place, 
     name = _free(kind.name.replace("information", "module"), {m.name for m in document.modules})
     made = modules.Module(name=name)
     after = places.change(document, (), modules=(*document.modules, made))
-    return after, ("module", name), f"Add module {name}"
+    return after, ("module", name), tr("Add module {0}").format(name)
 
 
 def _into_application(
@@ -43,17 +44,19 @@ def _into_application(
     if kind is kinds.STATE:
         no = changes.free_number(document)
         after = places.change(document, (), states=(*document.states, kind.make(no)))
-        return after, ("state", no), f"Add state {no}"
+        return after, ("state", no), tr("Add state {0}").format(no)
     if kind is kinds.ALWAYS:
         return _always(document)
     if kind.name in places.DRAWN:
         return _drawn(document, kind)
     root = places.root(at)
     part: Any = places.get(document, root) if root else None
+    called = translated(kind.title).lower()
     if part is None:
-        raise NotHere(f"Select a state first, then add the {kind.title.lower()}.")
+        raise NotHere(tr("Select a state first, then add the {0}.").format(called))
     where = words.place_words(document, root)
-    text = f"Add {kind.title.lower()} to {where}"
+    here = where[:1].upper() + where[1:]
+    text = tr("Add {0} to {1}").format(called, where)
     if kind is kinds.EVENT:
         made = kind.make(words.expected_next(part))
         after = places.change(document, root, events=(*part.events, made))
@@ -62,10 +65,11 @@ def _into_application(
     inside = places.get(document, event)
     on_the_way = isinstance(inside, rbd.Event) and kind in kinds.EVENT_ACTIONS
     if isinstance(part, rbd.State) and part.flow is not None and not on_the_way:
-        raise NotHere(f"{where.capitalize()} runs {part.flow}: add the {kind.title.lower()} there.")
+        told = tr("{0} runs {1}: add the {2} there.")
+        raise NotHere(told.format(here, part.flow, called))
     if kind is kinds.TIMEOUT:
         if part.timeout is not None:
-            raise NotHere(f"{where.capitalize()} has a timeout already.")
+            raise NotHere(tr("{0} has a timeout already.").format(here))
         return places.change(document, root, timeout=kind.make("")), root, text
     if kind in kinds.COMPONENTS:
         screen = part.screen or rbd.Screen()
@@ -80,7 +84,7 @@ def _into_application(
         after = places.change(document, event, actions=(*inside.actions, made))
         return after, (*event, "action", str(len(inside.actions))), text
     if not isinstance(part, rbd.State):
-        raise NotHere("Actions belong to states and events: select one of them first.")
+        raise NotHere(tr("Actions belong to states and events: select one of them first."))
     after = places.change(document, root, actions=(*part.actions, made))
     return after, (*root, "action", str(len(part.actions))), text
 
@@ -93,7 +97,8 @@ def _always(document: rbd.Application) -> tuple[Document, Place, str]:
     corner = _corner(document)
     if corner is not None:
         made = replace(made, aside=made.aside.at(corner[0], corner[1] - ABOVE))
-    return places.change(document, (), always=made), ("always",), f"Add {kinds.ALWAYS.title}"
+    text = tr("Add {0}").format(translated(kinds.ALWAYS.title))
+    return places.change(document, (), always=made), ("always",), text
 
 
 def _corner(document: rbd.Application) -> tuple[float, float] | None:
@@ -109,28 +114,30 @@ def _drawn(document: rbd.Application, kind: Kind) -> tuple[Document, Place, str]
     if corner is not None:
         made = replace(made, x=corner[0], y=corner[1] - made.height - 24)
     count = sum(1 for one in drawing.drawn(document) if type(one) is type(made))
-    return drawing.add(document, made), (kind.name, str(count)), f"Add {kind.name}"
+    text = tr("Add {0}").format(translated(kind.title).lower())
+    return drawing.add(document, made), (kind.name, str(count)), text
 
 
 def _into_script(document: spds.Spds, kind: Kind, at: Place) -> tuple[Document, Place, str]:
     if kind is kinds.DATA:
         tag = _free("data", {o.tag for o in document.observe})
         after = places.change(document, (), observe=(*document.observe, kind.make(tag)))
-        return after, ("data", tag), f"Add data {tag}"
+        return after, ("data", tag), tr("Add data {0}").format(tag)
     if kind is kinds.MODULE:
         name = _free("module", {m.name for m in document.modules})
         after = places.change(document, (), modules=(*document.modules, kind.make(name)))
-        return after, ("module", name), f"Add module {name}"
+        return after, ("module", name), tr("Add module {0}").format(name)
     if kind is kinds.CONDITION:
         owner = places.get(document, at[:2])
         if not isinstance(owner, spds.Situation):
-            raise NotHere("Select a situation first, then add the condition.")
+            raise NotHere(tr("Select a situation first, then add the condition."))
         test = test_of(document, document.observe[0].tag if document.observe else "data")
         old = owner.condition or Condition()
         new = replace(old, children=(*old.children, test))
         after = places.change(document, at[:2], condition=new)
         place = (*at[:2], "condition", str(len(old.children)))
-        return after, place, f"Add condition to {words.place_words(document, at[:2])}"
+        where = words.place_words(document, at[:2])
+        return after, place, tr("Add condition to {0}").format(where)
     name = _free("situation", {s.name for s in document.situations})
     every = list(document.situations)
     index = max(0, len(every) - 1)
@@ -145,7 +152,7 @@ def _into_script(document: spds.Spds, kind: Kind, at: Place) -> tuple[Document, 
         made = spds.Situation(name=name, condition=Condition((test_of(document, tag),)))
     every.insert(index, made)
     after = places.change(document, (), situations=tuple(every))
-    return after, ("situation", name), f"Add situation {name}"
+    return after, ("situation", name), tr("Add situation {0}").format(name)
 
 
 def _free(word: str, taken: set[str], first: bool = False) -> str:

@@ -207,7 +207,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             document, text = gestures.disconnect(document, place)
             texts += [text] if text else []
         if len(texts) > 1:
-            return document, f"Cut {len(texts)} pipes"
+            return document, tr("Cut {0} pipes").format(len(texts))
         return document, texts[0] if texts else ""
 
     def _moved(self, moved: dict[str, tuple[float, float]]) -> tuple[Application, str]:
@@ -221,7 +221,8 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             return self.document, ""
         after, text = gestures.move(self.document, changed)
         if len(to) == 1:
-            text = f"Move {gestures.called(self.document, self._face(next(iter(to))).place)}"
+            one = gestures.called(self.document, self._face(next(iter(to))).place)
+            text = tr("Move {0}").format(one)
         return gestures.move(after, {**self._unplaced(), **changed})[0], text
 
     def _face(self, uid: str) -> Card | Figure:
@@ -254,7 +255,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
                 self._piping.fold(id)
                 self._route()
             else:
-                self.status.emit("Only long pipes are folded, and this one is not")
+                self.status.emit(tr("Only long pipes are folded, and this one is not"))
 
     def _ask_from(self, card: Card, exit: str) -> None:
         uid = self._picture.uids[card.place]
@@ -433,13 +434,14 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         """A new event from each selected card to the next, in the order of the document."""
         numbers = self._numbers()
         if len(numbers) < 2:
-            self.status.emit("Select two states to connect")
+            self.status.emit(tr("Select two states to connect"))
             return
         after, texts = self.document, []
         for source, target in pairwise(numbers):
             after, text = gestures.add_event(after, ("state", source), target)
             texts.append(text)
-        self._edit(after, texts[0] if len(texts) == 1 else f"Connect {len(numbers)} states")
+        many = tr("Connect {0} states").format(len(numbers))
+        self._edit(after, texts[0] if len(texts) == 1 else many)
 
     def nudge(self, across: int, down: int) -> None:
         to = {}

@@ -47,7 +47,7 @@ class CommandedCanvas(Canvas):
     def _add(self, numbers: tuple[str, ...]) -> None:
         more = [("state", no) for no in numbers]
         if set(more) <= set(self.selection()):
-            self.status.emit("All of them are selected already")
+            self.status.emit(self.tr("All of them are selected already"))
             return
         self.select(dict.fromkeys((*self.selection(), *more)))
         self.bring_into_view(self.selection())
@@ -64,7 +64,7 @@ class CommandedCanvas(Canvas):
     def _step_exit(self, by: int) -> None:
         card = self._one_card()
         if card is None or not card.exits:
-            self.status.emit("Select a state with transitions")
+            self.status.emit(self.tr("Select a state with transitions"))
             return
         names = [e.id for e in card.exits]
         place = self._one_exit()
@@ -80,7 +80,7 @@ class CommandedCanvas(Canvas):
         """Asks where the selected transition leads, or a new one of the selected card."""
         card = self._one_card()
         if card is None:
-            self.status.emit("Select one state, or one transition")
+            self.status.emit(self.tr("Select one state, or one transition"))
             return
         place = self._one_exit()
         exit = exit_of(place) if place is not None else None
@@ -95,5 +95,5 @@ class CommandedCanvas(Canvas):
         cards = [every[uid] for uid in self.selected_uids() or every if uid in every]
         after, text = gestures.snap_all(self.document, {c.place: (c.x, c.y) for c in cards})
         if not text:
-            self.status.emit("They are on the grid already")
+            self.status.emit(self.tr("They are on the grid already"))
         self._edit(after, text)

@@ -16,6 +16,7 @@ from situ.document.drawing import Drawn, Frame, Note
 from situ.document.rbd import Application
 from situ_studio import places, words
 from situ_studio.edit import Place
+from situ_studio.language import tr
 
 Area = tuple[float, float, float, float]
 """Left, top, width and height in the scene."""
@@ -175,7 +176,8 @@ def add(application: Application, value: Drawn) -> tuple[Application, Place, str
     """One more; its place, and the edit's name."""
     kind = "note" if isinstance(value, Note) else "frame"
     count = sum(1 for one in drawing.drawn(application) if isinstance(one, type(value)))
-    return drawing.add(application, value), (kind, str(count)), f"Add {kind}"
+    text = tr("Add note") if kind == "note" else tr("Add frame")
+    return drawing.add(application, value), (kind, str(count)), text
 
 
 def put(application: Application, place: Place, area: Area) -> tuple[Application, str]:
@@ -185,7 +187,7 @@ def put(application: Application, place: Place, area: Area) -> tuple[Application
     if value is None or (value.x, value.y, value.width, value.height) == area:
         return application, ""
     after = places.change(application, place, x=x, y=y, width=width, height=height)
-    return after, f"Resize {words.place_words(application, place)}"
+    return after, tr("Resize {0}").format(words.place_words(application, place))
 
 
 def move(application: Application, to: Mapping[Place, tuple[float, float]]) -> Application:
@@ -203,10 +205,12 @@ def write(application: Application, place: Place, text: str) -> tuple[Applicatio
     if isinstance(value, Note):
         if value.text == text:
             return application, ""
-        return places.change(application, place, text=text), "Change the text of a note"
+        return places.change(application, place, text=text), tr("Change the text of a note")
     if value is None or value.title == text:
         return application, ""
-    return places.change(application, place, title=text), f"Call a frame {text}".rstrip()
+    return places.change(application, place, title=text), tr("Call a frame {0}").format(
+        text
+    ).rstrip()
 
 
 def remove(application: Application, gone: Iterable[Place]) -> Application:

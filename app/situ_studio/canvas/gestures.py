@@ -20,6 +20,7 @@ from situ_studio import changes, places, words
 from situ_studio.canvas import figures
 from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, exit_of, targets
 from situ_studio.edit import Place
+from situ_studio.language import tr
 
 GRID = 8.0
 """Cards snap to this."""
@@ -57,15 +58,16 @@ def called(application: Application, place: Place) -> str:
     """What a place is called: ``state 5``, ``clickYes of state 5``, ``the timeout of state 5``."""
     if place[:1] and place[0] in places.DRAWN:
         return words.place_words(application, place)
-    owner = "every state" if place[:1] == (ALWAYS,) else f"state {place[1]}"
+    always = place[:1] == (ALWAYS,)
+    owner = tr("every state") if always else tr("state {0}").format(place[1])
     exit = exit_of(place)
     if exit is None:
-        return "what every state has" if place[:1] == (ALWAYS,) else owner
+        return tr("what every state has") if always else owner
     if exit == TIMEOUT:
-        return f"the timeout of {owner}"
+        return tr("the timeout of {0}").format(owner)
     event = places.get(application, place)
-    name = event.name if isinstance(event, Event) and event.name else "the unnamed event"
-    return f"{name} of {owner}"
+    name = event.name if isinstance(event, Event) and event.name else tr("the unnamed event")
+    return tr("{0} of {1}").format(name, owner)
 
 
 def title(application: Application, no: str) -> str:
@@ -100,9 +102,10 @@ def move(application: Application, to: Mapping[Place, tuple[float, float]]) -> D
         return application, ""
     after = figures.move(replace(application, states=tuple(states), always=always), drawn)
     one = next(iter(to))
-    many = f"Move {len(to)} {'things' if drawn else 'cards'}"
-    text = f"Move {called(application, one)}" if len(to) == 1 else many
-    return after, text
+    if len(to) == 1:
+        return after, tr("Move {0}").format(called(application, one))
+    many = tr("Move {0} things") if drawn else tr("Move {0} cards")
+    return after, many.format(len(to))
 
 
 def _drawn_at(application: Application, place: Place) -> tuple[float, float] | None:
@@ -116,8 +119,9 @@ def connect(application: Application, place: Place, target: str) -> Done:
     if leaving is None or leaving.next == target:
         return application, ""
     after = places.change(application, place, next=target)
-    goal = {rbd.BACK: "the state before", rbd.AGAIN: "itself"}.get(target)
-    return after, f"Lead {called(application, place)} to {goal or title(application, target)}"
+    goal = {rbd.BACK: tr("the state before"), rbd.AGAIN: tr("itself")}.get(target)
+    leads = called(application, place)
+    return after, tr("Lead {0} to {1}").format(leads, goal or title(application, target))
 
 
 def disconnect(application: Application, place: Place) -> Done:
@@ -125,7 +129,7 @@ def disconnect(application: Application, place: Place) -> Done:
     leaving = places.get(application, place)
     if leaving is None or leaving.next is None:
         return application, ""
-    text = f"Disconnect {called(application, place)}"
+    text = tr("Disconnect {0}").format(called(application, place))
     if isinstance(leaving, Event) and leaving.name is None:
         after = places.put(application, place, None)
     else:
@@ -142,8 +146,10 @@ def add_event(
         return application, ""
     event = Event(name=name or words.expected_next(value), next=target)
     after = places.change(application, owner, events=(*value.events, event))
-    goal = f" to {title(application, target)}" if target else ""
-    return after, f"Add {event.name} of {called(application, owner)}{goal}"
+    added = event.name, called(application, owner)
+    if not target:
+        return after, tr("Add {0} of {1}").format(*added)
+    return after, tr("Add {0} of {1} to {2}").format(*added, title(application, target))
 
 
 def lead(application: Application, owner: Place, exit: str, target: str) -> Done:
@@ -221,7 +227,7 @@ def add_state(
     state = _new(kind, no)
     state = replace(state, aside=NOTHING.at(snap(x), snap(y)))
     after = replace(application, states=(*application.states, state))
-    return after, f"Add state {no}", no
+    return after, tr("Add state {0}").format(no), no
 
 
 def follow(
@@ -244,7 +250,7 @@ def follow(
         return after, text, None
     after, _, no = add_state(application, x, y, key)
     after, _ = lead(after, owner, exit, no)
-    return after, f"Add state {no} after {called(application, owner)}", no
+    return after, tr("Add state {0} after {1}").format(no, called(application, owner)), no
 
 
 def last_number(application: Application) -> str:
@@ -260,7 +266,7 @@ def insert(application: Application, link: Place, x: float, y: float) -> Done:
     after, _, no = add_state(application, x, y)
     after = places.change(after, link, next=no)
     after, _ = add_event(after, ("state", no), leaving.next)
-    return after, f"Insert state {no}"
+    return after, tr("Insert state {0}").format(no)
 
 
 def put_between(application: Application, link: Place, no: str) -> Done:
@@ -271,7 +277,7 @@ def put_between(application: Application, link: Place, no: str) -> Done:
     after = places.change(application, link, next=no)
     if leaving.next not in targets(state):
         after, _ = add_event(after, ("state", no), leaving.next)
-    return after, f"Insert state {no}"
+    return after, tr("Insert state {0}").format(no)
 
 
 def rename(application: Application, no: str, name: str) -> Done:
@@ -280,7 +286,7 @@ def rename(application: Application, no: str, name: str) -> Done:
     if state is None or not name or state.name == name:
         return application, ""
     after = places.change(application, ("state", no), name=name)
-    return after, f"Rename state {no} to {name}"
+    return after, tr("Rename state {0} to {1}").format(no, name)
 
 
 def delete(application: Application, gone: Iterable[Place]) -> Done:
@@ -307,7 +313,9 @@ def delete(application: Application, gone: Iterable[Place]) -> Done:
             after = changes.remove_state(after, place[1])
     if not what:
         return application, ""
-    return after, f"Delete {what[0]}" if len(what) == 1 else f"Delete {len(what)} things"
+    if len(what) == 1:
+        return after, tr("Delete {0}").format(what[0])
+    return after, tr("Delete {0} things").format(len(what))
 
 
 def followers(application: Application, numbers: Iterable[str]) -> tuple[str, ...]:
@@ -327,7 +335,7 @@ def mark_start(application: Application, no: str) -> Done:
     """The application starts in that state."""
     if application.start_no == no or application.state(no) is None:
         return application, ""
-    return replace(application, start=no), f"Start in {title(application, no)}"
+    return replace(application, start=no), tr("Start in {0}").format(title(application, no))
 
 
 def snap_all(application: Application, shown: Mapping[Place, tuple[float, float]]) -> Done:
