@@ -136,9 +136,8 @@ class RobotSide(QObject):
             self.timeline.bookmarks.open(beside(recording.path))
         except UsageError as error:
             self._window.dialogs.tell(str(error))
-        if recording.torn:
-            said = self.tr("{0} ends without its end: the robot was still running, or was killed.")
-            self._window.say(said.format(recording.path.name))
+        if notice := recording.notice():
+            self._window.say(notice)
         self.settle()
 
     def _ask_for_bookmark(self, usual: str) -> str | None:

@@ -30,6 +30,8 @@ def told(live: LiveView, no: str) -> str:
         lines.append(tr("It was here for {0} in all.").format(words.seconds(round(live.times[no]))))
     if live.gave_up.get(no):
         lines.append(tr("The time ran out {0}×: nobody went on.").format(live.gave_up[no]))
+    if lines and live.since:
+        lines.append(tr("That is since {0}: what was before is not known here.").format(live.since))
     return "\n".join(lines)
 
 

@@ -25,6 +25,7 @@ class LiveView(Struct, frozen=True):
     taken: the latest first.
     transitions: (state, exit) to how often. breakpoints: states that have some, on themselves or
     on a transition. paused: active ones that an operator, or a breakpoint, has stopped.
+    since: what the clock said when the counting began; "": at the robot's start.
     """
 
     active: frozenset[str] = frozenset()
@@ -37,6 +38,7 @@ class LiveView(Struct, frozen=True):
     transitions: Mapping[tuple[str, str], int] = field(default_factory=dict)
     breakpoints: frozenset[str] = frozenset()
     paused: frozenset[str] = frozenset()
+    since: str = ""
 
 
 class LiveScript(Struct, frozen=True):

@@ -8,6 +8,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.document.project import Project
@@ -142,6 +143,18 @@ class Comparing(QObject):
         self.own, self.chosen, self._wanted = None, None, 0
         self.others, self.shifts, self.marks = [], [], []
         self._gathered, self._found, self._workers = [], [], []
+        self.changed.emit()
+
+    def know(self, log: TraceLog, project: Project | None) -> None:
+        """That project ran there; where it is None, nothing more is known of it."""
+        if project is None:
+            return
+
+        def known(one: Compared) -> Compared:
+            return replace(one, project=project) if one.log is log else one
+
+        self.own = known(self.own) if self.own is not None else None
+        self.others = [known(one) for one in self.others]
         self.changed.emit()
 
     # -- lining up -----------------------------------------------------------------------

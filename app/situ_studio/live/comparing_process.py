@@ -1,16 +1,25 @@
-"""Two long runs put beside one another, in a process of its own.
+"""Two long runs put beside one another, or a recorded project read, in a process of its own.
 
-Started as ``python -m situ_studio.live.comparing_process`` by ``Comparing``.
+Started as ``python -m situ_studio.live.comparing_process`` by ``Comparing`` and
+``RecordedProjects``.
 """
 
 from __future__ import annotations
 
+from situ.document.project import Project
+from situ.rehearse.deeds import Deeds
 from situ_studio.answering import answer
-from situ_studio.live.alike import alike
+from situ_studio.live.alike import Alike, alike
+from situ_studio.live.comparing_projects import project_in
+
+
+def answered(asked: tuple[Deeds, Deeds] | dict[str, str]) -> Alike | Project | None:
+    """Of two runs where they part, of a project's files the project."""
+    return project_in(asked) if isinstance(asked, dict) else alike(asked)
 
 
 def main() -> None:
-    answer(lambda runs, _: alike(runs))
+    answer(lambda asked, _: answered(asked))
 
 
 if __name__ == "__main__":

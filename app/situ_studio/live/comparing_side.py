@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,10 +10,10 @@ from PySide6.QtWidgets import QMenu
 
 from situ.document.project import Project
 from situ.errors import UsageError
-from situ.rehearse.recorded import Document, Heading, loaded
 from situ.rehearse.ways import name_of_state
 from situ_studio.letters import px
 from situ_studio.live.comparing import Compared, Comparing
+from situ_studio.live.comparing_projects import RecordedProjects
 from situ_studio.live.comparing_strip import ComparingStrip
 from situ_studio.live.log import TraceLog
 from situ_studio.live.recordings import ReadingRecording, Recording
@@ -29,7 +28,6 @@ if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
 PANEL = "timeline"
-PROJECT = "situ.toml"
 ROOM = 420
 """Px that a timeline of two runs gets at least, where the window has them."""
 
@@ -58,11 +56,14 @@ class ComparingSide(QObject):
         """The runs that were looked at last, what they are called; the one of now first."""
         self._recording: Recording | None = None
         self._runs: tuple[RunBeside, ...] = ()
+        self._shown: list[Compared] = []
         self._work: Work | None = None
         self._reading = ReadingRecording(self)
         self._reading.read.connect(self._add_recording)
         self._reading.refused.connect(self._on_refused)
         self._reading.went_on.connect(self._on_went_on)
+        self._projects = RecordedProjects(self)
+        self._projects.read.connect(self.comparing.know)
         self.strip.swap_asked.connect(self.swap)
         self.strip.end_asked.connect(self.end)
         comparing = self.comparing
@@ -110,6 +111,7 @@ class ComparingSide(QObject):
     def end(self) -> None:
         """The timeline shows one run only."""
         self._reading.cancel()
+        self._projects.end()
         self._end_work()
         self._remember()
         self._recording = None
@@ -149,7 +151,8 @@ class ComparingSide(QObject):
         project = self._window.session.project
         if recording is None:
             return Compared(name, log, project)
-        return Compared(name, log, _project(recording.files) or project, _bookmarks(recording.path))
+        theirs = self._projects.of(recording)
+        return Compared(name, log, theirs or project, _bookmarks(recording.path))
 
     def _add_recording(self, recording: Recording) -> None:
         self._end_work()
@@ -212,12 +215,13 @@ class ComparingSide(QObject):
     def _show(self) -> None:
         """The runs beside, as they are lined up, and where they part, into the timeline."""
         comparing, theme = self.comparing, self._window.theme
-        if [run.log for run in self._runs] != [one.log for one in comparing.others]:
+        if self._shown != comparing.others:
+            self._shown = list(comparing.others)
             self._runs = tuple(
                 RunBeside(one.log, theme, _names(one.project)) for one in comparing.others
             )
-        for run, shift in zip(self._runs, comparing.shifts, strict=True):
-            run.shift = shift
+        for run, shift, one in zip(self._runs, comparing.shifts, comparing.others, strict=True):
+            run.shift, run.bookmarks = shift, one.bookmarks
         marks = tuple(
             Marked(run + 1, difference, comparing.chosen == (run, difference))
             for run, difference in comparing.marks
@@ -234,14 +238,6 @@ def _names(project: Project | None) -> StateName:
         return state if project is None else name_of_state(project, application, state)
 
     return name
-
-
-def _project(files: Mapping[str, str]) -> Project | None:
-    """The project that was recorded; None where it can not be read."""
-    if PROJECT not in files:
-        return None
-    documents = [Document(path, text.encode()) for path, text in files.items()]
-    return loaded(Heading(file=PROJECT), documents)
 
 
 def _bookmarks(recording: Path) -> tuple[Bookmark, ...]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer
 
 from situ.document import codec
@@ -184,10 +185,12 @@ class Follower(QObject):
         project = self._window.live_project()
         if project is None or file not in project.parts:
             mine = moment.applications.get(document.name, ApplicationMoment())
-            return live_view(document, mine, t)
-        if project is not self._runs[0]:
-            self._runs = project, runs_of(project)
-        return live_part(document, moment, self._runs[1].get(file, ()), t)
+            live = live_view(document, mine, t)
+        else:
+            if project is not self._runs[0]:
+                self._runs = project, runs_of(project)
+            live = live_part(document, moment, self._runs[1].get(file, ()), t)
+        return replace(live, since=self.viewing.begun) if self.viewing.log.late else live
 
     @property
     def shows(self) -> bool:
@@ -223,6 +226,18 @@ class Follower(QObject):
             self._tick.start()
         self._tell()
 
+    def _lacking(self) -> str:
+        """What is not known of the run that is looked at."""
+        log, words = self.viewing.log, ""
+        if not self.shows:
+            return words
+        if log.lacks:
+            words += self.tr(", known since {0}").format(self.viewing.begun)
+        if log.gaps:
+            missed = sum(gap.count for gap in log.gaps)
+            words += self.tr(", {0} events missed").format(f"{missed:,}")
+        return words
+
     def _tell(self) -> None:
         state, viewing = self._link.state, self.viewing
         kind, words = state.kind, state.words(self._link.clock())
@@ -234,6 +249,7 @@ class Follower(QObject):
             words = self.tr("rehearsing, {0:.1f} s").format(viewing.t)
         elif not viewing.follows and kind != "none":
             kind, words = "replaying", self.tr("replaying {0}").format(viewing.clock())
+        words += self._lacking()
         if kind in ("live", "replaying") and self.same is not None:
             words += self.tr(", same as the robot") if self.same else self.tr(", differs here")
         self._window.show_link(kind, words)

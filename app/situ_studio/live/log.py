@@ -51,6 +51,14 @@ class _Block(Struct, frozen=True):
         return [_decode(line) for line in _unpack.decompress(self.packed).split(b"\n")]
 
 
+class Gap(Struct, frozen=True):
+    """Events that did not come, ``count`` of them: after ``t`` and before ``to``."""
+
+    t: float
+    to: float
+    count: int
+
+
 class TraceLog:
     """A sequence of trace events, as they came; ``limit`` and some are kept.
 
@@ -78,6 +86,10 @@ class TraceLog:
         self._seq = 0
         self.gone = 0
         """How many of the first are not kept any more."""
+        self.late = 0
+        """How many were before the first that came."""
+        self.gaps: list[Gap] = []
+        """What did not come between two that did, as far as they are kept."""
         self._unpacked: tuple[int, list[TraceFields]] = (-1, [])
         self._shown: tuple[int, Moment] = (-1, self.now)
 
@@ -98,26 +110,34 @@ class TraceLog:
         self._take(zip(new, map(msgspec.json.encode, new), strict=True))
         return new
 
-    def add_lines(self, lines: Iterable[bytes]) -> None:
-        """Takes what is new of events as JSON, one each.
+    def add_lines(self, lines: Iterable[bytes]) -> bool:
+        """Takes events as JSON, one each, up to the first whose ``seq`` is below that of the one
+        before: False where there is one, for it is of another run.
 
         Raises msgspec.DecodeError, and KeyError where a field is missing; the log is of no use
         then.
         """
-        self._take((_decode(line), line) for line in lines)
+        return self._take((_decode(line), line) for line in lines)
 
-    def _take(self, pairs: Iterable[tuple[TraceFields, bytes]]) -> None:
+    def _take(self, pairs: Iterable[tuple[TraceFields, bytes]]) -> bool:
         # A million of them come at once: what is the same for all is looked up once.
         seq, now, told, over_time = self._seq, self.now, self._told, self.lanes
         on_moment, on_lanes = moment.ACCEPT.get, lanes.TAKE.get
         begins = not self._times
         t = -math.inf if begins else self._times[-1]
+        whole = True
         for event, line in pairs:
-            if event["seq"] <= seq:
+            before = seq + 1
+            if event["seq"] == seq:
                 continue
+            if event["seq"] < seq:
+                whole = False
+                break
             if event["t"] < t:
                 event = {**event, "t": t}
                 line = msgspec.json.encode(event)
+            if event["seq"] > before:
+                self._miss(Gap(t, event["t"], event["seq"] - before))
             seq, kind, t = event["seq"], event["kind"], event["t"]
             accept = on_moment(kind)
             if accept is not None:
@@ -137,6 +157,13 @@ class TraceLog:
             self._come_to(seq, t)
         if begins and self._times:
             self.lanes.start = self._times[0]
+        return whole
+
+    def _miss(self, gap: Gap) -> None:
+        if self._times:
+            self.gaps.append(gap)
+        else:
+            self.late = gap.count
 
     def _come_to(self, seq: int, t: float) -> None:
         self._seq, self.now.t, self._told.t, self.lanes.end = seq, t, t, t
@@ -160,6 +187,8 @@ class TraceLog:
         del self._blocks[:blocks]
         del self._times[:events]
         self.gone += events
+        self.late += sum(gap.count for gap in self.gaps if gap.to <= self._times[0])
+        self.gaps = [gap for gap in self.gaps if gap.to > self._times[0]]
         self.lanes.forget(self._times[0])
         self._unpacked, self._shown = (-1, []), (-1, self.now)
 
@@ -175,6 +204,17 @@ class TraceLog:
             self._standing[tag, t] = (value, writer)
             self.now.stand(tag, value, writer, t)
             self.lanes.stand(tag, value, writer, t)
+
+    @property
+    def lacks(self) -> int:
+        """How many events were before the first that is kept."""
+        return self.late + self.gone
+
+    @property
+    def unknown(self) -> list[Gap]:
+        """All stretches of time of which events are not known, the beginning too."""
+        lacks = self.lacks
+        return [*([Gap(-math.inf, self.lanes.start, lacks)] if lacks else []), *self.gaps]
 
     # -- what there is ---------------------------------------------------------------
 

@@ -15,6 +15,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.errors import UsageError
 from situ.rehearse import recorded
+from situ_studio.language import tr
 from situ_studio.live.log import TraceLog
 
 SLICE = 0.012
@@ -25,7 +26,8 @@ PIECE = 500
 
 class Recording(Struct, frozen=True):
     """A recorded run. files: the project's documents as they ran, path to text. torn: the file ends
-    without its end, for the robot still runs or was killed.
+    without its end, for the robot still runs or was killed. goes_on: another run follows in the
+    file, which is not read.
     """
 
     path: Path
@@ -34,6 +36,21 @@ class Recording(Struct, frozen=True):
     files: dict[str, str]
     log: TraceLog
     torn: bool = False
+    goes_on: bool = False
+
+    def notice(self) -> str:
+        """What of the run is not seen, in words; "" where all is."""
+        name, found = self.path.name, []
+        if self.log.gone:
+            told = tr("{0} has more events than are kept: the first {1} are not shown.")
+            found.append(told.format(name, f"{self.log.gone:,}"))
+        if self.goes_on:
+            told = tr("{0} holds another run behind this one, which is not shown.")
+            found.append(told.format(name))
+        if self.torn:
+            told = tr("{0} ends without its end: the robot was still running, or was killed.")
+            found.append(told.format(name))
+        return " ".join(found)
 
 
 class ReadingRecording(QObject):
@@ -78,7 +95,7 @@ class ReadingRecording(QObject):
         self._heading = recorded.Heading()
         self._files: dict[str, str] = {}
         self._log = TraceLog()
-        self._torn = False
+        self._torn = self._goes_on = False
 
     def _go_on(self) -> None:
         end = time.perf_counter() + SLICE
@@ -97,7 +114,9 @@ class ReadingRecording(QObject):
     def _take(self, pieces: list[recorded.Piece]) -> bool:
         """False where there is nothing more."""
         try:
-            self._log.add_lines(piece.text for piece in pieces if type(piece) is recorded.Line)
+            lines = (piece.text for piece in pieces if type(piece) is recorded.Line)
+            if not self._goes_on:
+                self._goes_on = not self._log.add_lines(lines)
         except (KeyError, TypeError, ValueError, AttributeError) as error:
             # A file that other programs wrote may hold whatever; what is taken from it is looked
             # at nowhere else.
@@ -109,7 +128,7 @@ class ReadingRecording(QObject):
                 self._files[piece.path] = piece.data.decode(errors="replace")
             elif isinstance(piece, recorded.Torn):
                 self._torn = True
-        return bool(pieces)
+        return bool(pieces) and not self._goes_on
 
     def _no_event(self, error: Exception) -> str:
         number = len(self._log) + self._log.gone + 1
@@ -122,7 +141,13 @@ class ReadingRecording(QObject):
     def _finish(self) -> None:
         heading = self._heading
         read = Recording(
-            self._path, heading.project, heading.masked, self._files, self._log, self._torn
+            self._path,
+            heading.project,
+            heading.masked,
+            self._files,
+            self._log,
+            self._torn,
+            self._goes_on,
         )
         self.cancel()
         self.read.emit(read)

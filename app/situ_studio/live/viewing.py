@@ -83,10 +83,11 @@ class Viewing(QObject):
 
     def clock(self) -> str:
         """What that clock said at the cursor; seconds of the trace where it does not tell."""
-        at = self._wall_at(self.t)
-        if at is None:
-            return f"{self.t:.1f} s"
-        return self._day(at) + at.strftime("%H:%M:%S")
+        return self._second(self.t)
+
+    def _second(self, t: float) -> str:
+        at = self._wall_at(t)
+        return f"{t:.1f} s" if at is None else self._day(at) + at.strftime("%H:%M:%S")
 
     def written(self, t: float, finest: bool = True) -> str:
         """A moment by the clock on the wall, or in seconds of the trace. finest: to the ms, with
@@ -114,6 +115,11 @@ class Viewing(QObject):
         if first is None or last is None or first.date() == last.date() == at.date():
             return ""
         return at.strftime("%Y-%m-%d ")
+
+    @property
+    def begun(self) -> str:
+        """Since when the run is known, to the second."""
+        return self._second(self.log.lanes.start)
 
     def seek(self, t: float) -> None:
         """Puts the cursor there, as far as there is something."""

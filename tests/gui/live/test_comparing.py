@@ -17,6 +17,7 @@ from tests.gui.live.test_recordings import PATIENCE, recording, until_shown
 from situ_studio.live.comparing import AGREED, COMMAND, COMMON, START, Compared, Comparing
 from situ_studio.live.log import TraceLog
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
+from situ_studio.live.timeline.painting import GUTTER
 from situ_studio.live.viewing import Viewing
 
 LEFT = Qt.MouseButton.LeftButton
@@ -199,6 +200,10 @@ def test_within_three_clicks_it_is_said_where_two_recordings_part(beneath: Any) 
     rows = [(row.kind, row.name, row.run) for row in chart.rows if row.kind != "data"]
     assert rows[:2] == [("state", "reception", 0), ("state", "reception", 1)]
     assert {run for *_, run in rows} == {0, 1}
+    # What its states are called is read beside the window.
+    until(comparing, lambda: comparing.others[0].project is not it.session.project)
+    # Its bookmark stands in its own rows.
+    assert [mark.name for mark in chart.beside[0].bookmarks] == ["door"]
     # Next difference; all views are there.
     for _ in range(4):
         QTest.mouseClick(strip.next, LEFT)
@@ -291,6 +296,101 @@ def test_a_recording_is_compared_with_the_rehearsal_that_was_looked_at_before(
 
 def turned(one: Any) -> tuple[float, float]:
     return one.at[1], one.at[0]
+
+
+def test_three_runs_stand_below_one_another_and_differences_lead_through_all_of_them(
+    beneath: Any, tmp_path: Path
+) -> None:
+    it, other = beneath
+    side, chart = it.window.robot.comparing, it.window.robot.timeline.chart
+    comparing, viewing = side.comparing, it.window.robot.follower.viewing
+    events = played("reception", "walked-away.jsonl")[2]
+    third = recording(tmp_path / "wednesday.mcap", events, it.session.root)
+    side.compare_with(other)
+    until(comparing)
+    side.compare_with(third)
+    until(comparing, lambda: len(comparing.others) == 2 and comparing.ready)
+    it.settle()
+    states = [(row.name, row.run) for row in chart.rows if row.kind == "state"]
+    assert states == [("reception", 0), ("reception", 1), ("reception", 2)]
+    assert "C: wednesday.mcap" in side.strip.runs.text()
+    # Ours is compared with each: what parts from either is gone to, in the order of time.
+    assert {run for run, _ in comparing.marks} == {0, 1}
+    assert {mark.run for mark in chart.differences} == {1, 2}
+    viewing.seek(0.0)
+    letters = set()
+    for _ in comparing.marks:
+        it.window.commands.next_difference(1)
+        letters.add(side.strip.second.text()[0])
+    assert letters == {"B", "C"}
+    # Which of two would be swapped with ours, nobody has said.
+    assert not side.strip.swap.isEnabled()
+    # Another can be added until the letters end; let go of, ours is alone.
+    assert side.can_compare()
+    QTest.mouseClick(side.strip.close_, LEFT)
+    it.settle()
+    assert {row.run for row in chart.rows} == {0}
+
+
+def test_a_bookmark_of_the_other_run_is_drawn_in_its_own_rows_only(beneath: Any) -> None:
+    it, other = beneath
+    side, chart = it.window.robot.comparing, it.window.robot.timeline.chart
+    side.compare_with(other)
+    until(side.comparing)
+    it.settle()
+    run = chart.beside[0]
+    x = round(run.axis.x(2.0)) + GUTTER
+
+    def drawn() -> dict[int, bytes]:
+        """What is drawn at its place, by run: the first row of each."""
+        image = chart.viewport().grab().toImage()
+        tops = {row.run: round(top) for row, top in reversed(chart._tops()) if row.kind == "state"}
+        columns = {
+            which: [image.pixel(x + across, top + down) for across in (-1, 0, 1) for down in (8, 9)]
+            for which, top in tops.items()
+        }
+        return {which: repr(column).encode() for which, column in columns.items()}
+
+    it.window.robot.follower.viewing.seek(9.0)
+    with_it = drawn()
+    run.bookmarks = ()
+    chart.set_theme(it.window.theme)
+    without = drawn()
+    assert with_it[0] == without[0]
+    assert with_it[1] != without[1]
+
+
+def test_a_robot_that_goes_on_is_compared_with_a_recording(
+    studio: Callable[..., Any],
+    project: Callable[[str], Path],
+    robot: Any,
+    request: pytest.FixtureRequest,
+    tmp_path: Path,
+) -> None:
+    wait = request.getfixturevalue("until")
+    there = robot(project("reception"))
+    it = studio(there.project)
+    window, link = it.window, it.window.robot.link
+    link.connect_robot(there.endpoint)
+    wait(link.moment_changed, lambda: "reception" in link.log.now.applications)
+    side, comparing = window.robot.comparing, window.robot.comparing.comparing
+    events = played("reception", "known-user.jsonl")[2]
+    side.compare_with(recording(tmp_path / "monday.mcap", events, there.project))
+    until(comparing)
+    assert (comparing.own.name, comparing.own.log) == ("the robot", link.log)
+    assert window.robot.follower.viewing.follows
+    # The robot stands where it began; the other went on.
+    before = list(comparing.marks)
+    assert before
+    link.publish("noSuchEvent", "reception", lambda why: None)
+    wait(link.came, lambda: any(e["kind"] == "event" for e in link.log))
+    window.robot.follower.viewing.seek(0.0)
+    comparing.go(1)
+    until(comparing, lambda: comparing.ready and comparing.chosen is not None)
+    assert comparing.parting() is not None
+    # The robot's clock goes on meanwhile, and both runs stay in the timeline.
+    assert {row.run for row in window.robot.timeline.chart.rows} >= {0, 1}
+    window.disconnect_robot()
 
 
 def test_reading_the_other_run_is_cancelled_or_refused_and_all_stays(

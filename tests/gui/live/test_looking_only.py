@@ -19,7 +19,6 @@ from situ.blackboard.identity import KeyRole
 from situ.blackboard.keys import KnownKey, RobotKey
 from situ_studio.actions import command
 
-CONTROL = Qt.KeyboardModifier.ControlModifier
 HANDS = (
     "operate.pause",
     "operate.break",
@@ -57,9 +56,7 @@ def test_who_may_only_look_finds_what_the_robot_would_refuse_greyed_with_the_rea
     there = robot(project("conversation"))
     it = studio(there.project)
     window, link = it.window, it.window.robot.link
-    it.answers.put("name", there.endpoint)
-    window.setFocus()
-    it.key(Qt.Key.Key_R, CONTROL)
+    window.robot.connect_robot(there.endpoint)
     until(link.documents_came, lambda: link.files is not None)
     until(link.moment_changed, lambda: "converse" in link.log.now.applications)
     with situ.connect(there.endpoint, keys=ann, role="operator") as board:

@@ -13,12 +13,15 @@ from situ.rehearse.comparing import Difference
 from situ_studio.letters import px
 from situ_studio.live.log import TraceLog
 from situ_studio.live.timeline.axis import TimeAxis
+from situ_studio.live.timeline.bookmarks import Bookmark
 from situ_studio.live.timeline.painting import GUTTER, RowPainter, StateName
 from situ_studio.live.timeline.rows import TimelineRow
 from situ_studio.theme import CAPTION, Theme, font
 
 LETTERS = "ABCDEFGH"
 """What the runs are called in the drawing; A is the one whose moment all views show."""
+LONGEST = 120
+"""Px that a bookmark's name gets at most."""
 LETTER = 20
 """Px that a letter takes of a row's name."""
 
@@ -29,6 +32,7 @@ class RunBeside:
     def __init__(self, log: TraceLog, theme: Theme, state_name: StateName) -> None:
         self.log = log
         self.shift = 0.0
+        self.bookmarks: tuple[Bookmark, ...] = ()
         self.axis = TimeAxis()
         self.painter = RowPainter(self.axis, theme, state_name)
         self.painter.spare = LETTER
@@ -73,6 +77,38 @@ def paint_letter(painter: QPainter, theme: Theme, run: int, top: float, height: 
     painter.setFont(font(CAPTION, 600))
     painter.setPen(theme.color("accent" if run == 0 else "warning"))
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, LETTERS[run])
+
+
+def paint_bookmarks(
+    painter: QPainter,
+    theme: Theme,
+    tops: Iterable[tuple[TimelineRow, float]],
+    runs: Sequence[RunBeside],
+) -> None:
+    """Those of the runs beside: a dashed line through their own rows, its name in the first."""
+    named: set[int] = set()
+    painter.setFont(font(CAPTION, 500))
+    metrics = painter.fontMetrics()
+    for row, top in tops:
+        if row.run == 0:
+            continue
+        run = runs[row.run - 1]
+        for mark in run.bookmarks:
+            if not run.axis.sees(mark.t):
+                continue
+            x = run.axis.x(mark.t) + px(GUTTER)
+            painter.setPen(QPen(theme.color("accent"), 1, Qt.PenStyle.DashLine))
+            painter.drawLine(QPointF(x, top), QPointF(x, top + px(row.height)))
+            if row.run in named:
+                continue
+            words = metrics.elidedText(mark.name, Qt.TextElideMode.ElideRight, px(LONGEST))
+            flag = QRectF(x, top + px(2), metrics.horizontalAdvance(words) + px(8), px(15))
+            painter.setPen(QPen(theme.color("accent_line"), 1))
+            painter.setBrush(theme.color("card"))
+            painter.drawRoundedRect(flag, 3, 3)
+            painter.setPen(theme.color("text"))
+            painter.drawText(flag, Qt.AlignmentFlag.AlignCenter, words)
+        named.add(row.run)
 
 
 def paint_differences(

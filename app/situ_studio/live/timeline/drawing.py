@@ -19,30 +19,26 @@ from situ_studio import icons
 from situ_studio.language import tr
 from situ_studio.letters import px
 from situ_studio.live.lanes import Lane, Series
+from situ_studio.live.log import Gap
+from situ_studio.live.timeline import gaps
 from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.beside import (
     LETTER,
     Marked,
     RunBeside,
     interleaved,
+    paint_bookmarks,
     paint_differences,
     paint_letter,
 )
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks
+from situ_studio.live.timeline.cursor import CursorPainter, told
 from situ_studio.live.timeline.drawn import blocks
-from situ_studio.live.timeline.painting import (
-    GUTTER,
-    NARROW,
-    RowPainter,
-    StateName,
-    number,
-)
+from situ_studio.live.timeline.painting import EDGE, GUTTER, NARROW, RowPainter, StateName
 from situ_studio.live.timeline.rows import TimelineRow, rows_of
 from situ_studio.live.viewing import Viewing
 from situ_studio.theme import CAPTION, LABEL, Theme, font
 
-EDGE = 24
-"""Px of the strip at the top with the time."""
 FRAME = 33
 """Milliseconds between two looks at a log that goes on."""
 FLAG = 140
@@ -66,6 +62,7 @@ class TimelineDrawing(QAbstractScrollArea):
         self.chosen: frozenset[str] | None = None
         self._theme = theme
         self._painter = RowPainter(self.axis, theme, state_name)
+        self._cursor = CursorPainter(self.axis, theme, viewing)
         self.beside: tuple[RunBeside, ...] = ()
         self.differences: tuple[Marked, ...] = ()
         self._picture = QPixmap()
@@ -84,7 +81,7 @@ class TimelineDrawing(QAbstractScrollArea):
         bookmarks.changed.connect(self._changed)
 
     def set_theme(self, theme: Theme) -> None:
-        self._theme = self._painter.theme = theme
+        self._theme = self._painter.theme = self._cursor.theme = theme
         for run in self.beside:
             run.painter.theme = theme
         self._changed()
@@ -210,7 +207,8 @@ class TimelineDrawing(QAbstractScrollArea):
             self._take_picture()
             self._pictured = wanted
         painter.drawPixmap(0, 0, self._picture)
-        self._paint_cursor(painter)
+        rows = [(row, top, self._run(row)[1]) for row, top in self._tops()]
+        self._cursor.paint(painter, self.viewport().size(), rows)
         painter.end()
 
     def _take_picture(self) -> None:
@@ -226,6 +224,7 @@ class TimelineDrawing(QAbstractScrollArea):
         self._paint_edge(painter)
         for run in self.beside:
             run.go_with(self.axis)
+        named: set[int] = set()
         wide, high, edge, left = size.width(), size.height(), px(EDGE), px(GUTTER)
         for row, top in self._tops():
             below = top + px(row.height)
@@ -233,14 +232,18 @@ class TimelineDrawing(QAbstractScrollArea):
                 painter.setClipRect(QRectF(left, edge, wide - left, high - edge))
                 drawn, _, end = self._run(row)
                 drawn.row(painter, row, top, end)
+                unknown, place = self._unknown(row), (top, px(row.height))
+                gaps.paint_gaps(painter, theme, drawn.axis, unknown, place, row.run not in named)
+                named.add(row.run)
                 painter.setClipRect(QRectF(0, edge, wide, high - edge))
                 drawn.title(painter, row, top)
                 if self.beside:
                     paint_letter(painter, theme, row.run, top, px(row.height))
                 painter.setPen(theme.color("line"))
                 painter.drawLine(QPointF(0, below), QPointF(wide, below))
+        painter.setClipRect(QRectF(left, edge, wide - left, high - edge))
+        paint_bookmarks(painter, theme, self._tops(), self.beside)
         if self.differences:
-            painter.setClipRect(QRectF(left, edge, wide - left, high - edge))
             axes = [self.axis, *(run.axis for run in self.beside)]
             paint_differences(painter, theme, self._tops(), axes, self.differences)
         painter.setClipping(False)
@@ -309,56 +312,6 @@ class TimelineDrawing(QAbstractScrollArea):
         day = begun.replace(hour=0, minute=0, second=0, microsecond=0)
         return -(begun - day).total_seconds()
 
-    def _paint_cursor(self, painter: QPainter) -> None:
-        viewing, t = self.viewing, self.viewing.t
-        if viewing.grows and not viewing.follows:
-            self._paint_moment(painter, viewing.span[1], tr("now"), "live")
-        self._paint_moment(painter, t, self.clock(t), "live" if viewing.follows else "accent")
-        if self.axis.sees(t):
-            self._paint_values(painter, self.axis.x(t) + px(GUTTER), t)
-
-    def _paint_moment(self, painter: QPainter, t: float, words: str, token: str) -> None:
-        """A line through all rows, and what it says at the top."""
-        theme, axis = self._theme, self.axis
-        if not axis.sees(t):
-            return
-        x = axis.x(t) + px(GUTTER)
-        color = theme.color(token)
-        painter.setPen(QPen(color, 1.5))
-        painter.drawLine(QPointF(x, px(EDGE) - 4), QPointF(x, self.viewport().height()))
-        painter.setFont(font(CAPTION, 600))
-        wide = QFontMetricsF(painter.font()).horizontalAdvance(words) + 12
-        left = min(max(x - wide / 2, px(GUTTER)), self.viewport().width() - wide - 2)
-        flag = QRectF(left, 3, wide, px(EDGE - 7))
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(color)
-        painter.drawRoundedRect(flag, 3, 3)
-        painter.setPen(theme.color("on_accent"))
-        painter.drawText(flag, Qt.AlignmentFlag.AlignCenter, words)
-
-    def _paint_values(self, painter: QPainter, x: float, t: float) -> None:
-        """What each number is at the cursor."""
-        theme = self._theme
-        painter.setFont(font(CAPTION, 500))
-        metrics = QFontMetricsF(painter.font())
-        painter.setClipRect(QRectF(0, px(EDGE), self.viewport().width(), self.viewport().height()))
-        for row, top in self._tops():
-            if not isinstance(row.lane, Series):
-                continue
-            value = row.lane.at(t + self._run(row)[1])
-            if value != value:
-                continue
-            words = _told(row.lane, value)
-            wide = metrics.horizontalAdvance(words) + 8
-            left = x + 5 if x + 5 + wide < self.viewport().width() else x - 5 - wide
-            box = QRectF(left, top + px(row.height - 21), wide, px(16))
-            painter.setPen(QPen(theme.color("card_border"), 1))
-            painter.setBrush(theme.color("card"))
-            painter.drawRoundedRect(box, 3, 3)
-            painter.setPen(theme.color("text"))
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
-        painter.setClipping(False)
-
     def _tops(self) -> list[tuple[TimelineRow, float]]:
         top = float(px(EDGE) - self.verticalScrollBar().value())
         found = []
@@ -373,6 +326,10 @@ class TimelineDrawing(QAbstractScrollArea):
             return self._painter, 0.0, self.viewing.span[1]
         run = self.beside[row.run - 1]
         return run.painter, run.shift, run.end
+
+    def _unknown(self, row: TimelineRow) -> list[Gap]:
+        """What is not known of the row's run, by its own clock."""
+        return (self.beside[row.run - 1] if row.run else self.viewing).log.unknown
 
     # -- words --------------------------------------------------------------------------
 
@@ -398,9 +355,12 @@ class TimelineDrawing(QAbstractScrollArea):
         if at.x() < px(GUTTER):
             return row.name
         t = self.axis.t(at.x() - px(GUTTER)) + self._run(row)[1]
+        gap = gaps.at(self._unknown(row), t, self.axis.pixel * gaps.LEAST)
+        if gap is not None:
+            return gaps.words(gap)
         if isinstance(row.lane, Series):
             value = row.lane.at(t)
-            return "" if value != value else f"{row.name} = {_told(row.lane, value)}"
+            return "" if value != value else f"{row.name} = {told(row.lane, value)}"
         return self._told_block(row, row.lane, t)
 
     def _told_block(self, row: TimelineRow, lane: Lane, t: float) -> str:
@@ -414,9 +374,3 @@ class TimelineDrawing(QAbstractScrollArea):
                 begun = self.clock(block.start - shift)
                 return tr("{0}, from {1}, {2}").format(words, begun, lasts)
         return ""
-
-
-def _told(series: Series, value: float) -> str:
-    if series.truth and value in (0.0, 1.0):
-        return "true" if value else "false"
-    return number(value)

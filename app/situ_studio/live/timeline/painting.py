@@ -17,6 +17,8 @@ from situ_studio.live.timeline.drawn import Block, Extremes, Strokes, blocks
 from situ_studio.live.timeline.rows import RowKind, TimelineRow
 from situ_studio.theme import CAPTION, LABEL, Theme, font
 
+EDGE = 24
+"""Px of the strip at the top with the time."""
 GUTTER = 132
 """Px at the left for the rows' names."""
 NARROW = 3
