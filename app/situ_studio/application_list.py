@@ -47,6 +47,14 @@ class ApplicationList(QObject):
     def ask(self, at: QPoint) -> None:
         """Opens a menu of what can be added at a place of the screen."""
         menu = QMenu(self._window)
+        self.fill(menu)
+        menu.aboutToHide.connect(self._on_hidden)
+        self.shown = menu
+        menu.popup(at)
+        menu.setActiveAction(menu.actions()[0])
+
+    def fill(self, menu: QMenu) -> None:
+        """Puts what can be added into a menu."""
         new = menu.addAction(self._icon("plus", "accent"), self.tr("New application…"))
         new.triggered.connect(lambda _=False: self.make())
         others = self.others()
@@ -55,10 +63,6 @@ class ApplicationList(QObject):
         for file in others[:MOST]:
             made = menu.addAction(self._icon("state", "text2"), file.replace("&", "&&"))
             made.triggered.connect(lambda _=False, file=file: self.add(file))
-        menu.aboutToHide.connect(self._on_hidden)
-        self.shown = menu
-        menu.popup(at)
-        menu.setActiveAction(new)
 
     def _on_hidden(self) -> None:
         menu, self.shown = self.shown, None

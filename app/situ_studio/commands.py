@@ -410,6 +410,7 @@ class Commands(FileCommands):
                 said = window.actions_.reason(one)
                 say = partial(window.say, f"{text}: {said}")
                 found.append(Find(text, one.icon, "text2", said, say, one.menu, id, said))
+        found += window.pages.findable()
         project = self._session.project
         for file in self._session.files if project is not None else ():
             document = self._session.document(file)

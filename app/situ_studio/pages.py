@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -16,7 +17,9 @@ from situ.document.projectfile import CODE
 from situ.document.texts import read_out
 from situ_studio.application_list import ApplicationList
 from situ_studio.edit import Place, Written
+from situ_studio.find import Find
 from situ_studio.project_form.form import ProjectForm
+from situ_studio.project_form.found import sections
 from situ_studio.project_form.going import go_to_place
 from situ_studio.sides import Group
 from situ_studio.texts.exchange import Exchange
@@ -41,7 +44,7 @@ class PagesSide(QObject):
         self._window, self._session = window, window.session
         self._lexicon = Lexicon()
         self._exchange = Exchange(window)
-        self._applications = ApplicationList(window)
+        self.applications = ApplicationList(window)
         self._voice = Listening(self)
         self._voice.failed.connect(window.say)
         self._voice.changed.connect(self._on_voice)
@@ -107,6 +110,19 @@ class PagesSide(QObject):
         if form is not None:
             form.show_file(file)
             go_to_place(form, place)
+
+    def findable(self) -> list[Find]:
+        """What *Find anything* offers of the project's pages."""
+        if not self.has(PROJECT_FILE):
+            return []
+        words, icon, token = self.look(TEXTS)
+        more = self.tr("languages, translations")
+        texts = Find(words, icon, token, "", partial(self._window.open_file, TEXTS), more)
+        project, icon, token = self.look(PROJECT_FILE)
+        return [texts] + [
+            Find(title, icon, token, project, partial(self.go_to_field, PROJECT_FILE, place), more)
+            for place, title, more in sections()
+        ]
 
     def unsaved(self) -> list[str]:
         """The pages on which something is not saved."""
@@ -231,9 +247,9 @@ class PagesSide(QObject):
         form.refused.connect(self._window.say)
         form.language_asked.connect(self.add_language)
         form.readings_changed.connect(self._on_readings)
-        form.applications.add_asked.connect(self._applications.ask)
-        form.applications.remove_asked.connect(self._applications.remove)
-        form.applications.start_asked.connect(self._applications.start)
+        form.applications.add_asked.connect(self.applications.ask)
+        form.applications.remove_asked.connect(self.applications.remove)
+        form.applications.start_asked.connect(self.applications.start)
         form.mend_asked.connect(self._window.mending.mend)
         form.mends_asked.connect(self._window.mending.open_at)
         group.documents.addWidget(form)

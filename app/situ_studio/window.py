@@ -40,6 +40,7 @@ from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.fields import Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.parts import PartsSide
+from situ_studio.project_menu import ProjectMenu
 from situ_studio.project_pictures import Example
 from situ_studio.recovery import Recovery
 from situ_studio.rehearsing.scenarios_side import ScenariosSide
@@ -110,6 +111,7 @@ class MainWindow(Frame):
         self.context_menus = ContextMenus(self)
         self.mending = MendingSide(self)
         self.add_commands(Actions(self.commands, self.theme, self))
+        self.project_menu = ProjectMenu(self)
         self.helping = HelpSide(self)
         self.search.clicked.connect(self.commands.find)
         self._wire()

@@ -47,6 +47,8 @@ def _show(form: ProjectForm, field: QWidget) -> None:
 def field_at(form: ProjectForm, place: Place) -> QWidget | None:
     """The field of what stands at a place; its section where it has none, None: no section."""
     table, key = place[0] if place else "", place[1] if len(place) > 1 else ""
+    if table == "readings":
+        return form.readings
     listed = table == "project" and key in ("applications", "languages")
     section = form.sections.get(key if listed else SECTIONS.get(table, table))
     if isinstance(section, FieldsSection):

@@ -1,0 +1,59 @@
+"""What can be added to a project, from the heading of its tree and from its rows."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QPoint, Qt
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QMenu
+
+from situ.document.folder import PROJECT_FILE
+from situ_studio import icons
+from situ_studio.icon_widgets import IconButton
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+
+class ProjectMenu(QObject):
+    """The plus beside *Project*; the same menu opens where a row is pressed with the right."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self.button = IconButton(window.theme, "plus", self.tr("Add to the project"), "text2", 14)
+        self.button.clicked.connect(self._on_button)
+        window.headers["project"].add(self.button)
+        tree = window.project_tree.tree
+        tree.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        tree.customContextMenuRequested.connect(
+            lambda at: self.open(tree.viewport().mapToGlobal(at))
+        )
+
+    def open(self, at: QPoint) -> None:
+        """Opens the menu at a place of the screen; a project without ``situ.toml`` has none."""
+        window = self._window
+        if not window.pages.has(PROJECT_FILE):
+            window.say(self.tr("One file alone is open: nothing can be added beside it."))
+            return
+        window.actions_.refresh()
+        menu = QMenu(window)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        window.pages.applications.fill(menu)
+        menu.addSeparator()
+        script = window.actions_.actions["begin_script"]
+        if script.isVisible():
+            menu.addAction(script)
+        language = menu.addAction(self._icon("language"), self.tr("Language…"))
+        language.triggered.connect(lambda: window.pages.add_language())
+        menu.addSeparator()
+        form = menu.addAction(self._icon("folder"), self.tr("What the project is"))
+        form.triggered.connect(lambda: window.open_file(PROJECT_FILE))
+        menu.popup(at)
+
+    def _on_button(self) -> None:
+        self.open(self.button.mapToGlobal(self.button.rect().bottomLeft()))
+
+    def _icon(self, name: str) -> QIcon:
+        return icons.icon(name, self._window.theme.color("text2"), 18)
