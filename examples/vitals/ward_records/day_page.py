@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from html import escape
 
 from ward_records.day import ROUNDS, Medicine, Reminder
-from ward_records.page import HIDDEN, framed
+from ward_records.language import say
+from ward_records.page import HIDDEN, framed, table
 from ward_records.store import Resident
 
 _ROUND = {"morning": "Morning", "noon": "Noon", "evening": "Evening"}
@@ -19,18 +20,20 @@ _OUTCOME = {
     "told": "told",
     "later": "told again later",
 }
+_TOLD = "The robot has said that a nurse sees them. It stays until you or they let it go."
 _WELL = (None, "taken", "told", "later")
 
 
 def watched_rooms(rooms: Sequence[str], open_: bool) -> str:
     """Links to what the robot sees now; nothing where it sees nothing."""
     links = "".join(
-        f'<li class="open"><span>The robot is in <strong>room {escape(room)}</strong></span>'
-        f'<a class="button" href="/watch/{escape(room)}">Look</a></li>'
+        f'<li class="open"><span>{say("The robot is with somebody")}: '
+        f"<strong>{say('room {0}').format(escape(room))}</strong></span>"
+        f'<a class="button" href="/watch/{escape(room)}">{say("Look")}</a></li>'
         for room in rooms
         if open_
     )
-    return f'<h2>With somebody</h2><ul id="watch">{links}</ul>' if links else ""
+    return f'<h2>{say("With somebody")}</h2><ul id="watch">{links}</ul>' if links else ""
 
 
 def today(
@@ -45,39 +48,40 @@ def today(
     wrong: what is wrong with what was just given.
     """
     rows = "".join(
-        f"<tr><td>{_ROUND[one.round]}</td><td>{one.room if open_ else HIDDEN}</td>"
+        f"<tr><td>{say(_ROUND[one.round])}</td><td>{one.room if open_ else HIDDEN}</td>"
         f"<td>{escape(one.what) if open_ else HIDDEN}</td>{_outcome(one.outcome, open_)}</tr>"
         for one in medicines
     )
     medicine = (
-        '<table id="medicines"><thead><tr><th>Round</th><th>Room</th><th>Medicine</th>'
-        f"<th>Today</th></tr></thead><tbody>{rows}</tbody></table>"
+        table("medicines", ("Round", "Room", "Medicine", "Today"), rows)
         if rows
-        else "<p>Nobody is given anything.</p>"
+        else f"<p>{say('Nobody is given anything.')}</p>"
     )
     told = "".join(_reminder(one, open_) for one in reminders)
     listed = (
-        '<table id="reminders"><thead><tr><th>At</th><th>For</th><th>What</th><th>Today</th><th>'
-        f"</th></tr></thead><tbody>{told}</tbody></table>"
+        table("reminders", ("At", "For", "Message", "Today", ""), told)
         if told
-        else "<p>Nothing is to be told today.</p>"
+        else f"<p>{say('Nothing is to be told today.')}</p>"
     )
     form = _new(residents, wrong) if open_ else ""
     body = (
-        f'<p><a href="/">Ward</a></p><h1>Today</h1><h2>Medicine</h2>{medicine}'
-        f"<h2>What the robot tells</h2>{listed}{form}"
+        f'<p><a href="/">{say("Ward")}</a></p><h1>{say("Today")}</h1>'
+        f"<h2>{say('Medicine')}</h2>{medicine}"
+        f"<h2>{say('What the robot tells')}</h2>{listed}{form}"
     )
     return framed("Today", body)
 
 
 def _reminder(one: Reminder, open_: bool) -> str:
     if one.room is None:
-        whom, what = "all", escape(one.what)
+        whom, what = say("all"), escape(one.what)
     else:
-        whom, what = (f"room {one.room}", escape(one.what)) if open_ else (HIDDEN, HIDDEN)
+        room = say("room {0}").format(one.room)
+        whom, what = (room, escape(one.what)) if open_ else (HIDDEN, HIDDEN)
     remove = (
         f'<form method="post" action="/reminders/{one.id}">'
-        f'<button class="quiet" aria-label="Remove {what}">Remove</button></form>'
+        f'<button class="quiet" aria-label="{say("Remove")}: {what}">'
+        f"{say('Remove')}</button></form>"
         if open_
         else ""
     )
@@ -91,23 +95,27 @@ def _outcome(outcome: str | None, open_: bool) -> str:
     if not open_:
         return f"<td>{HIDDEN}</td>"
     outside = "" if outcome in _WELL else ' class="outside"'
-    return f"<td{outside}>{_OUTCOME[outcome]}</td>"
+    return f"<td{outside}>{say(_OUTCOME[outcome])}</td>"
 
 
 def _new(residents: Sequence[Resident], wrong: str) -> str:
-    told = f'<p class="wrong" role="alert">Not added: {escape(wrong)}</p>' if wrong else ""
+    said = say("Not added: {0}").format(escape(wrong))
+    told = f'<p class="wrong" role="alert">{said}</p>' if wrong else ""
     whom = "".join(
-        f'<option value="{one.id}">Room {one.room}, {escape(one.name)}</option>'
+        f'<option value="{one.id}">{say("Room {0}").format(one.room)}, {escape(one.name)}</option>'
         for one in residents
     )
     return (
-        f'<h3>Have the robot tell</h3>{told}<form method="post" action="/reminders">'
-        '<label for="begins">At</label><input id="begins" name="begins" type="time" required>'
-        '<label for="what">What</label><input id="what" name="what" maxlength="200" required>'
-        '<label for="whom">For</label><select id="whom" name="whom">'
-        f'<option value="">all, where the robot is</option>{whom}</select>'
-        '<label class="tick"><input type="checkbox" name="daily" value="yes"> every day</label>'
-        "<button>Add</button></form>"
+        f"<h3>{say('Have the robot tell')}</h3>{told}"
+        '<form method="post" action="/reminders">'
+        f'<label for="begins">{say("At")}</label>'
+        '<input id="begins" name="begins" type="time" required>'
+        f'<label for="what">{say("Message")}</label>'
+        '<input id="what" name="what" maxlength="200" required>'
+        f'<label for="whom">{say("For")}</label><select id="whom" name="whom">'
+        f'<option value="">{say("all, where the robot is")}</option>{whom}</select>'
+        '<label class="tick"><input type="checkbox" name="daily" value="yes"> '
+        f"{say('every day')}</label><button>{say('Add')}</button></form>"
     )
 
 
@@ -115,14 +123,15 @@ def medicine_form(resident: int, medicines: Sequence[Medicine]) -> str:
     """What one resident is given, to be changed."""
     given = {one.round: one.what for one in medicines}
     fields = "".join(
-        f'<label for="{name}">{_ROUND[name]}</label>'
+        f'<label for="{name}">{say(_ROUND[name])}</label>'
         f'<input id="{name}" name="{name}" maxlength="200" value="{escape(given.get(name, ""))}">'
         for name in ROUNDS
     )
     return (
-        "<h2>Medicine</h2><p>As the robot is to say it, with how to take it. Empty: nothing then."
-        f'</p><form method="post" action="/residents/{resident}/medicine">{fields}'
-        "<button>Save medicine</button></form>"
+        f"<h2>{say('Medicine')}</h2>"
+        f"<p>{say('As the robot is to say it, with how to take it. Empty: nothing then.')}</p>"
+        f'<form method="post" action="/residents/{resident}/medicine">{fields}'
+        f"<button>{say('Save medicine')}</button></form>"
     )
 
 
@@ -130,10 +139,11 @@ def watch(room: str) -> str:
     """What the robot sees in a room; the picture renews itself in its frame."""
     shown = escape(room)
     body = (
-        f'<p><a href="/">Ward</a></p><h1>Room {shown}</h1>'
-        f'<iframe class="camera" src="/watch/{shown}/live" title="What the robot sees"></iframe>'
-        "<p>The robot has said that a nurse sees them. It stays until you or they let it go.</p>"
-        f'<form method="post" action="/watch/{shown}"><button>Help is there</button></form>'
+        f'<p><a href="/">{say("Ward")}</a></p><h1>{say("Room {0}").format(shown)}</h1>'
+        f'<iframe class="camera" src="/watch/{shown}/live" title="{say("What the robot sees")}">'
+        f"</iframe><p>{say(_TOLD)}</p>"
+        f'<form method="post" action="/watch/{shown}">'
+        f"<button>{say('Help is there')}</button></form>"
     )
     return framed("Room", body)
 
@@ -141,8 +151,9 @@ def watch(room: str) -> str:
 def live(room: str, seen: bool) -> str:
     """The inside of the frame, which asks for the next picture every second."""
     picture = (
-        f'<img class="camera" src="/watch/{escape(room)}/picture" alt="What the robot sees">'
+        f'<img class="camera" src="/watch/{escape(room)}/picture" '
+        f'alt="{say("What the robot sees")}">'
         if seen
-        else '<p id="nothing">The robot shows nothing now.</p>'
+        else f'<p id="nothing">{say("The robot shows nothing now.")}</p>'
     )
     return framed("Camera", picture, refresh=1)

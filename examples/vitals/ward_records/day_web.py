@@ -21,6 +21,7 @@ from ward_records import day_page, page
 from ward_records.access import Tokens
 from ward_records.answers import refused, shown
 from ward_records.day import ROUNDS, Day
+from ward_records.language import why
 from ward_records.store import Store, Unfit, Unknown
 from ward_records.watching import KINDS, Picture, Watching
 
@@ -117,8 +118,10 @@ class DayWeb:
         try:
             who = self._store.resident(int(whom)).id if whom.isdecimal() else None
             self._day.remind(form.get("begins", ""), form.get("what", ""), who, "daily" in form)
-        except (Unfit, Unknown) as wrong:
-            return self._day_shown(True, str(wrong), 400)
+        except Unfit as unfit:
+            return self._day_shown(True, why(unfit), 400)
+        except Unknown as unknown:
+            return self._day_shown(True, str(unknown), 400)
         raise web.HTTPSeeOther("/today")
 
     async def _forget(self, request: web.Request) -> web.Response:

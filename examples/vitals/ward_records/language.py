@@ -14,7 +14,7 @@ _spoken: ContextVar[str] = ContextVar("language of the page", default="en")
 
 def wanted(accept: str) -> str:
     """The first of ``LANGUAGES`` in the order that a header ``Accept-Language`` asks for."""
-    asked = []
+    asked: list[tuple[float, int, str]] = []
     for part in accept.split(","):
         language, _, weight = part.partition(";")
         try:

@@ -61,7 +61,7 @@ def ward(
         f"<h1>{say('Ward')}</h1>{_note(open_)}{watched}"
         f"<h2>{say('Calls')}</h2>{_calls(calls, open_)}"
         f'<p><a href="/today">{say("Medicine, and what is told today")}</a></p>'
-        f"<h2>{say('Residents')}</h2>{_table('residents', ('Room', 'Name', *_LAST), rows)}"
+        f"<h2>{say('Residents')}</h2>{table('residents', ('Room', 'Name', *_LAST), rows)}"
         f"{_managed() if open_ else ''}"
     )
     return framed("Ward", body, refresh=10)
@@ -79,7 +79,7 @@ def resident(
         for each in readings[:_LISTED]
     )
     measured = (
-        _table("readings", ("When", "What", "Measured"), rows)
+        table("readings", ("When", "What", "Measured"), rows)
         if readings
         else f"<p>{say('Nothing has been measured yet.')}</p>"
     )
@@ -114,8 +114,9 @@ def _managed() -> str:
     )
 
 
-def _table(name: str, heads: Sequence[str], rows: str) -> str:
-    told = "".join(f"<th>{say(head)}</th>" for head in heads)
+def table(name: str, heads: Sequence[str], rows: str) -> str:
+    """heads: as ``say`` knows them, empty ones too. It is scrolled where it is too wide."""
+    told = "".join(f"<th>{say(head) if head else ''}</th>" for head in heads)
     return (
         f'<div class="wide"><table id="{name}"><thead><tr>{told}</tr></thead>'
         f"<tbody>{rows}</tbody></table></div>"
