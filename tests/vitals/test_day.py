@@ -257,7 +257,7 @@ def test_the_robot_asks_what_is_to_be_done_and_tells_how_it_ended(
             assert answer.status == 200
         answer = await session.post("/rounds", json={"round": "morning"}, headers=ROBOT)
         assert await answer.json() == {"round": []}
-        answer = await session.post("/schedule", json={}, headers=ROBOT)
+        answer = await session.post("/schedule", headers=ROBOT)
         assert await answer.json() == {"notices": [], "reminders": []}
         answer = await session.post("/rounds", json={"round": "tea"}, headers=ROBOT)
         assert answer.status == 400
@@ -329,6 +329,7 @@ def test_a_visitor_sees_no_medicine_no_camera_and_changes_nothing(
         assert (await session.get("/today")).status == 403
         assert (await session.put("/watch/7", data=b"one")).status == 403
         assert (await session.post("/rounds", json={"round": "noon"})).status == 403
+        assert (await session.post("/schedule")).status == 403
         await session.get("/", params={"token": "a-visitor"})
         assert "/watch/7" not in await (await session.get("/")).text()
         shown = await (await session.get("/today")).text()

@@ -68,7 +68,7 @@ class DayWeb:
             return refused(400, str(unfit))
 
     async def _schedule(self, request: web.Request) -> web.Response:
-        await self._tokens.asked(request)
+        self._tokens.must_be_robot(request)
         return web.json_response(self._day.schedule())
 
     async def _show(self, request: web.Request) -> web.Response:
