@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import secrets
 from pathlib import Path
 from typing import Any
 
@@ -127,12 +128,18 @@ def add(commands: Any) -> None:
         metavar="S",
         help="with --script: every action ends well after S seconds",
     )
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of everything random")
+    parser.add_argument(
+        "--seed",
+        type=int,
+        metavar="N",
+        help="of everything random; unless given, 0 with --script and else another each time",
+    )
     parser.add_argument("--json", action="store_true", help="say where it is ready as JSON")
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
+    args.seed = seed_for(args.script, args.seed)
     if args.script is None and not (args.no_restart or args.supervised):
         from situ.engine.again import keep_running
 
@@ -158,6 +165,14 @@ def run(args: argparse.Namespace) -> int:
         raise UsageError("--auto-finish goes with --script: alive, actions end when they end")
     options = Options(**{name: getattr(args, name) for name in Options.__struct_fields__})
     return Run(project, options, lines).run()
+
+
+def seed_for(script: str | None, given: int | None) -> int:
+    """A scenario is played as it is simulated; who plays with a robot is not asked the same every
+    morning. A recording keeps which it was."""
+    if given is not None:
+        return given
+    return 0 if script is not None else secrets.randbits(32)
 
 
 def _host_and_port(text: str) -> tuple[str, int]:

@@ -18,7 +18,8 @@ from typing import Any
 import pytest
 
 import situ
-from situ import cli_run
+from situ import cli, cli_run
+from situ.engine import again
 from situ.engine.again import HANDED_ON
 from situ.engine.notify import Listener, Notifier
 from situ.engine.supervisor import CLOSING, DEATHS, GIVEN_UP, HANGS, STARTING, Supervisor
@@ -292,6 +293,29 @@ def test_what_a_killed_supervisor_leaves_the_next_one_takes_up(tmp_path: Path) -
                 process.kill()
             # Its robot ends, too; then nobody has the pipe any longer.
             assert process.stdout.read() == ""
+
+
+def test_each_fresh_start_is_random_anew_and_its_processes_keep_the_seed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    seeds: list[list[str]] = []
+
+    def started_twice(_parts: Any, command: Any, _ready: Any) -> int:
+        lines = [command("core", fresh, {}) for fresh in (True, False)]
+        seeds.append([line[line.index("--seed") + 1] for line in lines])
+        return 0
+
+    monkeypatch.setattr(again, "supervise", started_twice)
+    for given in ((), (), ("--seed", "7")):
+        assert cli.main(["run", str(LAB), *given]) == 0
+    (first, kept), (second, _), named = seeds
+    assert first == kept != second
+    assert named == ["7", "7"]
+
+
+def test_a_scenario_is_played_with_the_seed_of_a_simulation() -> None:
+    assert cli_run.seed_for("fall.jsonl", None) == 0
+    assert cli_run.seed_for("fall.jsonl", 3) == 3
 
 
 class Listening(Listener):
