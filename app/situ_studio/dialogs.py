@@ -24,6 +24,8 @@ from situ_studio.details import Details
 from situ_studio.differing import Differing
 from situ_studio.export_dialog import Export, ExportDialog, What
 from situ_studio.letters import px
+from situ_studio.live.connecting_dialog import Chosen, ConnectDialog
+from situ_studio.live.nearby import NearbyRobots
 
 if TYPE_CHECKING:
     from situ_studio.frame import Frame
@@ -60,6 +62,15 @@ class Dialogs(QObject):
         dialog.setLabelText(label)
         dialog.setTextValue(usual)
         return self._given(dialog)
+
+    def robot(self, usual: str) -> Chosen | None:
+        """Which robot to connect to; None: none."""
+        dialog = ConnectDialog(usual, NearbyRobots(), self._window.theme, self._window)
+        make_room(dialog)
+        try:
+            return dialog.chosen if dialog.exec() else None
+        finally:
+            dialog.deleteLater()
 
     def part(self, known: list[str]) -> str | None:
         """Which part a state shall run: one of these, or the name of a new one; None: neither."""
@@ -193,12 +204,12 @@ class Dialogs(QObject):
         finally:
             dialog.deleteLater()
 
-    def preview(self, printer: QPrinter, paint: Callable[[QPrinter], object]) -> None:
-        """Shows what ``paint`` puts on the pages; a person prints them from there, or does not."""
+    def preview(self, printer: QPrinter, paint: Callable[[QPrinter], object]) -> bool:
+        """Shows what ``paint`` puts on the pages; whether a person printed them from there."""
         dialog = QPrintPreviewDialog(printer, self._window)
         dialog.paintRequested.connect(paint)
         try:
-            dialog.exec()
+            return dialog.exec() == QDialog.DialogCode.Accepted
         finally:
             dialog.deleteLater()
 

@@ -38,8 +38,11 @@ def _print(wanted: Printing) -> None:
     drawn = picture.paper(wanted.document)
     try:
         printer = wanted.printer.printer(wanted.begun)
-        if not printing.print_paper(printer, drawn, wanted.title, wanted.at):
-            raise UsageError("the printer does not begin; is it there, and is there room?")
+        why = printing.refused(
+            printer, printing.print_paper(printer, drawn, wanted.title, wanted.at)
+        )
+        if why:
+            raise UsageError(why)
     finally:
         drawn.close()
     if wanted.begun:

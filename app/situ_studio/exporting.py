@@ -119,10 +119,17 @@ class ExportingSide(QObject):
             return
         with self._drawn() as drawn:
             printing.lay(printer, drawn.area)
-            at = self._now()
-            self._window.dialogs.preview(
-                printer, lambda onto: printing.print_paper(onto, drawn, title, at)
-            )
+            at, pages = self._now(), 0
+
+            def paint(onto: QPrinter) -> None:
+                nonlocal pages
+                pages = printing.print_paper(onto, drawn, title, at)
+
+            printed = self._window.dialogs.preview(printer, paint)
+            why = printing.refused(printer, pages) if printed else ""
+            if why:
+                out = printer.outputFileName() or printer.printerName()
+                self._window.dialogs.tell(self.tr("{0} can not be printed: {1}").format(out, why))
 
     @contextmanager
     def _drawn(self, selected: bool = False) -> Iterator[Paper]:

@@ -7,10 +7,11 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QMarginsF, QRectF, QSize, QSizeF, Qt
+from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 
+from situ.document import folder
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import UsageError
@@ -81,28 +82,32 @@ def write(
     part: QRectF | None = None,
     scale: float = SCALE,
 ) -> None:
-    """Writes the picture, in the format of the name's ending.
+    """Writes the picture, in the format of the name's ending: whole, or not at all.
 
     part: of the scene; everything unless given. scale: px of a PNG for one of the drawing.
     Raises UsageError where it can not be written or would be too large.
     """
     area = QRectF(part if part is not None else drawn.area)
     kind = format_of(path)
+    # Qt does not tell when a disk is full: it writes into the memory.
+    made = QBuffer()
+    made.open(QIODevice.OpenModeFlag.WriteOnly)
     if kind == "svg":
-        well = _write_svg(drawn, str(path), title, area)
+        well = _write_svg(drawn, made, title, area)
     elif kind == "pdf":
-        well = _write_pdf(drawn, str(path), title, area)
+        well = _write_pdf(drawn, made, title, area)
     else:
-        well = _write_png(drawn, str(path), title, area, scale)
+        well = _write_png(drawn, made, title, area, scale)
     if not well:
-        raise UsageError(f"{path}: can not be written; is its folder there, and writable?")
+        raise UsageError(f"{path}: can not be drawn")
+    folder.write(path, bytes(made.data().data()))
 
 
-def _write_svg(drawn: Paper, path: str, title: str, area: QRectF) -> bool:
+def _write_svg(drawn: Paper, into: QIODevice, title: str, area: QRectF) -> bool:
     from situ_studio.canvas.paper import Outlines
 
     made = QSvgGenerator()
-    made.setFileName(path)
+    made.setOutputDevice(into)
     made.setTitle(title)
     made.setResolution(SCREEN_DPI)
     made.setSize(QSize(math.ceil(area.width()), math.ceil(area.height())))
@@ -111,11 +116,11 @@ def _write_svg(drawn: Paper, path: str, title: str, area: QRectF) -> bool:
     return painter.begin(made) and _paint(drawn, painter, area, 1.0)
 
 
-def _write_pdf(drawn: Paper, path: str, title: str, area: QRectF) -> bool:
+def _write_pdf(drawn: Paper, into: QIODevice, title: str, area: QRectF) -> bool:
     points = 72 / SCREEN_DPI
     size = QSizeF(area.width(), area.height()) * points
     size *= min(1.0, WIDEST / max(size.width(), size.height()))
-    made = QPdfWriter(path)
+    made = QPdfWriter(into)
     made.setTitle(title)
     made.setCreator("Situ Studio")
     made.setResolution(1200)
@@ -125,7 +130,7 @@ def _write_pdf(drawn: Paper, path: str, title: str, area: QRectF) -> bool:
     return painter.begin(made) and _paint(drawn, painter, area, made.width() / area.width())
 
 
-def _write_png(drawn: Paper, path: str, title: str, area: QRectF, scale: float) -> bool:
+def _write_png(drawn: Paper, into: QIODevice, title: str, area: QRectF, scale: float) -> bool:
     wide, high = pixels(area, scale)
     if wide * high > MOST_PIXELS:
         raise UsageError(
@@ -137,7 +142,8 @@ def _write_png(drawn: Paper, path: str, title: str, area: QRectF, scale: float) 
     made.setDotsPerMeterY(round(SCREEN_DPI * scale / 0.0254))
     made.setText("Title", title)
     painter = QPainter()
-    return painter.begin(made) and _paint(drawn, painter, area, scale) and made.save(path)
+    well = painter.begin(made) and _paint(drawn, painter, area, scale)
+    return well and made.save(into, "PNG")
 
 
 def _paint(drawn: Paper, painter: QPainter, area: QRectF, scale: float) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from datetime import datetime
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QDate, QLocale, QRectF, QSizeF, Qt
@@ -87,6 +88,25 @@ def print_paper(printer: QPrinter, drawn: Paper, title: str, at: datetime) -> in
             _paint_foot(painter, foot, title, where, date)
     painter.end()
     return count
+
+
+def refused(printer: QPrinter, pages: int) -> str:
+    """Why what was printed on so many pages is not all there, in one line; "" where it is."""
+    if not pages:
+        return tr("the printer does not begin; is it there, and is there room?")
+    file = printer.outputFileName()
+    if file and printer.outputFormat() == QPrinter.OutputFormat.PdfFormat and not _is_whole(file):
+        # Qt does not tell when a disk is full.
+        return tr("its file is not whole; is there room?")
+    return ""
+
+
+def _is_whole(file: str) -> bool:
+    """Whether a PDF has its end."""
+    try:
+        return Path(file).read_bytes().rstrip().endswith(b"%%EOF")
+    except OSError:
+        return False
 
 
 def _paint_foot(painter: QPainter, foot: QRectF, title: str, where: str, date: str) -> None:

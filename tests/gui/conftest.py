@@ -30,6 +30,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QWidget
 from situ.resources import example
 from situ_studio import main
 from situ_studio.export_dialog import Export
+from situ_studio.live.connecting_dialog import Chosen
 from situ_studio.window import MainWindow
 
 PATIENCE = 5000
@@ -113,6 +114,11 @@ class Answers:
     def name(self, title: str, label: str, usual: str) -> Any:
         return self._take("name")
 
+    def robot(self, usual: str) -> Any:
+        """The robot at the address that was put in."""
+        endpoint = self._take("robot")
+        return Chosen(endpoint) if isinstance(endpoint, str) else endpoint
+
     def part(self, known: list[str]) -> Any:
         return self._take("part")
 
@@ -153,11 +159,12 @@ class Answers:
         assert what in areas, f"{what!r} is not offered, but {list(areas)}"
         return Export(what, scale)
 
-    def preview(self, printer: QPrinter, paint: Any) -> None:
+    def preview(self, printer: QPrinter, paint: Any) -> bool:
         """The person prints into the PDF that was put in."""
         printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
         printer.setOutputFileName(str(self._take("preview")))
         paint(printer)
+        return True
 
     def printer(self, printer: QPrinter) -> bool:
         """The person chooses the PDF that was put in, or None: does not print."""

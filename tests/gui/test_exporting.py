@@ -6,7 +6,7 @@ import itertools
 import pickle
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -111,12 +111,54 @@ def test_what_can_not_be_written_is_told_in_one_line(
     used.window.exporting.export()
     refused = QSignalSpy(used.window.exporting._large.refused)
     assert refused.count() or refused.wait(PATIENCE)
-    told = ("can not be written", ".svg, .pdf or .png", "can not be printed", "can not be drawn")
+    told = ("cannot be written", ".svg, .pdf or .png", "can not be printed", "can not be drawn")
     assert len(used.answers.told) == len(told)
     for text, said in zip(told, used.answers.told, strict=True):
         assert text in said
         assert "\n" not in said
     assert list(tmp_path.glob("a.*")) == []
+
+
+@pytest.fixture
+def fill_disk() -> Iterator[Callable[[], None]]:
+    """From its call on no file gets more than 2 kB."""
+    resource = pytest.importorskip("resource")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    yield lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2048, before[1]))
+    resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def test_on_a_full_disk_it_is_told_so_and_the_picture_that_was_there_stays(
+    studio: Start,
+    project: Copy,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    fill_disk: Callable[[], None],
+) -> None:
+    used = studio(project("reception"))
+    kinds = ("svg", "pdf", "png")
+    for kind in kinds:
+        (tmp_path / f"a.{kind}").write_text("before")
+    paper = tmp_path / "paper.pdf"
+    paper.write_text("before")
+    fill_disk()
+    for kind in kinds:
+        export(used, tmp_path / f"a.{kind}", "whole")
+    assert len(used.answers.told) == 3
+    used.answers.put("preview", tmp_path / "here.pdf")
+    used.key(Qt.Key.Key_P, CONTROL)
+    assert "here.pdf can not be printed" in used.answers.told[-1]
+    monkeypatch.setattr(exporting, "MOST_CARDS", 3)
+    used.answers.put("printer", paper)
+    used.key(Qt.Key.Key_P, CONTROL)
+    refused = QSignalSpy(used.window.exporting._large.refused)
+    assert refused.count() or refused.wait(PATIENCE)
+    assert "paper.pdf can not be printed" in used.answers.told[-1]
+    assert len(used.answers.told) == 5
+    kept = [*(f"a.{kind}" for kind in kinds), "paper.pdf"]
+    assert {(tmp_path / name).read_text() for name in kept} == {"before"}
+    left = {file.name for file in tmp_path.iterdir() if file.is_file()}
+    assert left - {*kept, "here.pdf", "settings.ini", "settings.ini.lock"} == set()
 
 
 def test_a_large_drawing_is_drawn_by_another_process_and_can_be_cancelled(

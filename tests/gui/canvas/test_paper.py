@@ -77,7 +77,7 @@ def test_a_picture_that_can_not_be_written_is_told_in_one_line(
     for arguments, said in (
         (("--picture", tmp_path / "a.gif"), ".svg, .pdf or .png"),
         (("--picture", tmp_path / "a.png", "--document", "nobody"), "there are: reception"),
-        (("--picture", tmp_path / "none" / "a.png"), "can not be written"),
+        (("--picture", tmp_path / "none" / "a.png"), "cannot be written"),
     ):
         assert here(example("reception"), *arguments) == 2
         told = capsys.readouterr().err
