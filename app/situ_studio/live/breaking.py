@@ -49,6 +49,31 @@ def points_at(project: Project, file: str, document: Document, place: Place) -> 
     return found
 
 
+def everywhere(project: Project, point: Point) -> list[Point]:
+    """The breakpoint's place in every state that runs its part, itself too; of one that is in no
+    part itself only.
+    """
+    path = point.get("state") or point.get("from") or ""
+    before = path.rpartition("/")[0]
+    if not before:
+        return [point]
+    before += "/"
+    application = point["application"]
+    for runs in runs_of(project).values():
+        if (application, before) in runs:
+            return [_moved(point, before, name, there) for name, there in runs]
+    return [point]
+
+
+def _moved(point: Point, before: str, application: str, there: str) -> Point:
+    paths = {
+        key: there + point[key].removeprefix(before)
+        for key in ("state", "from", "to")
+        if key in point
+    }
+    return {**point, **paths, "application": application}
+
+
 class KeptBreakpoints:
     """What a person has set in each project, on whichever robot; in the studio's settings."""
 

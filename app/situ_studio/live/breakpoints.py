@@ -86,7 +86,7 @@ class Breakpoints(QWidget):
         title = QLabel(tr("Pauses only while"))
         title.setProperty("role", "heading")
         head.addWidget(title, 1)
-        self.condition = ConditionEditor(theme)
+        self.condition = ConditionEditor(theme, lasting=False)
         self.condition.changed.connect(self._on_changed)
         self.add = AddTest(theme, self.condition.add)
         head.addWidget(self.add)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
@@ -17,7 +18,7 @@ from situ_studio import places
 from situ_studio.context_menus import context_of
 from situ_studio.edit import Place
 from situ_studio.language import said
-from situ_studio.live.breaking import KeptBreakpoints, Point, point_of, points_at
+from situ_studio.live.breaking import KeptBreakpoints, Point, everywhere, point_of, points_at
 from situ_studio.live.breakpoints import Breakpoints
 from situ_studio.live.moment import ApplicationMoment
 from situ_studio.live.views import runs_of
@@ -151,9 +152,11 @@ class OperatingSide(QObject):
         self._window.bottom.set_shown("breakpoints", True)
         self._window.bottom.choose("breakpoints")
         self.panel.add_test(points[0])
-        if all(point_of(one) != points[0] for one in self._standing):
-            self._break(points[0])
-        else:
+        standing = [point_of(one) for one in self._standing]
+        lacking = [point for point in points if point not in standing]
+        for point in lacking:
+            self._break(point)
+        if not lacking:
             self._show()
 
     def clear_breakpoints(self) -> None:
@@ -201,14 +204,27 @@ class OperatingSide(QObject):
             self._show()
 
     def _condition(self, key: str, condition: Condition | None) -> None:
-        """The robot knows no other condition for one that stands: it gets another in its place."""
+        """The robot knows no other condition for one that stands: it gets another in its place. So
+        do those at the same place of a part in the other states that run it, if they had the same.
+        """
         one = self.panel.point(key)
         if one is None:
             return
-        point = point_of(one)
-        if condition is not None:
-            point = {**point, "when": when_text.write(condition)}
-        self._break(point, lambda: self._ask("unbreak", breakpoint=one["id"]))
+        same = self._same_place(one)
+        for each in self._standing:
+            if each["id"] != one["id"] and (
+                point_of(each) not in same or each.get("when") != one.get("when")
+            ):
+                continue
+            point = point_of(each)
+            if condition is not None:
+                point = {**point, "when": when_text.write(condition)}
+            self._break(point, partial(self._ask, "unbreak", breakpoint=each["id"]))
+
+    def _same_place(self, one: Point) -> list[Point]:
+        """Where that breakpoint stands, in every state that runs its part."""
+        project = self._window.session.project
+        return everywhere(project, point_of(one)) if project is not None else []
 
     def _set_again(self) -> None:
         for point in self._earlier:

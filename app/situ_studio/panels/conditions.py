@@ -88,9 +88,12 @@ class ConditionEditor(QWidget):
     refused = Signal(str)
     """Why what was typed into a test is not taken."""
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, theme: Theme, parent: QWidget | None = None, *, lasting: bool = True
+    ) -> None:
+        """lasting: whether a test may ask for how long it has held."""
         super().__init__(parent)
-        self._theme = theme
+        self._theme, self._lasting = theme, lasting
         self._condition: Condition | None = None
         self._vocabulary = Vocabulary()
         self._shape: Any = ()
@@ -136,7 +139,7 @@ class ConditionEditor(QWidget):
         for index, child in enumerate(children):
             at = (*path, index)
             if isinstance(child, Test):
-                box = TestBox(self._theme)
+                box = TestBox(self._theme, lasting=self._lasting)
                 box.changed.connect(lambda v, p=at: self._put(p, v, self.tr("Change a test")))
                 box.removed.connect(lambda p=at: self._put(p, None, self.tr("Remove a test")))
                 box.refused.connect(self.refused)

@@ -37,7 +37,10 @@ class TestBox(QFrame):
 
     __test__ = False
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, theme: Theme, parent: QWidget | None = None, *, lasting: bool = True
+    ) -> None:
+        """lasting: whether it may ask for how long the test has held."""
         super().__init__(parent)
         self.setObjectName("testBox")
         self.setProperty("role", "box")
@@ -80,7 +83,7 @@ class TestBox(QFrame):
         third = QHBoxLayout()
         third.setSpacing(6)
         self.within = self._seconds(third, self.tr("within"), "within")
-        self.hold = self._seconds(third, self.tr("for"), "hold")
+        self.hold = self._seconds(third, self.tr("for"), "hold", lasting)
         column.addLayout(third)
         for name in ("tag", "test", "value", "within", "hold"):
             explain(getattr(self, name), "condition", name)
@@ -94,7 +97,7 @@ class TestBox(QFrame):
         self.within.committed.connect(lambda v: self._change(within=v))
         self.hold.committed.connect(lambda v: self._change(hold=v))
 
-    def _seconds(self, line: QHBoxLayout, words: str, name: str) -> Number:
+    def _seconds(self, line: QHBoxLayout, words: str, name: str, offered: bool = True) -> Number:
         label = QLabel(words)
         label.setProperty("role", "label")
         explain(label, "condition", name)
@@ -102,6 +105,8 @@ class TestBox(QFrame):
         field = Number(unit=translated("s"), above=True)
         field.setAccessibleName(words)
         line.addWidget(field, 1)
+        for widget in (label, field) if not offered else ():
+            widget.hide()
         return field
 
     def show_test(self, test: Test, vocabulary: Vocabulary) -> None:

@@ -14,7 +14,7 @@ from situ.document import when_text
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as One
 from situ.document.ready import load_ready
-from situ_studio.live.breaking import MOST, KeptBreakpoints, points_at
+from situ_studio.live.breaking import MOST, KeptBreakpoints, everywhere, points_at
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 FLOW, PART = "reception.rbd.xml", "register.rbd.xml"
@@ -57,6 +57,63 @@ def test_a_place_in_a_part_means_every_state_that_runs_it(project: Callable[[str
     event = part.state("2").events[0]  # type: ignore[union-attr]
     (point,) = points_at(whole, PART, part, ("state", "2", "event", "0"))
     assert (point["from"], point["to"]) == ("16/2", f"16/{event.next}")
+
+
+def run_twice(where: Path) -> Path:
+    """The part runs in another state of the application, too."""
+    flow = where / FLOW
+    text = flow.read_text()
+    state = text[text.index('  <state no="16"') :]
+    state = state[: state.index("</state>") + len("</state>\n")]
+    flow.write_text(text.replace(state, state + state.replace('no="16"', 'no="17"')))
+    return where
+
+
+def test_a_place_of_a_part_is_the_same_in_every_state_that_runs_it(
+    project: Callable[[str], Path],
+) -> None:
+    whole = load_ready(run_twice(project("reception")))
+    at = {"application": "reception", "from": "16/2", "to": "16/3"}
+    beside = {"application": "reception", "from": "17/2", "to": "17/3"}
+    assert everywhere(whole, at) == everywhere(whole, beside) == [at, beside]
+    own = {"application": "reception", "state": "3"}
+    assert everywhere(whole, own) == [own]
+    assert everywhere(whole, {"situation": "quiet"}) == [{"situation": "quiet"}]
+    gone = {"application": "reception", "state": "99/2"}
+    assert everywhere(whole, gone) == [gone]
+
+
+def test_a_condition_in_a_part_is_that_of_its_place_in_every_state_that_runs_it(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(run_twice(project("reception")))
+    it = studio(there.project)
+    window, link = it.window, it.window.robot.link
+    link.connect_robot(there.endpoint)
+    until(link.moment_changed, lambda: "reception" in link.log.now.applications)
+    window.open_file(PART)
+    it.select("state", "3")
+    it.key(Qt.Key.Key_F9)
+    until(link.moment_changed, lambda: len(link.log.now.breakpoints) == 2)
+    it.select("state", "2")
+    it.key(Qt.Key.Key_F9, SHIFT)
+
+    def standing() -> dict[str, str | None]:
+        return {one["state"]: one.get("when") for one in link.log.now.breakpoints}
+
+    def both(when: str) -> dict[str, str | None]:
+        return {"16/2": when, "17/2": when, "16/3": None, "17/3": None}
+
+    until(link.moment_changed, lambda: standing().get("17/2") is not None)
+    when = standing()["17/2"]
+    assert when is not None
+    until(link.moment_changed, lambda: standing() == both(when))
+    it.settle()
+    it.fill(window.operating.panel.condition.box(0).tag, "robot.stop")
+    when = '<data tag="robot.stop" exists="true"/>'
+    until(link.moment_changed, lambda: standing() == both(when))
+    until(link.moment_changed, lambda: len(link.log.now.breakpoints) == 4)
+    window.disconnect_robot()
 
 
 def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
@@ -113,12 +170,10 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     assert window.operating.waiting.text().startswith("reception is paused at 16 ")
     window.robot.follower.refresh()
     assert window.views[PART].canvas.look.live.paused == {"2"}
-    # What can not be judged at a moment is refused in words, and nothing is another.
+    # What can not be judged at a moment is not offered.
     it.settle()
-    hold = panel.condition.box(0).hold
-    it.fill(hold, "3")
-    until(window.operating.refused, lambda: "for" in window.status.said.text())
-    assert link.log.now.breakpoints[0]["when"] == '<data tag="robot.stop" exists="true"/>'
+    assert panel.condition.box(0).within.isVisible()
+    assert not panel.condition.box(0).hold.isVisible()
     window.disconnect_robot()
     # Another robot has none: those of this project are offered, and nothing is set unasked.
     there.stop()
