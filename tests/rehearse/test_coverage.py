@@ -113,6 +113,22 @@ def test_an_unnamed_event_that_holds_and_leads_nowhere_is_not_one_that_failed(
     assert not seen.covered
 
 
+def test_an_unnamed_event_failed_where_one_after_it_was_taken_at_once(
+    make: Make, record: Record
+) -> None:
+    project = make(
+        '<application name="a"><state no="1"><expectedevents><event name="go" next="2"/>'
+        '</expectedevents></state><state no="2"><expectedevents>'
+        '<event next="1"><when><data tag="x" is="1"/></when></event>'
+        '<event next="1"><when><data tag="y" is="1"/></when></event>'
+        '<event next="1"><when><data tag="z" is="1"/></when></event>'
+        "</expectedevents></state></application>"
+    )
+    recording = record(project, {"at": 1, "set": {"y": 1}}, {"at": 2, "event": "go"})
+    seen = _cover(project, recording).conditions.values()
+    assert [(one.held, one.failed) for one in seen] == [(0, 1), (1, 0), (0, 0)]
+
+
 def test_situations_and_their_conditions_both_ways(make: Make, record: Record) -> None:
     project = make(RBD, SCRIPT)
     recording = record(

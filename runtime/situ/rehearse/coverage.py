@@ -3,7 +3,8 @@
 Folded from recordings, so live runs count as well as scenarios. A transition is a way
 out of one state: (from, exit, to); those of ``always`` are one each, whatever state they
 left. A condition is a whole ``when``, ``condition`` or ``until``; a guard is judged when
-its event comes or, unnamed, at the end of every step in its state.
+its event comes or, unnamed, at the end of every step in its state, and where one that
+stands after it is taken at once.
 """
 
 from __future__ import annotations
@@ -168,6 +169,9 @@ class Coverage:
             if taken is not None:
                 self._count(self.transitions.get((name, taken.before, taken.file, taken.place)))
                 if taken.exit == "at once":
+                    for way, passed in past.tried(name, None):
+                        if not passed:
+                            self._guard(way, False)
                     self._guard(taken, True)
 
     def _start(self, past: Past) -> None:
