@@ -1,16 +1,15 @@
 """Draws what examples/vitals shows and plays: ``python examples/make_vitals_media.py``.
 
 As make_media.py, whose lines and colours it takes: no picture of unknown origin, and no typeface.
-The tunes are old enough to belong to everybody; they are played here note by note.
+The tunes are old enough to belong to everybody; they are played note by note in music_box.py.
 """
 
 from __future__ import annotations
 
 import math
 import sys
-import wave
-from array import array
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from make_media import (
@@ -35,6 +34,7 @@ from make_media import (
     vp8,
     webm,
 )
+from music_box import JOY, LULLABY, SAKURA, tune, write_tune
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPainterPath
 
@@ -262,8 +262,8 @@ def sunset(p: QPainter, part: float) -> None:
 
     def between(one: str, other: str) -> QColor:
         a, b = QColor(one), QColor(other)
-        mixed = [round(x + (y - x) * dark) for x, y in zip(a.getRgb(), b.getRgb(), strict=True)]
-        return QColor(*mixed)
+        pairs = ((a.red(), b.red()), (a.green(), b.green()), (a.blue(), b.blue()))
+        return QColor(*(round(x + (y - x) * dark) for x, y in pairs))
 
     sky = QLinearGradient(0, 0, 0, 270)
     sky.setColorAt(0, between("#8ec5f4", "#101a3c"))
@@ -344,72 +344,14 @@ def film(scene: Scene, seconds: int) -> bytes:
     frames = []
     for number in range(seconds * 6):
         part = number / (seconds * 6)
-        shown = picture(480, 300, lambda p, part=part: _scaled(p, scene, part), PALE)
+        shown = picture(480, 300, partial(_small, scene, part), PALE)
         frames.append((round(number * 1000 / 6), vp8(shown, 45)))
     return webm(frames, 480, 300, seconds * 1000)
 
 
-def _scaled(p: QPainter, scene: Scene, part: float) -> None:
+def _small(scene: Scene, part: float, p: QPainter) -> None:
     p.scale(0.75, 0.75)
     scene(p, part)
-
-
-# -- tunes -----------------------------------------------------------------------
-
-RATE = 11_025
-NOTES = {name: 2 ** (place / 12) for place, name in enumerate("C_D_EF_G_A_B")}
-
-JOY = (
-    "E4 E4 F4 G4 G4 F4 E4 D4 C4 C4 D4 E4 E4:1.5 D4:.5 D4:2 "
-    "E4 E4 F4 G4 G4 F4 E4 D4 C4 C4 D4 E4 D4:1.5 C4:.5 C4:2"
-)
-"""Ode to Joy, Ludwig van Beethoven, 1824."""
-
-LULLABY = (
-    "E4:.5 E4:.5 G4:1.5 E4:.5 E4 G4:2 E4:.5 G4:.5 C5 B4:1.5 A4:.5 A4 G4 D4:.5 E4:.5 F4 D4 "
-    "D4:.5 E4:.5 F4:2 D4:.5 F4:.5 B4:.5 A4:.5 G4 B4 C5:2 C4:.5 C4:.5 C5:2 A4:.5 F4:.5 G4:2 "
-    "E4:.5 C4:.5 F4 G4 A4 G4:2 C4:.5 C4:.5 C5:2 A4:.5 F4:.5 G4:2 E4:.5 C4:.5 F4 E4 D4 C4:3"
-)
-"""Lullaby, Johannes Brahms, 1868."""
-
-SAKURA = (
-    "A4 A4 B4:2 A4 A4 B4:2 A4 B4 C5 B4 A4 B4:.5 A4:.5 F4:2 E4 C4 E4 F4 E4 E4:.5 C4:.5 B3:2 "
-    "A4 B4 C5 B4 A4 B4:.5 A4:.5 F4:2 E4 C4 E4 F4 E4 E4:.5 C4:.5 B3:2 "
-    "A4 A4 B4:2 A4 A4 B4:2 E4 F4 B4:.5 A4:.5 F4 E4:3"
-)
-"""Sakura, sakura: a song of the Edo period whose maker nobody knows."""
-
-
-def tune(score: str, beat: float) -> bytes:
-    """A music box plays it: 16 bit, mono, samples as WAV has them. beat: in seconds."""
-    heard: list[tuple[float, float]] = []
-    at = 0.0
-    for note in score.split():
-        name, _, beats = note.partition(":")
-        heard.append((at, 261.63 * NOTES[name[0]] * 2 ** (int(name[1]) - 4)))
-        at += float(beats or 1) * beat
-    mixed = [0.0] * round((at + 1.0) * RATE)
-    for start, pitch in heard:
-        first = round(start * RATE)
-        for i in range(min(round(1.4 * RATE), len(mixed) - first)):
-            t = i / RATE
-            turn = 2 * math.pi * pitch * t
-            rise = min(1.0, t / 0.006)
-            ring = math.exp(-3.2 * t) * math.sin(turn) + 0.3 * math.exp(-6 * t) * math.sin(3 * turn)
-            mixed[first + i] += rise * ring * min(1.0, (1.4 - t) / 0.05)
-    loudest = max(abs(value) for value in mixed)
-    samples = array("h", (round(15_000 * value / loudest) for value in mixed))
-    if sys.byteorder == "big":
-        samples.byteswap()
-    return samples.tobytes()
-
-
-def write_tune(path: Path, samples: bytes) -> None:
-    with wave.open(str(path), "wb") as out:
-        out.setnchannels(1)
-        out.setsampwidth(2)
-        out.setframerate(RATE)
-        out.writeframes(samples)
 
 
 # -- all of it ---------------------------------------------------------------------
