@@ -13,7 +13,6 @@ from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 from situ.document.catalogue import Catalogue
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE, TEXTS_FOLDER
-from situ.document.projectfile import CODE
 from situ.document.texts import read_out
 from situ_studio.application_list import ApplicationList
 from situ_studio.edit import Place, Written
@@ -24,7 +23,7 @@ from situ_studio.project_form.going import go_to_place
 from situ_studio.sides import Group
 from situ_studio.texts.exchange import Exchange
 from situ_studio.texts.listening import Listening
-from situ_studio.texts.model import language_name
+from situ_studio.texts.model import language_code, language_name
 from situ_studio.texts.page import TextsPage
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Lexicon
@@ -218,15 +217,14 @@ class PagesSide(QObject):
         """Asks for a language into which the project is to be translated, and adds it."""
         window, session = self._window, self._session
         project, toml = session.project, session.value(PROJECT_FILE)
-        code = window.dialogs.name(
-            self.tr("Add a language"), self.tr("Its code, such as ja, de or pt-BR"), ""
-        )
-        if code is None or project is None or not isinstance(toml, Toml):
+        label = self.tr("Its name or code, such as Japanese, 日本語, ja or pt-BR")
+        words = window.dialogs.name(self.tr("Add a language"), label, "")
+        if words is None or project is None or not isinstance(toml, Toml):
             return
-        if not CODE.fullmatch(code):
-            window.say(
-                self.tr("{0} is no language: write a code such as ja or pt-BR.").format(code)
-            )
+        code = language_code(words)
+        if code is None:
+            told = self.tr("{0} is no language: write its name, or a code such as ja or pt-BR.")
+            window.say(told.format(words))
             return
         # The first one is that in which the documents are written.
         written_in = project.languages or (str(project.tags.get("language") or "en"),)

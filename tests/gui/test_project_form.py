@@ -185,6 +185,14 @@ def test_a_setting_has_choices_and_is_durable_without_a_word(used: Any) -> None:
     assert used.session.project.settings == (Setting("speech.loud", "How loud", "time"),)
 
 
+def test_a_language_is_added_by_the_name_that_somebody_knows(used: Any) -> None:
+    for words in ("Japanese", "deutsch", "español", "pt-BR", "nurse"):
+        used.answers.put("name", words)
+        press(used, form(used).sections["languages"].plus)
+    assert used.session.project.languages == ("en", "ja", "de", "es", "pt-BR")
+    assert "nurse is no language" in used.window.status.said.text()
+
+
 def test_languages_are_added_ordered_and_removed(used: Any) -> None:
     languages = rows(used, "languages")
     used.answers.put("name", "ja")

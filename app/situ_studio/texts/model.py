@@ -16,6 +16,7 @@ from PySide6.QtCore import (
 )
 
 from situ.document import rbd
+from situ.document.projectfile import CODE
 from situ.document.texts_table import Kind, TextRow
 from situ_studio import kinds, places, words
 from situ_studio.language import translated
@@ -49,6 +50,24 @@ def language_name(code: str) -> str:
     if code.startswith(("pt-", "zh-")):
         name = f"{name} ({locale.nativeTerritoryName()})"
     return name[:1].upper() + name[1:]
+
+
+def language_code(words: str) -> str | None:
+    """The code of a language that somebody names by it, in English or as its speakers do.
+
+    ``ja``, ``Japanese`` and ``日本語`` are ``ja``; None where it is no language.
+    """
+    words = " ".join(words.split())
+    named = words.casefold()
+    for one in QLocale.Language:
+        code = QLocale.languageToCode(one)
+        if code and named in (QLocale.languageToString(one).casefold(), _native(code)):
+            return code
+    return words if CODE.fullmatch(words) else None
+
+
+def _native(code: str) -> str:
+    return language_name(code).casefold()
 
 
 _WITHOUT_COUNTRY = {"en": "English", "es": "español"}
