@@ -22,6 +22,7 @@ from situ.document.mend_alike import alike, carried_out
 from situ.document.problem import Mend, Problem
 from situ_studio import icons, places
 from situ_studio.alike_mending import AlikeMending, Plan, Wanted
+from situ_studio.begun_files import begun
 from situ_studio.edit import Document, Place
 from situ_studio.language import said
 from situ_studio.letters import px
@@ -188,6 +189,11 @@ class MendingSide(QObject):
             if count > 1:
                 several = menu.addAction(self.tr("Mend all {0} of this kind").format(count))
                 several.triggered.connect(lambda _=False: self.mend_alike(problem.code))
+        beginning = begun(self._session, problem) if problem.mend is None else None
+        if beginning is not None:
+            made = menu.addAction(self._icon("wand", "accent"), beginning.words)
+            made.setToolTip(said(problem.message))
+            made.triggered.connect(lambda _=False: self._begin(problem))
         show = menu.addAction(self._icon("target", "text2"), self.tr("Show where it is"))
         show.setToolTip(said(problem.message))
         show.triggered.connect(lambda _=False: self._places.go(problem))
@@ -216,6 +222,12 @@ class MendingSide(QObject):
         if problem.mend.file == window.current_file:
             window.select(problem.place)
         window.say(said(words))
+
+    def _begin(self, problem: Problem) -> None:
+        """Adds the file that takes a problem away, as one step."""
+        beginning = begun(self._session, problem)
+        if beginning is not None and self._session.commit_all(beginning.files, beginning.words):
+            self._window.say(beginning.words)
 
     def _mended(self, problem: Problem) -> tuple[str, Document | Toml] | None:
         """What a problem's mend does, in words, and its file's value after it."""

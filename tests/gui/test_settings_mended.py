@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QPushButton
 
+from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 
 Start = Callable[..., Any]
@@ -125,9 +126,44 @@ def test_what_only_warns_has_a_sign_of_another_shape(used: Any) -> None:
     codes(used)
     signs, sections = form(used).signs, form(used).sections
     warning = signs.at(sections["languages"].rows.field(1, 0))
-    assert warning.accessibleName().startswith("Warning: There is no texts/de.po")
+    assert warning.accessibleName().startswith("Warning: There are no texts in de yet")
     error = signs.at(sections["settings"].rows.field(1, 0))
     assert warning.icon().cacheKey() != error.icon().cacheKey()
+
+
+def test_what_a_new_file_takes_away_is_begun_as_one_step(used: Any) -> None:
+    toml = Toml(text(used).replace('langages = ["en"]', 'languages = ["en", "de"]'))
+    used.session.commit("situ.toml", toml, "Add a language")
+    before = codes(used)
+    assert "missing-texts" in before
+    sign = form(used).signs.at(form(used).sections["languages"].rows.field(1, 0))
+    form(used).area.ensureWidgetVisible(sign)
+    used.settle()
+    used.click(sign)
+    choose(used, used.window.mending.shown, "Begin the texts in Deutsch")
+    assert used.session.undo_text == "Begin the texts in Deutsch"
+    assert "missing-texts" not in codes(used)
+    used.window.actions_.actions["undo"].trigger()
+    used.settle()
+    assert codes(used) == before
+    # Two applications without a script: it is begun at the application's row.
+    application = '<application name="second" start="1"><state no="1" final="true"/></application>'
+    root = used.session.root
+    (root / "second.rbd.xml").write_text(application)
+    named = used.session.project.applications
+    more = [*named, "second.rbd.xml"]
+    after = writing.put(used.session.value("situ.toml"), "project", "applications", more)
+    used.session.commit("situ.toml", after, "Add an application")
+    assert "spds-needed" in codes(used)
+    problem = next(one for one in used.session.problems if one.code == "spds-needed")
+    used.window.mending.open_at([problem], used.window.mapToGlobal(QPoint(200, 200)))
+    used.settle()
+    choose(used, used.window.mending.shown, "Begin a script of situations")
+    assert "spds-needed" not in codes(used)
+    assert used.session.project.spds is not None
+    used.window.actions_.actions["undo"].trigger()
+    used.settle()
+    assert "spds-needed" in codes(used)
 
 
 def test_all_of_a_kind_in_situ_toml_are_mended_as_one_step(used: Any) -> None:

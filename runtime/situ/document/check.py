@@ -247,7 +247,7 @@ def _languages(found: Findings, application: Application, project: Project) -> N
             told.add(one.text)
             said = (
                 f"No text in {language} for {shown(one.text)}: it stays as it is written; "
-                f"translate it in texts/{language}.po (situ texts adds what is not there yet)"
+                f"translate it in the texts (texts/{language}.po)"
             )
             found.warning("missing-text", said, one.aside, one.place)
 
@@ -266,15 +266,15 @@ def _project(
     ]
     if len(project.applications) > 1 and project.spds_file is None:
         said = (
-            "Several applications need a script that says which of them comes first: "
-            'add spds = "….spds.xml" to [project]'
+            "Several applications need a script that says which of them comes first: begin one, "
+            "and name it in the project"
         )
         told.append(("error", "spds-needed", said, ("project", "applications"), None))
     for at, language in enumerate(project.languages):
         if at and language not in project.texts:
             said = (
-                f"There is no texts/{language}.po, so texts stay as they are written: make it with "
-                "situ texts, or take the language out"
+                f"There are no texts in {language} yet (texts/{language}.po), so all stay as they "
+                "are written: begin them, or take the language out"
             )
             told.append(("warning", "missing-texts", said, ("project", "languages", at), None))
     if not told:
