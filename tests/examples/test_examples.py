@@ -222,7 +222,9 @@ def test_every_text_is_translated(name: str) -> None:
             if isinstance(action, Speech):
                 texts.add(action.text)
         texts |= {say.text for event in owner.events for say in event.says}
-    entries = polib.pofile(str(EXAMPLES / name / "texts" / "ja.po"))
+    every = polib.pofile(str(EXAMPLES / name / "texts" / "ja.po"))
+    # How the voice says a word is no text.
+    entries = [e for e in every if e.msgctxt != "reading"]
     assert {text for text in texts if has_words(text)} <= {e.msgid for e in entries} <= texts
     assert [e.msgid for e in entries if not e.msgstr or e.fuzzy] == []
 
