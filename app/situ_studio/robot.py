@@ -87,18 +87,18 @@ class RobotSide(QObject):
         project = self._window.session.project
         usual = project.endpoint if project is not None else USUAL
         window = self._window
-        endpoint = window.dialogs.name(self.tr("Connect to a robot"), self.tr("Address"), usual)
-        if endpoint is None:
+        chosen = window.dialogs.robot(usual)
+        if chosen is None:
             return
         try:
-            self.connect_robot(endpoint)
+            self.connect_robot(chosen.endpoint, chosen.key)
         except SituError as error:
             window.dialogs.tell(str(error))
 
-    def connect_robot(self, endpoint: str) -> None:
-        """Raises UsageError where ``endpoint`` is no address."""
+    def connect_robot(self, endpoint: str, key: str = "") -> None:
+        """As ``RobotLink.connect_robot``, with what it raises."""
         self.close_recording()
-        self.link.connect_robot(endpoint)
+        self.link.connect_robot(endpoint, key)
 
     def disconnect_robot(self) -> None:
         self.link.disconnect_robot()

@@ -152,7 +152,7 @@ def test_a_module_that_connects_to_the_robot_tells_of_itself_here(
     window = drawing.window
     there = robot(Path(drawing.session.project.root))
     link = window.robot.link
-    drawing.answers.put("name", there.endpoint)
+    drawing.answers.put("robot", there.endpoint)
     drawing.key(Qt.Key.Key_R, CONTROL)
     present = window.modules.present
     until(present.changed, lambda: link.connected)

@@ -100,8 +100,9 @@ class RobotLink(QObject):
         """Seconds, the clock of ``LinkState.since``; 0 while there is no link."""
         return self._link.clock() if self._link is not None else 0.0
 
-    def connect_robot(self, endpoint: str) -> None:
-        """Begins to follow the robot at ``endpoint``, with the keys that lie here for it.
+    def connect_robot(self, endpoint: str, key: str = "") -> None:
+        """Begins to follow the robot at ``endpoint``, with the keys that lie here for it; for the
+        one whose public key has the fingerprint ``key``, if that was found there.
 
         Raises UsageError where it is no address, or where the keys are not right.
         """
@@ -110,7 +111,7 @@ class RobotLink(QObject):
         from situ.blackboard.link import Link
 
         self.disconnect_robot()
-        keys = client_keys(endpoint)
+        keys = client_keys(endpoint, robot=key)
         link = Link(endpoint, person(keys=keys), keys=keys)
         self._link = link
         self._feed = link.dialog.trace(since=1)
@@ -148,6 +149,12 @@ class RobotLink(QObject):
     def looks_only(self) -> bool:
         """Whether the robot is there and its keys here are a viewer's."""
         return self.connected and self.state.looks_only
+
+    @property
+    def writer(self) -> str | None:
+        """Who is told in the trace of what is done from here; None where nobody does anything."""
+        person = self._link.dialog.person if self._link is not None else None
+        return f"operator:{person.user}" if person is not None and person.user else None
 
     # -- what an operator may do ---------------------------------------------
 

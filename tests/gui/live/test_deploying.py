@@ -21,7 +21,7 @@ CONTROL = Qt.KeyboardModifier.ControlModifier
 
 def connect(it: Any, endpoint: str, until: Any) -> Any:
     link = it.window.robot.link
-    it.answers.put("name", endpoint)
+    it.answers.put("robot", endpoint)
     it.window.setFocus()
     it.key(Qt.Key.Key_R, CONTROL)
     until(link.documents_came, lambda: link.files is not None)

@@ -21,7 +21,7 @@ CONTROL = Qt.KeyboardModifier.ControlModifier
 def connect(studio: Any, endpoint: str, until: Any) -> Any:
     """By the keyboard, as a person would."""
     link = studio.window.robot.link
-    studio.answers.put("name", endpoint)
+    studio.answers.put("robot", endpoint)
     studio.window.setFocus()
     studio.key(Qt.Key.Key_R, CONTROL)
     until(link.state_changed, lambda: link.connected)
@@ -147,7 +147,7 @@ def test_an_address_where_nobody_answers_is_tried_and_can_be_given_up(
     studio: Callable[..., Any], project: Callable[[str], Path]
 ) -> None:
     it = studio(project("reception"))
-    it.answers.put("name", "tcp://127.0.0.1:9")
+    it.answers.put("robot", "tcp://127.0.0.1:9")
     it.window.setFocus()
     it.key(Qt.Key.Key_R, CONTROL)
     assert it.window.status.link.text() == "connecting to tcp://127.0.0.1:9"
@@ -159,7 +159,7 @@ def test_what_is_no_address_gets_one_line(
     studio: Callable[..., Any], project: Callable[[str], Path]
 ) -> None:
     it = studio(project("reception"))
-    it.answers.put("name", "the robot in the lobby")
+    it.answers.put("robot", "the robot in the lobby")
     it.window.setFocus()
     it.key(Qt.Key.Key_R, CONTROL)
     assert len(it.answers.told) == 1

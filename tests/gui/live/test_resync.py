@@ -25,7 +25,7 @@ def test_a_robot_that_is_killed_and_comes_back_with_another_flow_is_followed_wit
     window, link = it.window, it.window.robot.link
     states: list[str] = []
     link.state_changed.connect(lambda: states.append(link.state.kind))
-    it.answers.put("name", there.endpoint)
+    it.answers.put("robot", there.endpoint)
     window.setFocus()
     it.key(Qt.Key.Key_R, CONTROL)
     until(link.documents_came, lambda: link.files is not None)
