@@ -164,6 +164,39 @@ def test_the_form_shows_a_warning_as_one_and_an_error_as_one_and_mends_at_a_clic
     assert not told.isVisible()
 
 
+def test_a_long_mend_makes_no_panel_wider_and_short_places_leave_room_for_the_words(
+    studio: Start, folder: Callable[..., Path], dead_end: rbd.Application
+) -> None:
+    first, last = dead_end.states
+    tag = "user.name-that-nobody-writes-and-that-is-long"
+    asks = rbd.Text(id="asks", x=0, y=50, width=90, height=20, text=f"{{{tag}}}")
+    assert first.screen is not None
+    screen = replace(first.screen, components=(*first.screen.components, asks))
+    path = folder(replace(dead_end, states=(replace(first, screen=screen), last)))
+    (path / "many.spds.xml").write_text(
+        '<spds name="many"><modules><module name="many" resources="screen"/></modules>'
+        '<situation name="always"><module name="many" priority="1"/></situation></spds>'
+    )
+    with (path / "situ.toml").open("a") as toml:
+        toml.write('spds = "many.spds.xml"\n')
+    used = studio(path)
+    dock = used.window.docks["inspector"]
+    before = dock.width()
+    used.select("state", "1", "screen", "asks")
+    (button,) = used.window.inspector.told.findChildren(QPushButton)
+    assert tag in button.text()
+    assert dock.width() == before
+    assert used.window.inspector.rect().contains(
+        button.mapTo(used.window.inspector, button.rect().bottomRight())
+    )
+    # A row: its place is short, and the words begin after it.
+    rows = used.window.problems.list
+    picture = rows.viewport().grab(rows.visualRect(mendable(used))).toImage()
+    middle = range(picture.height() // 4, picture.height() * 3 // 4)
+    beside = {picture.pixelColor(x, y).name() for x in range(110, 190) for y in middle}
+    assert len(beside) > 1, "nothing is written there"
+
+
 def test_many_warnings_of_one_kind_hide_no_others_and_are_shown_when_asked_for(
     studio: Start, folder: Callable[..., Path]
 ) -> None:

@@ -8,6 +8,7 @@ shows the rest.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 
 from PySide6.QtCore import QModelIndex, QPoint, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -46,6 +47,8 @@ MORE = PLACE + 11
 
 MANY, FEW = 8, 3
 """Of more than so many warnings of one code, so many are shown."""
+PLACE_MOST = 160
+"""Px of width that the words of a place get at most."""
 MEND_MOST = 280
 """Px of width that a mend's words get at most."""
 
@@ -60,11 +63,22 @@ def mend_box(rect: QRect, problem: Problem | None) -> QRect:
 
 
 class ProblemDelegate(QStyledItemDelegate):
-    """28 px: mark, place (128 px), words, and the mend's button."""
+    """28 px: mark, place, words, and the mend's button."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
+        self.place_width = 0
+        """Px that the places take."""
+
+    def fit(self, places: Iterable[str]) -> None:
+        """As wide as the longest place, up to ``PLACE_MOST``: the words get what is left.
+
+        No narrower than before while there are problems: the words do not jump.
+        """
+        measure = QFontMetrics(font(13)).horizontalAdvance
+        widths = [min(measure(one), px(PLACE_MOST)) + px(8) for one in set(places)]
+        self.place_width = max([self.place_width, *widths]) if widths else 0
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
@@ -95,7 +109,7 @@ class ProblemDelegate(QStyledItemDelegate):
         icons.paint(painter, problem.severity, box, theme.color(problem.severity))
         painter.setFont(font(13))
         painter.setPen(theme.color("text2"))
-        where = QRectF(rect.x() + px(36), rect.y(), px(168), rect.height())
+        where = QRectF(rect.x() + px(36), rect.y(), self.place_width, rect.height())
         middle = int(Qt.AlignmentFlag.AlignVCenter)
         cut = painter.fontMetrics().elidedText
         right = Qt.TextElideMode.ElideRight
@@ -221,6 +235,7 @@ class Problems(QWidget):
 
     def _fill(self) -> None:
         rows = self._rows()
+        self._delegate.fit(where for problem, where in rows if problem is not None)
         current = self.list.currentIndex().data(PROBLEM)
         # What is below the last one goes, the others change in place: the list stays where it is.
         there = self._model.rowCount()

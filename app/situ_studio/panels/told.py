@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QStyle,
+    QStyleOptionButton,
+    QWidget,
+)
 
 from situ.document.problem import Problem
 from situ_studio.icon_widgets import IconLabel
 from situ_studio.language import said
 from situ_studio.layouts import clear
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 
 
@@ -49,13 +58,35 @@ class Told(QWidget):
         words = QLabel(said(problem.message))
         words.setProperty("severity", problem.severity)
         words.setWordWrap(True)
+        # A tag of many letters is one word: it makes no panel wider either.
+        words.setMinimumWidth(1)
         words.setTextFormat(Qt.TextFormat.PlainText)
         kind = self.tr("Error") if problem.severity == "error" else self.tr("Warning")
         words.setAccessibleName(f"{kind}: {words.text()}")
         self._grid.addWidget(words, row, 1)
         if problem.mend is not None:
-            button = QPushButton(said(problem.mend.words))
+            button = _Mend(said(problem.mend.words))
             button.setProperty("role", "mend")
-            button.setToolTip(words.text())
+            button.setToolTip(f"{button.text()}\n{words.text()}")
             button.clicked.connect(lambda _=False: self.mend_asked.emit(problem))
             self._grid.addWidget(button, row + 1, 1, Qt.AlignmentFlag.AlignLeft)
+
+
+class _Mend(QPushButton):
+    """Its words end with … where there is no room: a long mend makes no panel wider."""
+
+    LEAST = 96
+
+    def __init__(self, words: str) -> None:
+        super().__init__(words)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+
+    def minimumSizeHint(self) -> QSize:
+        hint = super().minimumSizeHint()
+        return QSize(min(hint.width(), px(self.LEAST)), hint.height())
+
+    def initStyleOption(self, option: QStyleOptionButton) -> None:
+        super().initStyleOption(option)
+        inside = self.style().subElementRect(QStyle.SubElement.SE_PushButtonContents, option, self)
+        room = max(0, inside.width())
+        option.text = self.fontMetrics().elidedText(option.text, Qt.TextElideMode.ElideRight, room)
