@@ -104,7 +104,7 @@ def test_the_steps_of_a_trace_begin_with_outside_input_or_later() -> None:
         (trace.Resume(1, 0, None, "a", ()), "a goes on"),
         (
             trace.Transition(1, 0, None, "a", "1", "2", None, writer="operator:ann"),
-            "a goes from 1 to 2 by operator:ann",
+            "a goes from 1 to 2 by operator ann",
         ),
         (trace.Paused(1, 0, None, "a", "1", 3), "a is paused in 1 by breakpoint 3"),
         (trace.Paused(1, 0, None, "a", "1", None, "o"), "a is paused in 1 by o"),
@@ -121,6 +121,32 @@ def test_the_steps_of_a_trace_begin_with_outside_input_or_later() -> None:
 )
 def test_every_kind_of_event_has_its_words(event: trace.TraceEvent, told: str) -> None:
     assert Teller().tell(trace.to_fields(event)) == told
+
+
+def test_what_somebody_did_is_told_by_his_name_or_as_you() -> None:
+    ann, given = "operator:ann", {"seq": 1, "t": 0, "cause": None}
+    sets = {**given, "kind": "data", "tag": "x", "value": 1, "writer": ann}
+    deletes = {**sets, "value": None}
+    raised = {**given, "kind": "event", "application": "a", "name": "e", "writer": ann}
+    sent = trace.to_fields(trace.Transition(1, 0, None, "a", "1", "2", None, writer=ann))
+    paused = trace.to_fields(trace.Paused(1, 0, None, "a", "1", None, ann))
+    every = (sets, deletes, raised, sent, paused)
+    assert [Teller().tell(event) for event in every] == [
+        "operator ann sets x to 1",
+        "operator ann deletes x",
+        "event e comes to a, raised by operator ann",
+        "a goes from 1 to 2 by operator ann",
+        "a is paused in 1 by operator ann",
+    ]
+    assert [Teller(me=ann).tell(event) for event in every] == [
+        "you set x to 1",
+        "you delete x",
+        "event e comes to a, raised by you",
+        "a goes from 1 to 2 by you",
+        "a is paused in 1 by you",
+    ]
+    other = {**sets, "writer": "operator:bob"}
+    assert Teller(me=ann).tell(other) == "operator bob sets x to 1"
 
 
 def test_a_kind_that_is_not_known_is_called_by_its_name() -> None:

@@ -15,7 +15,6 @@ from PySide6.QtCore import QObject, QPoint, Qt
 from PySide6.QtWidgets import QMenu
 
 from situ.document.project import Project
-from situ.rehearse.telling import Teller
 from situ.rehearse.ways import frames, way_words, ways
 from situ_studio import icons, places
 from situ_studio.context_menus import pop_up
@@ -84,7 +83,7 @@ class WhyMenus(QObject):
 
     def ask_not(self) -> bool:
         """The same; of several questions one is to be chosen."""
-        project = self._window.session.project
+        project = self._side.project
         for table in self._tables:
             if project is not None and table.hasFocus() and table.currentIndex().isValid():
                 questions = self._not_of_row(project, table)
@@ -107,7 +106,7 @@ class WhyMenus(QObject):
 
     def _ask_timeline(self) -> bool:
         """What there is at the cursor, in a menu of its own each."""
-        chart, project = self._robot.timeline.chart, self._window.session.project
+        chart, project = self._robot.timeline.chart, self._side.project
         if not chart.hasFocus() or project is None or not chart.rows:
             return False
         menu = self._menu([])
@@ -125,7 +124,7 @@ class WhyMenus(QObject):
         pressed = table.indexAt(at)
         if pressed.isValid():
             table.setCurrentIndex(pressed)
-        things, project = self._of_row(table), self._window.session.project
+        things, project = self._of_row(table), self._side.project
         if not things or project is None or not self._side.can_ask():
             return
         menu = self._menu(things)
@@ -134,7 +133,7 @@ class WhyMenus(QObject):
 
     def _on_timeline(self, at: QPoint) -> None:
         """Of what was there at the moment under the hand."""
-        chart, project = self._robot.timeline.chart, self._window.session.project
+        chart, project = self._robot.timeline.chart, self._side.project
         row, t = chart.row_at(at), chart.moment_at(at)
         if row is None or project is None or not self._side.can_ask():
             return
@@ -144,7 +143,7 @@ class WhyMenus(QObject):
 
     def open_on_screen(self, component: str, at: QPoint) -> None:
         """Of what lies on the screen of the robot that is rehearsed; "": of its state."""
-        shown, project = self._on_screen(component), self._window.session.project
+        shown, project = self._on_screen(component), self._side.project
         if shown is None or project is None or not self._side.can_ask():
             return
         menu = self._menu([])
@@ -155,7 +154,7 @@ class WhyMenus(QObject):
 
     def _on_screen(self, component: str) -> tuple[str, Place] | None:
         """The file and place of a component that is shown now; of the state where it is none."""
-        project, moment = self._window.session.project, self._viewing.moment()
+        project, moment = self._side.project, self._viewing.moment()
         if project is None:
             return None
         state: tuple[str, Place] | None = None
@@ -174,7 +173,7 @@ class WhyMenus(QObject):
         return state
 
     def _ask_component(self, file: str, place: Place) -> None:
-        project, document = self._window.session.project, self._window.session.document(file)
+        project, document = self._side.project, self._side.document(file)
         if project is None or document is None:
             return
         thing = thing_at(project, file, document, place)
@@ -182,13 +181,15 @@ class WhyMenus(QObject):
             self._side.ask_about(thing, thing_at(project, file, document, places.root(place)))
 
     def _not_of_component(self, project: Project, file: str, place: Place) -> WhyNot | None:
-        document = self._window.session.document(file)
+        document = self._side.document(file)
         if document is None:
             return None
         wanted = wanted_at(project, file, document, place, self._viewing.moment())
         if wanted is None:
             return None
-        return WhyNot(self._side.question(Teller(project), wanted), wanted, (file, place))
+        return WhyNot(
+            self._side.question(self._side.teller(project), wanted), wanted, (file, place)
+        )
 
     def _fill_for_row(self, menu: QMenu, project: Project, row: TimelineRow, t: float) -> None:
         log = self._viewing.log
@@ -313,9 +314,9 @@ class WhyMenus(QObject):
         log = self._viewing.log
         event = log[self._side.place(seq) or 0]
         about = where(project, event)
-        document = self._window.session.document(about[0]) if about is not None else None
+        document = self._side.document(about[0]) if about is not None else None
         if about is None or document is None:
             return
         wanted = wanted_at(project, about[0], document, about[1], moment)
         if wanted is not None:
-            yield WhyNot(self._side.question(Teller(project), wanted), wanted, about)
+            yield WhyNot(self._side.question(self._side.teller(project), wanted), wanted, about)

@@ -14,9 +14,10 @@ from PySide6.QtCore import QObject, QTimer
 from situ.decide.values import in_text
 from situ.document.project import Project
 from situ.rehearse.reason import Answer, Reason
+from situ.rehearse.scenario import WRITER
 from situ.rehearse.telling import Teller
 from situ_studio import places
-from situ_studio.edit import Place
+from situ_studio.edit import Document, Place
 from situ_studio.language import said
 from situ_studio.live.why import Thing, latest, place_of, trail
 from situ_studio.live.why_menus import WhyMenus
@@ -79,6 +80,32 @@ class WhySide(QObject):
         self._stop()
         self.panel.reset()
         self.settle()
+
+    @property
+    def project(self) -> Project | None:
+        """What is asked: of a rehearsal the project that runs, though another may be drawn by now;
+        else the open one.
+        """
+        running = self._window.rehearsing.running
+        if running is not None and self._viewing.log is running.course.log:
+            return running.course.project
+        return self._window.session.project
+
+    def document(self, file: str) -> Document | None:
+        """A document of that project; None where it has none of the name."""
+        project = self.project
+        if project is None:
+            return None
+        if file == project.spds_file:
+            return project.spds
+        return project.applications.get(file) or project.parts.get(file)
+
+    def teller(self, project: Project) -> Teller:
+        """Tells events of what is looked at; what who sits here did is told as *you*."""
+        running, link = self._window.rehearsing.running, self._robot.link
+        if running is not None and self._viewing.log is running.course.log:
+            return Teller(project, WRITER)
+        return Teller(project, link.writer if self._viewing.log is link.log else None)
 
     # -- what is asked about -----------------------------------------------------------
 
@@ -147,7 +174,7 @@ class WhySide(QObject):
 
     def ask_about(self, thing: Thing, other: Thing | None = None) -> None:
         """Shows the panel with the answer, as of the cursor. other: where ``thing`` never was."""
-        project = self._window.session.project
+        project = self.project
         if project is None:
             return
         self._begin()
@@ -187,10 +214,10 @@ class WhySide(QObject):
                 return
 
     def _answer(self, place: int) -> None:
-        project, log = self._window.session.project, self._viewing.log
+        project, log = self.project, self._viewing.log
         if project is None:
             return
-        teller = Teller(project)
+        teller = self.teller(project)
         every = trail(log, place)
         links = [self._link(teller, project, one) for one in every]
         last = log.time(place)
@@ -231,7 +258,7 @@ class WhySide(QObject):
 
         where: what it is about.
         """
-        project, t = self._window.session.project, self._viewing.t
+        project, t = self.project, self._viewing.t
         if project is None:
             return
         self._begin()
@@ -242,7 +269,7 @@ class WhySide(QObject):
         self.panel.tell(self.tr("There is no answer."), self.tr("The log says what went wrong."))
 
     def _answer_not(self, answer: Answer | str) -> None:
-        project = self._window.session.project
+        project = self.project
         if project is None:
             return
         if isinstance(answer, str):
@@ -252,7 +279,7 @@ class WhySide(QObject):
         if place is not None:
             self._answer(place)
             return
-        title = self.question(Teller(project), answer.wanted)
+        title = self.question(self.teller(project), answer.wanted)
         more = self.tr("at {0}").format(self._viewing.written(answer.at))
         if answer.reasons and answer.reasons[0].code == "already":
             more = self.tr("{0}: it was so already").format(more)

@@ -14,10 +14,14 @@ from situ.rehearse.ways import name_of_state
 
 
 class Teller:
-    """Tells events of one project; without a project states go by their numbers."""
+    """Tells events of one project; without a project states go by their numbers.
 
-    def __init__(self, project: Project | None = None) -> None:
+    me: the writer who is told of his own deeds, as *you*.
+    """
+
+    def __init__(self, project: Project | None = None, me: str | None = None) -> None:
         self._project = project
+        self._me = me
 
     def tell(self, event: Fields) -> str:
         """The event in a few words: ``reception enters 5 verify initials``."""
@@ -36,6 +40,17 @@ class Teller:
         return (
             "the start" if started and event.get("writer") in (None, "project") else "from outside"
         )
+
+    def who(self, writer: str) -> str:
+        """Who that is: ``operator ann``, a module by its name, or ``you``."""
+        if self.is_me(writer):
+            return "you"
+        role, _, name = writer.partition(":")
+        return f"operator {name}" if role == "operator" and name else writer
+
+    def is_me(self, writer: str) -> bool:
+        """Whether that is who is told of it."""
+        return writer == self._me
 
     def state(self, application: str, no: str) -> str:
         """A state by number and name."""
@@ -73,13 +88,25 @@ def action_words(event: Fields) -> str:
 
 
 def _data(teller: Teller, event: Fields) -> str:
-    if event["value"] is None:
-        return f"{event['writer']} deletes {event['tag']}"
-    return f"{event['writer']} sets {event['tag']} to {value_words(event['value'])}"
+    tag, writer = event["tag"], event["writer"]
+    value = None if event["value"] is None else value_words(event["value"])
+    if teller.is_me(writer):
+        return f"you delete {tag}" if value is None else f"you set {tag} to {value}"
+    who = teller.who(writer)
+    return f"{who} deletes {tag}" if value is None else f"{who} sets {tag} to {value}"
+
+
+def _event(teller: Teller, event: Fields) -> str:
+    told = f"event {event['name']} comes to {event['application']}"
+    writer = event.get("writer")
+    return told if writer is None else f"{told}, raised by {teller.who(writer)}"
 
 
 def _transition(teller: Teller, event: Fields) -> str:
-    by = "the timeout" if event.get("timeout") else event.get("writer", "an unnamed event")
+    writer = event.get("writer")
+    by = "an unnamed event" if writer is None else teller.who(writer)
+    if event.get("timeout"):
+        by = "the timeout"
     if event["event"] is not None:
         by = event["event"]
     source = teller.state(event["application"], event["from"])
@@ -125,9 +152,10 @@ def _finished(teller: Teller, event: Fields) -> str:
     return f"{what} ends well" if event["ok"] else f"{what} ends badly: {event.get('error')}"
 
 
-def _who(event: Fields) -> str:
+def _who(teller: Teller, event: Fields) -> str:
     """The operator, or the breakpoint where nobody else did it."""
-    return str(event.get("writer", f"breakpoint {event['breakpoint']}"))
+    writer = event.get("writer")
+    return f"breakpoint {event['breakpoint']}" if writer is None else teller.who(writer)
 
 
 def _condition(teller: Teller, event: Fields) -> str:
@@ -143,7 +171,7 @@ def _situation(teller: Teller, event: Fields) -> str:
 
 
 def _deployed(teller: Teller, event: Fields) -> str:
-    version, writer = event["version"], event["writer"]
+    version, writer = event["version"], teller.who(event["writer"])
     if not event["files"]:
         return f"version {version} takes over, deployed by {writer}"
     changed = words.listed(event["files"])
@@ -165,7 +193,7 @@ _TOLD: dict[str, Callable[[Teller, Fields], str]] = {
     "connected": lambda teller, e: f"{e['module']} connects",
     "authority": _authority,
     "mapping": _mapping,
-    "event": lambda teller, e: f"event {e['name']} comes to {e['application']}",
+    "event": _event,
     "ignored": _ignored,
     "exit": lambda teller, e: f"{e['application']} leaves {_in(teller, e)}",
     "enter": lambda teller, e: f"{e['application']} enters {_in(teller, e)}",
@@ -178,8 +206,10 @@ _TOLD: dict[str, Callable[[Teller, Fields], str]] = {
         f"{e['application']} is suspended: it does not hold {words.listed(e['missing'])}"
     ),
     "resume": lambda teller, e: f"{e['application']} goes on",
-    "paused": lambda teller, e: f"{e['application']} is paused in {_in(teller, e)} by {_who(e)}",
-    "resumed": lambda teller, e: f"{e['application']} is no longer paused, by {_who(e)}",
+    "paused": lambda teller, e: (
+        f"{e['application']} is paused in {_in(teller, e)} by {_who(teller, e)}"
+    ),
+    "resumed": lambda teller, e: f"{e['application']} is no longer paused, by {_who(teller, e)}",
     "deployed": _deployed,
     "warning": lambda teller, e: f"warning: {e['message']}",
     "error": lambda teller, e: f"error: {e['message']}",

@@ -380,6 +380,15 @@ def test_a_running_robot_is_asked_while_it_goes_on(
         hand.card_menu(window.views[FLOW].canvas, "state", "1")
         hand.choose(window.context_menus.shown, "Why?")
         assert seen(it)[-1] == "converse enters 1 hello (the start)"
+    # What was done from here, who sits here did.
+    link.set({"spo2": 97}, lambda why: None)
+    until(link.moment_changed, lambda: "spo2" in link.log.now.board)
+    window.robot.follower.refresh()
+    window.bottom.choose("blackboard")
+    it.settle()
+    hand.row_menu(window.robot.blackboard, "spo2")
+    hand.choose(window.why.menus.shown, "Why?")
+    assert seen(it) == ["you set spo2 to 97 (from outside)"]
     # A link goes to its moment: the robot goes on, and the window stays there.
     assert window.robot.follower.viewing.follows
     it.click_row(window.why.panel.table, window.why.panel.table.rows.index(0, 1))

@@ -6,6 +6,9 @@ from typing import Any
 
 from PySide6.QtCore import Qt
 from tests.gui.live.test_why import Clicks, seen
+from tests.gui.rehearsing.test_taking import edit
+
+from situ.decide import inputs
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -39,3 +42,38 @@ def test_of_a_button_of_the_rehearsed_robot_within_three_clicks(desk: Any) -> No
     screen.setFocus()
     it.key(Qt.Key.Key_F7)
     assert seen(it)
+
+
+def test_while_an_edit_is_not_taken_in_what_runs_is_asked(desk: Any) -> None:
+    used = desk("conversation")
+    it, window = used.studio, used.window
+    side, menus = window.why, window.why.menus
+    used.side.running.give(inputs.Set({"spo2": 97}, "scenario"))
+    # The robot runs what was drawn before: its states are called as they were then.
+    state = it.session.document("converse.rbd.xml").states[0]
+    edit(used, 0, name="welcome", events=())
+    hand = Clicks(it)
+    hand.menu(used.desk.screen_, used.desk.screen_.rect().bottomLeft())
+    hand.choose(menus.shown, "Why?")
+    assert seen(it)[-1] == "converse enters 1 hello (the start)"
+    yes = next(t for t in used.desk.screen_.targets if t.words == "YES")
+    hand.menu(used.desk.screen_, used.desk.screen_.place_of(yes).toPoint())
+    words = "Why does converse not leave 1 hello by clickYes?"
+    hand.choose(menus.shown, words)
+    assert side.panel.title.text() == words
+    assert side.panel.links
+    # What was done at the desk, who sits there did.
+    window.bottom.choose("blackboard")
+    it.settle()
+    hand.row_menu(window.robot.blackboard, "spo2")
+    hand.choose(menus.shown, "Why?")
+    assert seen(it) == ["you set spo2 to 97 (from outside)"]
+    # Taken in, it is what is asked.
+    edit(used, 0, events=state.events)
+    used.side.take_in()
+    used.side.hurry()
+    it.settle()
+    assert side.project == used.side.running.course.project
+    hand.menu(used.desk.screen_, used.desk.screen_.rect().bottomLeft())
+    hand.choose(menus.shown, "Why?")
+    assert seen(it)[-1].startswith("converse enters 1 welcome")
