@@ -15,7 +15,7 @@ import aiohttp
 import pytest
 from aiohttp.test_utils import TestServer
 
-from ward_records import curves, day_page, page
+from ward_records import contacts_page, curves, day_page, page
 from ward_records.access import Tokens
 from ward_records.day import Day
 from ward_records.japanese import JAPANESE
@@ -311,7 +311,13 @@ def test_every_text_of_the_page_has_a_japanese_one() -> None:
                         for one in each.elts
                         if isinstance(one, ast.Constant)
                     )
-    for table in (page._LABELS, page._KINDS, day_page._ROUND, day_page._OUTCOME):
+    for table in (
+        page._LABELS,
+        page._KINDS,
+        day_page._ROUND,
+        day_page._OUTCOME,
+        contacts_page._GROUPS,
+    ):
         texts.update(table.values())
     calls = "".join(one.read_text("utf-8") for one in VITALS.glob("*.rbd.xml"))
     texts.update(one for one in re.findall(r'"why": "([^"{]+)"', calls))

@@ -158,19 +158,6 @@ def test_a_score_is_kept_and_hides_no_reading_of_the_body(store: Store, jack: Re
     over_http(store, asking)
 
 
-def test_a_resident_may_call_whom_somebody_has_added(store: Store, jack: Resident) -> None:
-    other = store.add(7, "Joan Nikora", "2718")
-    store.add_contact(jack.id, "family", "Anna Nilsen", "sip:1@ward.invalid")
-    store.add_contact(jack.id, "friends", "Bob Hart", "sip:2@ward.invalid")
-    store.add_contact(other.id, "family", "Mere Nikora", "sip:3@ward.invalid")
-    assert [one.name for one in store.contacts(jack.id, "family")] == ["Anna Nilsen"]
-    assert store.contacts(other.id, "friends") == []
-    with pytest.raises(Unfit):
-        store.add_contact(jack.id, "strangers", "Eve", "sip:4@ward.invalid")
-    with pytest.raises(Unknown):
-        store.add_contact(99, "family", "Eve", "sip:4@ward.invalid")
-
-
 def test_a_reading_of_nobody_is_not_kept(store: Store) -> None:
     with pytest.raises(Unknown):
         store.keep({**PRESSURE, "user": 5})
@@ -238,8 +225,6 @@ def over_http(store: Store, asking: Asking) -> None:
 
 
 def test_the_robot_logs_people_in_and_writes_down(store: Store, jack: Resident) -> None:
-    store.add_contact(jack.id, "family", "Anna Nilsen", "sip:1@ward.invalid")
-
     async def asking(session: aiohttp.ClientSession) -> None:
         answer = await session.post("/login", json={"room": 12, "pin": "1234"}, headers=ROBOT)
         user = (await answer.json())["user"]
@@ -247,10 +232,6 @@ def test_the_robot_logs_people_in_and_writes_down(store: Store, jack: Resident) 
         reading = {"reading": {**PRESSURE, "user": "1"}}
         answer = await session.post("/readings", json=reading, headers=ROBOT)
         assert (answer.status, await answer.json()) == (200, {"kept": True})
-        asked = {"user": str(jack.id), "group": "family"}
-        answer = await session.post("/contacts", json=asked, headers=ROBOT)
-        anna = {"id": 1, "name": "Anna Nilsen", "address": "sip:1@ward.invalid"}
-        assert await answer.json() == {"contacts": [anna]}
 
     over_http(store, asking)
     assert len(store.readings()) == 1

@@ -14,6 +14,7 @@ import msgspec
 from aiohttp import web
 
 from ward_records.access import Tokens
+from ward_records.contacts import Contacts
 from ward_records.day import Day
 from ward_records.store import Store
 from ward_records.watching import Watching
@@ -91,8 +92,9 @@ def main() -> int:
     day = Day(store.db, now)
     if not store.residents():
         made = {room: store.add(room, name, pin).id for room, name, pin in INVENTED}
+        contacts = Contacts(store)
         for number, (room, group, name) in enumerate(CONTACTS, 1):
-            store.add_contact(made[room], group, name, f"sip:{number}@ward.invalid")
+            contacts.add(made[room], group, name, f"sip:{number}@ward.invalid")
         for room, round_, what in MEDICINE:
             day.prescribe(made[room], round_, what)
         for whom, begins, what in TOLD:

@@ -94,7 +94,18 @@ JAPANESE = {
     "Help is there": "助けが来ました",
     "The robot shows nothing now.": "ロボットは今、何も映していません。",
     "Camera": "カメラ",
+    "Whom they may call": "電話をかけられる相手",
+    "Family": "ご家族",
+    "Friends": "お友達",
+    "Group": "間柄",
+    "Address": "連絡先",
+    "Address of the video program": "ビデオ通話の連絡先",
+    "Add contact": "相手を追加",
     # What is wrong with what was given.
+    "an address has no blanks and begins with a letter, a digit or +": (
+        "連絡先は空白を含まず、英字、数字または+で始まります"
+    ),
+    "family or friends": "ご家族かお友達を選んでください",
     "a name has 1 to 80 letters": "名前は1文字から80文字です",
     "a PIN is four digits": "暗証番号は数字4桁です",
     "somebody in this room has this PIN already": "この暗証番号は同じ部屋の方がすでに使っています",

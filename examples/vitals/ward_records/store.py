@@ -41,9 +41,6 @@ LIMITS: dict[str, float] = {
 }
 """Between these nobody is told, for whom the nurse has not set others. In mmHg, %, mmol/L."""
 
-GROUPS = ("family", "friends")
-"""Whom a resident calls. The staff are not called but come, as to any call for a nurse."""
-
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS resident (
   id INTEGER PRIMARY KEY, room INTEGER NOT NULL, name TEXT NOT NULL,
@@ -53,10 +50,6 @@ CREATE TABLE IF NOT EXISTS wrong_pin (room INTEGER NOT NULL, at TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS reading (
   id INTEGER PRIMARY KEY, resident INTEGER NOT NULL REFERENCES resident (id),
   at TEXT NOT NULL, kind TEXT NOT NULL, measured TEXT NOT NULL
-);
-CREATE TABLE IF NOT EXISTS contact (
-  id INTEGER PRIMARY KEY, resident INTEGER NOT NULL REFERENCES resident (id),
-  kind TEXT NOT NULL, name TEXT NOT NULL, address TEXT NOT NULL
 );
 CREATE TABLE IF NOT EXISTS call (
   id INTEGER PRIMARY KEY, at TEXT NOT NULL, why TEXT NOT NULL, room TEXT NOT NULL, seen TEXT
@@ -103,14 +96,6 @@ class Reading(Struct, frozen=True):
     measured: dict[str, float]
 
 
-class Contact(Struct, frozen=True):
-    """address: what the robot's video program calls."""
-
-    id: int
-    name: str
-    address: str
-
-
 class Call(Struct, frozen=True):
     """seen: when a nurse said that she goes; None: nobody yet."""
 
@@ -146,7 +131,7 @@ class Store:
     def add(self, room: int, name: str, pin: str) -> Resident:
         """A new resident, with the usual limits. Raises Unfit where there is no name, the PIN is
         not four digits, or somebody in the room has it."""
-        _must_be_named(name)
+        must_be_named(name)
         self._must_be_free(room, pin)
         salt = secrets.token_bytes(16)
         with self._db:
@@ -162,7 +147,7 @@ class Store:
         somebody lives in the new room a new PIN is needed: nobody knows whether the old ones are
         the same, for no file holds them."""
         here = self.resident(number)
-        _must_be_named(name)
+        must_be_named(name)
         if pin is not None:
             self._must_be_free(room, pin, but=number)
         elif room != here.room and any(one.room == room for one in self.residents()):
@@ -231,26 +216,6 @@ class Store:
             self._db.execute(
                 "UPDATE resident SET limits = ? WHERE id = ?", (json.dumps(dict(limits)), number)
             )
-
-    def add_contact(self, resident: int, group: str, name: str, address: str) -> None:
-        """Whom a resident may call. Raises Unknown, and Unfit where the group is none."""
-        self.resident(resident)
-        if group not in GROUPS:
-            raise Unfit(f"the group must be one of {', '.join(GROUPS)}")
-        with self._db:
-            self._db.execute(
-                "INSERT INTO contact (resident, kind, name, address) VALUES (?, ?, ?, ?)",
-                (resident, group, name, address),
-            )
-
-    def contacts(self, resident: int, group: str) -> list[Contact]:
-        """In the order in which they were added. Raises Unknown."""
-        self.resident(resident)
-        rows = self._db.execute(
-            "SELECT id, name, address FROM contact WHERE resident = ? AND kind = ? ORDER BY id",
-            (resident, group),
-        )
-        return [Contact(*row) for row in rows]
 
     def _who(self, room: int, pin: str) -> int | None:
         rows = self._db.execute("SELECT id, salt, pin FROM resident WHERE room = ?", (room,))
@@ -344,7 +309,8 @@ def number_in(value: Any) -> float | None:
     return number if abs(number) < 1e12 else None
 
 
-def _must_be_named(name: str) -> None:
+def must_be_named(name: str) -> None:
+    """Raises Unfit."""
     if not 0 < len(name.strip()) <= 80:
         raise Unfit("a name has 1 to 80 letters")
 

@@ -4,7 +4,6 @@
 ``POST /login`` {room, pin}             {user: {id, name, room, limits}}; 401: not this PIN, 429:
                                         too many wrong ones
 ``POST /readings`` {reading}            {kept: true}; 400: no such reading, 404: no such resident
-``POST /contacts`` {user, group}        {contacts: [{id, name, address}, …]}; 404: no such resident
 ``GET /``                               the nurse's page; ``/today``: of today
 ``GET /residents/ID``                   one resident: readings, limits
 ``POST /residents/ID``                  her limits, from that page's form
@@ -12,7 +11,8 @@
 ======================================  =====================================================
 
 What the robot does by itself is ``day_web.py``'s; who lives here and tables to take away,
-``residents_web.py``'s; who may do what, ``access.py``'s.
+``residents_web.py``'s; whom they may call,
+``contacts_web.py``'s; who may do what, ``access.py``'s.
 """
 
 from __future__ import annotations
@@ -21,12 +21,13 @@ from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
 from aiohttp import web
-from msgspec import to_builtins
 
 from situ.resources import resource
 from ward_records import page, residents_page
 from ward_records.access import COOKIE, Tokens
 from ward_records.answers import refused, shown
+from ward_records.contacts import Contacts
+from ward_records.contacts_web import ContactsWeb
 from ward_records.curves import MOST
 from ward_records.day import OUTCOMES, Day
 from ward_records.day_web import DayWeb
@@ -57,7 +58,6 @@ def application(store: Store, day: Day, watching: Watching, tokens: Tokens) -> w
     made = web.Application(client_max_size=LONGEST_BODY, middlewares=[_careful])
     made.router.add_post("/login", ward.login)
     made.router.add_post("/readings", ward.keep)
-    made.router.add_post("/contacts", ward.contacts)
     made.router.add_get("/", ward.page)
     made.router.add_get("/page.css", ward.style)
     made.router.add_static("/fonts", resource("fonts"))
@@ -65,6 +65,7 @@ def application(store: Store, day: Day, watching: Watching, tokens: Tokens) -> w
     made.router.add_post("/residents/{id:[0-9]{1,9}}", ward.set_limits)
     made.router.add_post("/calls/{id:[0-9]{1,9}}", ward.see)
     of_day.add_to(made.router)
+    ward.of_contacts.add_to(made.router)
     ResidentsWeb(store, tokens.must_be_operator, ward.change_person).add_to(made.router)
     return made
 
@@ -115,6 +116,7 @@ class _Ward:
         self._day = day
         self._of_day = of_day
         self._tokens = tokens
+        self.of_contacts = ContactsWeb(Contacts(store), tokens, self.change_contacts)
 
     # -- what the robot asks -----------------------------------------------------
 
@@ -150,17 +152,6 @@ class _Ward:
             self._day.keep(reading)
         else:
             self._store.keep(reading)
-
-    async def contacts(self, request: web.Request) -> web.Response:
-        asked = await self._tokens.asked(request)
-        who, group = number_in(asked.get("user")), asked.get("group")
-        if who is None or not who.is_integer() or not isinstance(group, str):
-            return refused(400, "user must be the id that login gave, and group a text")
-        try:
-            found = self._store.contacts(int(who), group)
-        except Unknown as unknown:
-            return refused(404, str(unknown))
-        return web.json_response({"contacts": [to_builtins(one) for one in found]})
 
     # -- the nurse's page --------------------------------------------------------
 
@@ -217,6 +208,10 @@ class _Ward:
         """Her page once more, with what is wrong with what was given."""
         return self._resident(number, True, "", given, wrong)
 
+    def change_contacts(self, number: int, wrong: str) -> web.Response:
+        """Her page once more, with what is wrong with the contact that was given."""
+        return self._resident(number, True, wrong_contact=wrong)
+
     def _resident(
         self,
         number: int,
@@ -224,13 +219,15 @@ class _Ward:
         wrong_limits: str = "",
         given: Mapping[str, str] | None = None,
         wrong: str = "",
+        wrong_contact: str = "",
     ) -> web.Response:
         try:
             found = self._store.resident(number)
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         person = residents_page.change(found, given or {}, wrong)
-        forms = self._of_day.medicine_form(number) + person
+        contacts = self.of_contacts.form(number, wrong_contact)
+        forms = self._of_day.medicine_form(number) + contacts + person
         readings = self._store.readings(number, most=MOST * len(KINDS))
         made = page.resident(found, readings, forms, open_, wrong_limits)
-        return shown(made, 400 if wrong or wrong_limits else 200)
+        return shown(made, 400 if wrong or wrong_limits or wrong_contact else 200)

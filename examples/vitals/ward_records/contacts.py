@@ -1,0 +1,66 @@
+"""Whom each resident may call from the robot. The staff are not called but come, as to any call."""
+
+from __future__ import annotations
+
+import re
+
+from msgspec import Struct
+
+from ward_records.store import Store, Unfit, must_be_named
+
+GROUPS = ("family", "friends")
+
+_SCHEMA = """
+CREATE TABLE IF NOT EXISTS contact (
+  id INTEGER PRIMARY KEY, resident INTEGER NOT NULL REFERENCES resident (id),
+  kind TEXT NOT NULL, name TEXT NOT NULL, address TEXT NOT NULL
+);
+"""
+
+
+class Contact(Struct, frozen=True):
+    """address: what the robot's video program calls."""
+
+    id: int
+    name: str
+    address: str
+
+
+class Contacts:
+    """Those of all residents of a store, in its file."""
+
+    def __init__(self, store: Store) -> None:
+        self._store = store
+        self._db = store.db
+        self._db.executescript(_SCHEMA)
+
+    def of(self, resident: int, group: str) -> list[Contact]:
+        """In the order in which they were added. Raises Unknown."""
+        self._store.resident(resident)
+        rows = self._db.execute(
+            "SELECT id, name, address FROM contact WHERE resident = ? AND kind = ? ORDER BY id",
+            (resident, group),
+        )
+        return [Contact(*row) for row in rows]
+
+    def add(self, resident: int, group: str, name: str, address: str) -> None:
+        """Raises Unknown, and Unfit where it is no name, no group, or nothing to call."""
+        self._store.resident(resident)
+        must_be_named(name)
+        # As an argument of a program it must not look like an option.
+        if not re.fullmatch(r"[A-Za-z0-9+]\S{0,199}", address):
+            raise Unfit("an address has no blanks and begins with a letter, a digit or +")
+        if group not in GROUPS:
+            raise Unfit("family or friends")
+        with self._db:
+            self._db.execute(
+                "INSERT INTO contact (resident, kind, name, address) VALUES (?, ?, ?, ?)",
+                (resident, group, name, address),
+            )
+
+    def remove(self, resident: int, contact: int) -> None:
+        """One who is not there is removed already."""
+        with self._db:
+            self._db.execute(
+                "DELETE FROM contact WHERE id = ? AND resident = ?", (contact, resident)
+            )

@@ -1,0 +1,45 @@
+"""Whom a resident may call, as HTML, to be changed by the nurse."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+
+from ward_records.contacts import Contact
+from ward_records.language import say
+from ward_records.page import table
+
+_GROUPS = {"family": "Family", "friends": "Friends"}
+
+
+def form(resident: int, contacts: Mapping[str, Sequence[Contact]], wrong: str = "") -> str:
+    """contacts: by group. wrong: what is wrong with what was given."""
+    rows = "".join(_row(resident, group, one) for group, those in contacts.items() for one in those)
+    said = say("Not added: {0}").format(escape(wrong))
+    told = f'<p class="wrong" role="alert">{said}</p>' if wrong else ""
+    groups = "".join(
+        f'<option value="{group}">{say(label)}</option>' for group, label in _GROUPS.items()
+    )
+    listed = table("contacts", ("Name", "Group", "Address", ""), rows) if rows else ""
+    return (
+        f"<h2>{say('Whom they may call')}</h2>{listed}{told}"
+        f'<form method="post" action="/residents/{resident}/contacts">'
+        f'<label for="contact">{say("Name")}</label>'
+        '<input id="contact" name="contact" maxlength="80" autocomplete="off" required>'
+        f'<label for="group">{say("Group")}</label>'
+        f'<select id="group" name="group">{groups}</select>'
+        f'<label for="address">{say("Address of the video program")}</label>'
+        '<input id="address" name="address" maxlength="200" autocomplete="off" required>'
+        f"<button>{say('Add contact')}</button></form>"
+    )
+
+
+def _row(resident: int, group: str, one: Contact) -> str:
+    remove = (
+        f'<form method="post" action="/residents/{resident}/contacts/{one.id}/remove">'
+        f'<button class="quiet">{say("Remove")}</button></form>'
+    )
+    return (
+        f"<tr><td>{escape(one.name)}</td><td>{say(_GROUPS[group])}</td>"
+        f"<td>{escape(one.address)}</td><td>{remove}</td></tr>"
+    )

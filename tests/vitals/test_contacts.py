@@ -1,0 +1,121 @@
+"""Whom residents of examples/vitals may call: asked by the robot, changed by the nurse."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from datetime import UTC, datetime
+
+import aiohttp
+import pytest
+from aiohttp.test_utils import TestServer
+
+from ward_records.access import Tokens
+from ward_records.contacts import Contacts
+from ward_records.day import Day
+from ward_records.store import Resident, Store, Unfit, Unknown
+from ward_records.watching import Watching
+from ward_records.web import application
+
+NOW = datetime(2026, 5, 4, 8, 0, tzinfo=UTC)
+ROBOT = {"Authorization": "Bearer the-robot"}
+ANNA = {"contact": "Anna <Nilsen>", "group": "family", "address": "sip:anna@ward.invalid"}
+Asking = Callable[[aiohttp.ClientSession], Awaitable[None]]
+
+
+@pytest.fixture
+def store() -> Store:
+    return Store(None, lambda: NOW)
+
+
+@pytest.fixture
+def jack(store: Store) -> Resident:
+    return store.add(12, "Jack Nilsen", "1234")
+
+
+def over_http(store: Store, asking: Asking, token: str = "a-nurse") -> None:
+    async def run() -> None:
+        tokens = Tokens("the-robot", "a-nurse", "a-visitor")
+        made = application(store, Day(store.db, lambda: NOW), Watching(lambda: NOW), tokens)
+        jar = aiohttp.CookieJar(unsafe=True)
+        async with (
+            TestServer(made) as server,
+            aiohttp.ClientSession(server.make_url("/"), cookie_jar=jar) as session,
+        ):
+            await session.get("/", params={"token": token})
+            await asking(session)
+
+    asyncio.run(run())
+
+
+def test_each_resident_has_contacts_of_her_own(store: Store, jack: Resident) -> None:
+    other, contacts = store.add(7, "Joan Nikora", "2718"), Contacts(store)
+    contacts.add(jack.id, "family", "Anna Nilsen", "sip:1@ward.invalid")
+    contacts.add(jack.id, "friends", "Bob Hart", "+64 4 123".replace(" ", ""))
+    contacts.add(other.id, "family", "Mere Nikora", "sip:3@ward.invalid")
+    assert [one.name for one in contacts.of(jack.id, "family")] == ["Anna Nilsen"]
+    assert contacts.of(other.id, "friends") == []
+    (mere,) = contacts.of(other.id, "family")
+    contacts.remove(jack.id, mere.id)
+    assert contacts.of(other.id, "family") == [mere]
+    contacts.remove(other.id, mere.id)
+    assert contacts.of(other.id, "family") == []
+    with pytest.raises(Unknown):
+        contacts.of(99, "family")
+
+
+@pytest.mark.parametrize(
+    ("group", "name", "address"),
+    [
+        ("strangers", "Eve", "sip:eve@ward.invalid"),
+        ("family", "", "sip:eve@ward.invalid"),
+        ("family", "Eve", ""),
+        ("family", "Eve", "--help"),
+        ("family", "Eve", "two words"),
+        ("family", "Eve", "e" * 201),
+    ],
+)
+def test_nobody_is_added_who_can_not_be_called(
+    store: Store, jack: Resident, group: str, name: str, address: str
+) -> None:
+    contacts = Contacts(store)
+    with pytest.raises(Unfit):
+        contacts.add(jack.id, group, name, address)
+    with pytest.raises(Unknown):
+        contacts.add(99, "family", "Anna", "sip:1@ward.invalid")
+    assert contacts.of(jack.id, "family") == []
+
+
+def test_the_robot_may_call_whom_the_nurse_has_added(store: Store, jack: Resident) -> None:
+    async def asking(session: aiohttp.ClientSession) -> None:
+        page = f"/residents/{jack.id}"
+        wrong = await session.post(f"{page}/contacts", data=ANNA | {"address": "-x"})
+        assert wrong.status == 400
+        assert "Not added: an address has no blanks" in await wrong.text()
+        added = await session.post(f"{page}/contacts", data=ANNA)
+        assert "Anna &lt;Nilsen&gt;" in await added.text()
+        asked = {"user": str(jack.id), "group": "family"}
+        answer = await session.post("/contacts", json=asked, headers=ROBOT)
+        anna = {"id": 1, "name": ANNA["contact"], "address": ANNA["address"]}
+        assert await answer.json() == {"contacts": [anna]}
+        removed = await session.post(f"{page}/contacts/1/remove")
+        assert "Nilsen&gt;" not in await removed.text()
+        assert (await session.post("/residents/99/contacts", data=ANNA)).status == 404
+
+    over_http(store, asking)
+
+
+@pytest.mark.parametrize("token", ["a-visitor", "the-robot"])
+def test_nobody_else_changes_or_sees_whom_somebody_may_call(
+    store: Store, jack: Resident, token: str
+) -> None:
+    Contacts(store).add(jack.id, "family", "Anna", "sip:1@ward.invalid")
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        page = f"/residents/{jack.id}"
+        assert "Anna" not in await (await session.get(page)).text()
+        assert (await session.post(f"{page}/contacts", data=ANNA)).status == 403
+        assert (await session.post(f"{page}/contacts/1/remove")).status == 403
+
+    over_http(store, asking, token)
+    assert len(Contacts(store).of(jack.id, "family")) == 1
