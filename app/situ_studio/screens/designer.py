@@ -115,7 +115,7 @@ class Designer(QWidget):
         self.ground.pressed.connect(lambda: sheet.choose(()))
         self.crumbs.asked.connect(self._on_crumb)
         self.strip.chosen.connect(self.go_to)
-        side.components.pressed.connect(lambda name: shown.add(name, 50, 50))
+        side.components.pressed.connect(self._on_pressed)
         side.templates.chosen.connect(self._on_template)
         side.templates.removed.connect(self._remove_template)
         side.keep.clicked.connect(self._ask_to_keep)
@@ -131,6 +131,12 @@ class Designer(QWidget):
         bar.always_shown.connect(sheet.show_always)
         bar.preview_asked.connect(self.open_preview)
         self.sampling.changed.connect(self._show_values)
+
+    def _on_pressed(self, name: str) -> None:
+        """A component in the middle; what it says is typed at once, as after the palette's press."""
+        place = self.shown.add(name, 50, 50)
+        if place is not None:
+            self.filled_in.emit(place)
 
     # -- a piece of a view ---------------------------------------------------------------
 

@@ -136,20 +136,24 @@ class StateScreen(QObject):
             return False
         return True
 
-    def add(self, name: str, x: float, y: float, **fields: object) -> None:
-        """Puts a new component of a kind there with its middle, as one step, and selects it."""
+    def add(self, name: str, x: float, y: float, **fields: object) -> Place | None:
+        """Puts a new component of a kind there with its middle, as one step, and selects it.
+
+        Its place; None where it can not be there.
+        """
         if self.application is None:
-            return
+            return None
         try:
             after, place, text = insert(self.application, kinds.kind(name), self.place)
         except NotHere as refused:
             self.status.emit(str(refused))
-            return
+            return None
         box = placing.box_of(places.get(after, place))
         box = box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2))
         after = places.change(after, place, **placing.inside(box)._asdict(), **fields)
         self.edited.emit(after, text)
         self.selection_changed.emit((place,))
+        return place
 
     def _on_chosen(self, ids: tuple[str, ...]) -> None:
         places_ = tuple((*self.place, "screen", id) for id in ids)

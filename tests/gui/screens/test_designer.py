@@ -219,6 +219,22 @@ def test_a_picture_from_outside_is_copied_into_the_project_and_stands_where_it_w
     assert "notes.txt" in desk.told()
 
 
+def test_what_a_pressed_component_says_is_typed_at_once(desk: Desk) -> None:
+    """As after a press in the palette beside the graph: no click into a field is between."""
+    desk.go_to("11")
+    for kind, field, words in (
+        ("text", "text", "Shall I wait?"),
+        ("button", "text", "Wait"),
+        ("input", "tag", "user.room"),
+        ("image", "src", "nurse.png"),
+    ):
+        desk.used.click(desk.side.components.items[kind])
+        desk.used.type(words)
+        desk.used.key(Qt.Key.Key_Tab)
+        made = desk.document.state("11").screen.components[-1]
+        assert getattr(made, field) == words
+
+
 def test_a_file_is_chosen_in_the_form_and_a_missing_one_is_told(desk: Desk, tmp_path: Path) -> None:
     desk.go_to("2")
     source = tmp_path / "other.png"
