@@ -66,7 +66,7 @@ def everywhere(project: Project, point: Point) -> list[Point]:
 
 
 def _moved(point: Point, before: str, application: str, there: str) -> Point:
-    paths = {
+    paths: Point = {
         key: there + point[key].removeprefix(before)
         for key in ("state", "from", "to")
         if key in point

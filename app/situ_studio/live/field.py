@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.errors import UsageError
-from situ.rehearse.usage import Crossed, Lasted, Row, Usage, counting
+from situ.rehearse.usage import PLACE, Crossed, Lasted, Row, Usage, counting
 from situ.rehearse.ways import label, states
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.live.moment import ApplicationMoment, Moment
@@ -21,9 +21,10 @@ ENDING = ".mcap"
 
 
 class Asked(Struct, frozen=True):
-    """Recordings to be counted."""
+    """Recordings to be counted. place: the tag that says where the robot is."""
 
     paths: tuple[Path, ...]
+    place: str = PLACE
 
 
 class Field(Struct, frozen=True):
@@ -43,7 +44,7 @@ def recordings_in(folder: Path) -> list[Path]:
 
 def counted(asked: Asked) -> Iterator[float | Field]:
     """How much of all is read, again and again, and in the end what came of it."""
-    usage, refused = Usage(), []
+    usage, refused = Usage(asked.place), []
     every = len(asked.paths)
     for number, path in enumerate(asked.paths):
         try:

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QAbstractButton, QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractButton, QCheckBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from situ.document import names
+from situ.rehearse.usage import PLACE
 from situ.rehearse.usage import Row as Used
 from situ_studio.icon_widgets import Elided, ThemedButton, retheme
 from situ_studio.language import tr
+from situ_studio.letters import px
 from situ_studio.live.field_rows import NUMBERS, by_column, cells, rows, tips, titles
+from situ_studio.panels.fields import Line
 from situ_studio.panels.table import RowsTable
 from situ_studio.theme import Theme
 
@@ -73,6 +77,23 @@ ASCENDING = Qt.SortOrder.AscendingOrder
 COPY = QKeySequence.StandardKey.Copy
 
 
+class PlaceTag(Line):
+    """The tag that says where the robot is; emptied it is the usual one."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFixedWidth(px(132))
+        self.setAccessibleName(tr("The tag that says where the robot is"))
+        self.setToolTip(tr("What the robot did is counted for each place: each value of this tag"))
+        self.show_value(PLACE)
+
+    def read(self, text: str) -> str:
+        tag = text.strip() or PLACE
+        if not names.is_tag(tag):
+            raise ValueError(tr("{0} is no tag; write it as pose.place").format(tag))
+        return tag
+
+
 class FieldPanel(QWidget):
     """``gone``: somebody wants to see that state, as (application, number)."""
 
@@ -80,6 +101,10 @@ class FieldPanel(QWidget):
     folder_asked = Signal()
     paint_asked = Signal(bool)
     export_asked = Signal()
+    place_asked = Signal(object)
+    """A tag: it shall say where the robot was."""
+    refused = Signal(str)
+    """Why what was typed is no such tag."""
     gone = Signal(str, str)
 
     def __init__(self, theme: Theme) -> None:
@@ -102,6 +127,14 @@ class FieldPanel(QWidget):
         line.setSpacing(8)
         for button in (self.files, self.folder):
             line.addWidget(button)
+        label = QLabel(tr("Place by"))
+        label.setProperty("role", "label")
+        self.place = PlaceTag()
+        label.setBuddy(self.place)
+        line.addSpacing(4)
+        line.addWidget(label)
+        line.addWidget(self.place)
+        line.addSpacing(4)
         line.addWidget(self.summary, 1)
         on_the_right: tuple[QAbstractButton, ...] = (self.paint, self.copy, self.export)
         for widget in on_the_right:
@@ -118,6 +151,8 @@ class FieldPanel(QWidget):
         self.paint.toggled.connect(self.paint_asked)
         self.copy.clicked.connect(self.table.copy)
         self.export.clicked.connect(self.export_asked)
+        self.place.committed.connect(self.place_asked)
+        self.place.refused.connect(self.refused)
         self.clear()
 
     def set_theme(self, theme: Theme) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject
 
 from situ.document import folder, words
 from situ.errors import UsageError
-from situ.rehearse.usage import write_csv
+from situ.rehearse.usage import PLACE, write_csv
 from situ.rehearse.ways import frames
 from situ_studio.language import tr
 from situ_studio.live.field import Asked, Field, painted, recordings_in, whole
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 PANEL = "field"
 USUAL = "usage.csv"
+KEPT = "field_place"
+"""Where the settings keep by which tag places are told."""
 
 
 class FieldSide(QObject):
@@ -34,7 +36,10 @@ class FieldSide(QObject):
         self._window = window
         self.field: Field | None = None
         self._work: Work | None = None
+        self._paths: list[Path] = []
         self.panel = FieldPanel(window.theme)
+        self._place = str(window.settings.value(KEPT, PLACE))
+        self.panel.place.show_value(self._place)
         window.bottom.add(PANEL, self.tr("Field"), self.panel)
         self.reading = FieldReading(self)
         self.reading.counted.connect(self._on_counted)
@@ -45,7 +50,11 @@ class FieldSide(QObject):
         panel.folder_asked.connect(self.choose_folder)
         panel.paint_asked.connect(self.paint)
         panel.export_asked.connect(self.export)
+        panel.place_asked.connect(self.place)
+        panel.refused.connect(window.say)
         panel.gone.connect(self.go)
+        window.session.opened.connect(self._offer_tags)
+        self._offer_tags()
         window.scenarios.panel.paint.toggled.connect(self._on_scenarios)
         window.session.opened.connect(self._forget)
         window.robot.follower.viewing.exchanged.connect(lambda: panel.paint.setChecked(False))
@@ -78,7 +87,21 @@ class FieldSide(QObject):
         window = self._window
         window.bottom.choose(PANEL)
         self._work = window.status.work.begin(self.tr("Counting recordings"), self._give_up)
-        self.reading.start(Asked(tuple(paths)))
+        self._paths = paths
+        self.reading.start(Asked(tuple(paths), self._place))
+
+    def place(self, tag: str) -> None:
+        """That tag says where the robot was: what was counted is counted anew by it."""
+        self._place = tag
+        self._window.settings.setValue(KEPT, tag)
+        self.panel.place.show_value(tag)
+        if self._paths:
+            self.count(self._paths)
+
+    def _offer_tags(self) -> None:
+        project = self._window.session.project
+        known = self._window.vocabulary(project.spds if project is not None else None)
+        self.panel.place.complete_from(known.tags)
 
     def paint(self, on: bool) -> None:
         """How often, how long, and where the time ran out, on the drawings."""
@@ -131,6 +154,7 @@ class FieldSide(QObject):
         if self.panel.paint.isChecked():
             self.paint(False)
         self.field = None
+        self._paths = []
         self.panel.clear()
 
     def _give_up(self) -> None:

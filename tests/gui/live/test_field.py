@@ -178,6 +178,19 @@ def test_recordings_are_chosen_counted_painted_sorted_copied_and_exported(
     QTest.mouseClick(panel.export, LEFT)
     table = list(csv.DictReader(out.read_text().splitlines()))
     assert [int(row["times"]) for row in table] == sorted(times)
+    # By another tag it is counted anew, for each of its values.
+    assert panel.place.text() == "pose.place"
+    assert {one.place for one in panel.table.used} == {""}
+    it.fill(panel.place, "no tag")
+    assert "no tag is no tag" in window.status.said.text()
+    it.fill(panel.place, "user.found")
+    until_counted(it)
+    assert {"true", "false"} & {one.place for one in panel.table.used}
+    it.fill(panel.place, "")
+    until_counted(it)
+    assert panel.place.text() == "pose.place"
+    assert {one.place for one in panel.table.used} == {""}
+    QTest.mouseClick(head.viewport(), LEFT, pos=_middle(head, 2))
     # A row leads to its state.
     row = next(n for n, one in enumerate(panel.table.used) if one.state == "5")
     index = panel.table.model().index(row, 0)

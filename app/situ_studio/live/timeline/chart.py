@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QToolTip
 
 from situ_studio.letters import px
 from situ_studio.live.timeline.bookmarks import Bookmarks
-from situ_studio.live.timeline.drawing import EDGE, TimelineDrawing
-from situ_studio.live.timeline.painting import GUTTER, StateName
+from situ_studio.live.timeline.drawing import TimelineDrawing
+from situ_studio.live.timeline.painting import EDGE, GUTTER, StateName
 from situ_studio.live.viewing import Viewing
 from situ_studio.theme import Theme
 
