@@ -235,6 +235,11 @@ class ScriptCanvas(ScriptCommands):
                 "No situation yet. Drag Situation, Data and Module from the palette to here, then "
                 "from card to card, from left to right."
             )
+        if len(self.document.situations) == 1 and not self.document.observe:
+            return self.tr(
+                "When shall something else go first? Press Data in the palette and name what the "
+                "robot notices, then drag from its right edge to an empty place: a situation."
+            )
         return ""
 
     def set_live(self, live: LiveScript | None) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication
@@ -14,6 +15,8 @@ from tests.gui.canvas.test_draw_conversation import Draughtsman
 from tests.gui.test_newcomer import CONTROL
 
 from situ.document.condition import Test as Check
+from situ.document.spds import Observed, Situation, Spds
+from situ_studio.canvas.script import ScriptCanvas
 
 GIVEN = """<spds name="ward">
   <observe>
@@ -71,3 +74,14 @@ def test_tab_goes_through_the_fields_of_a_test_over_the_drawing(me: Draughtsman)
     me.key(Qt.Key.Key_A, CONTROL)
     me.type("3")
     assert looked_at_by(me, "open") == (Check("door.open", "is", "true", within=3.0, hold=0.5),)
+
+
+def test_a_script_that_was_just_begun_says_what_to_do_next(desk: Callable[..., Any]) -> None:
+    begun = Spds(name="new", situations=(Situation("otherwise"),))
+    made = desk(begun, ScriptCanvas)
+    advice = made.canvas.advice
+    assert advice.isVisible()
+    assert "Press Data" in advice.text()
+    assert not advice.geometry().intersects(made.canvas.zoom_bar.geometry())
+    made.change(replace(begun, observe=(Observed("door.open"),)))
+    assert not advice.isVisible()
