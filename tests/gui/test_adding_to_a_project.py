@@ -69,6 +69,7 @@ def test_a_project_is_added_to_where_its_documents_are_listed(
         focus = QApplication.focusWidget()
         shown = [*form.sections.values(), form.readings]
         section = next(one for one in shown if one.title.text() == title)
+        assert focus is not None
         assert section.isAncestorOf(focus), place
         assert not focus.visibleRegion().isEmpty(), place
     assert {title for _, title, _ in sections()} == {one.title.text() for one in shown}
