@@ -200,6 +200,11 @@ class Rows(QScrollArea):
         self.row.show_widgets(every)
         self.settle()
 
+    def show_lines(self, most: int) -> None:
+        """Shows at most so many lines from now on."""
+        self._lines = most
+        self.settle()
+
     def sizeHint(self) -> QSize:
         return QSize(self.row.wide + 2, self.height())
 

@@ -8,6 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QHeaderView, QLabel, QVBoxLayout, QWidget
 
 from situ.document.problem import Problem
@@ -30,6 +31,9 @@ from situ_studio.theme import Theme
 
 if TYPE_CHECKING:
     from situ_studio.views import Setting
+
+LOW = 250
+"""Px of height below which what follows from *what if* has one line."""
 
 
 class MatrixView(QWidget):
@@ -71,8 +75,12 @@ class MatrixView(QWidget):
         self.what_if.answered.connect(self._on_answer)
         column.addWidget(self.what_if)
         self.setFocusProxy(self.table)
-        self.setMinimumHeight(px(190))
+        self.setMinimumHeight(px(198))
         self._wire()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.what_if.set_low(self.height() < px(LOW))
 
     def _head(self, theme: Theme) -> QWidget:
         head = QFrame()

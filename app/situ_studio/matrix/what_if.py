@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from html import escape
+from html import escape, unescape
 from typing import Any
 
 from PySide6.QtCore import QPoint, Qt, Signal
@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 from situ.decide.all_ask import Holding
 from situ.document.spds import Spds
 from situ.rehearse.what_if import Answer, Judged, answer, judge
-from situ_studio.icon_widgets import IconButton, IconLabel, retheme
+from situ_studio.icon_widgets import Elided, IconButton, IconLabel, retheme
 from situ_studio.language import tr
 from situ_studio.layouts import rule
 from situ_studio.letters import px
@@ -35,6 +35,9 @@ from situ_studio.matrix.grid import Asking
 from situ_studio.matrix.presets import presets, short, typed
 from situ_studio.theme import Theme
 from situ_studio.words import listed
+
+LINES = 2
+"""So many lines of values, and of modules, are seen at most."""
 
 
 class WhatIf(QWidget):
@@ -74,7 +77,7 @@ class WhatIf(QWidget):
         body.addLayout(self._lines)
         self._lines.addLayout(self._suppositions(), 0)
         self._lines.addLayout(self._result(), 1)
-        self.who = Rows(2)
+        self.who = Rows(LINES)
         self.who.setAccessibleName(self.tr("Modules that ask"))
         self.who.hide()
         body.addWidget(self.who)
@@ -93,7 +96,7 @@ class WhatIf(QWidget):
         )
         title.setFixedHeight(px(26))
         line.addWidget(title, 0, Qt.AlignmentFlag.AlignTop)
-        self.data = Rows(2)
+        self.data = Rows(LINES)
         self.data.setAccessibleName(self.tr("Supposed values"))
         line.addWidget(self.data, 1, Qt.AlignmentFlag.AlignTop)
         return line
@@ -122,6 +125,10 @@ class WhatIf(QWidget):
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.holders.setSizePolicy(policy)
         line.addWidget(self.holders, 1)
+        self.holders_short = Elided()
+        self.holders_short.setFixedHeight(px(26))
+        self.holders_short.hide()
+        line.addWidget(self.holders_short, 1)
         top = Qt.AlignmentFlag.AlignTop
         self.asks = Chip(self._theme, "", folds=True)
         self.asks.clicked.connect(lambda on: self.who.setVisible(on))
@@ -130,6 +137,13 @@ class WhatIf(QWidget):
         self.reset.clicked.connect(self.suppose_nothing)
         line.addWidget(self.reset, 0, top)
         return line
+
+    def set_low(self, low: bool) -> None:
+        """Where there is little height: one line of values, and one that says who holds what."""
+        for rows in (self.data, self.who):
+            rows.show_lines(1 if low else LINES)
+        self.holders.setVisible(not low)
+        self.holders_short.setVisible(low)
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
@@ -290,7 +304,9 @@ class WhatIf(QWidget):
         answer = self.answer
         assert answer is not None
         self.situation.setText(answer.situation or self.tr("no situation"))
-        self.holders.setText(holders_words(answer.holdings))
+        words = holders_words(answer.holdings)
+        self.holders.setText(words)
+        self.holders_short.setText(unescape(_plain(words)))
         self.data.row.place()
         self.who.row.place()
         self._settle()

@@ -215,6 +215,26 @@ def test_the_strip_takes_no_more_room_than_there_is(desk: Make) -> None:
         assert view.what_if.asks.geometry().right() <= width
 
 
+def test_in_the_least_height_values_and_answer_have_a_line_each_and_cover_nothing(
+    desk: Make,
+) -> None:
+    used = desk()
+    view, strip = used.view, used.view.what_if
+    press(used, "robot.stop")
+    for high in (view.minimumHeight(), 600):
+        view.resize(420, high)
+        used.settle()
+        shown = strip.holders if high == 600 else strip.holders_short
+        assert shown.isVisible()
+        both = {strip.holders, strip.holders_short}
+        assert [one.isVisible() for one in both - {shown}] == [False]
+        assert strip.data.geometry().bottom() < shown.geometry().top()
+        assert view.sides.geometry().bottom() < strip.geometry().top()
+        assert shown.geometry().bottom() < strip.height() <= view.height() - strip.y()
+        assert strip.data.height() >= chip(used, "robot.stop").height()
+    assert answer(used)[1] == strip.holders_short.text()
+
+
 def test_what_is_supposed_of_data_that_nobody_looks_at_any_more_is_forgotten(desk: Make) -> None:
     used = desk(TIED)
     press(used, "asked")
