@@ -12,24 +12,30 @@ from ward_records.page import table
 _GROUPS = {"family": "Family", "friends": "Friends"}
 
 
-def form(resident: int, contacts: Mapping[str, Sequence[Contact]], wrong: str = "") -> str:
-    """contacts: by group. wrong: what is wrong with what was given."""
+def form(
+    resident: int, contacts: Mapping[str, Sequence[Contact]], given: Mapping[str, str], wrong: str
+) -> str:
+    """contacts: by group. wrong: what is wrong with what was ``given``."""
     rows = "".join(_row(resident, group, one) for group, those in contacts.items() for one in those)
     said = say("Not added: {0}").format(escape(wrong))
     told = f'<p class="wrong" role="alert">{said}</p>' if wrong else ""
+    chosen = given.get("group")
     groups = "".join(
-        f'<option value="{group}">{say(label)}</option>' for group, label in _GROUPS.items()
+        f'<option value="{group}"{" selected" if group == chosen else ""}>{say(label)}</option>'
+        for group, label in _GROUPS.items()
     )
     listed = table("contacts", ("Name", "Group", "Address", ""), rows) if rows else ""
     return (
         f"<h2>{say('Whom they may call')}</h2>{listed}{told}"
         f'<form method="post" action="/residents/{resident}/contacts">'
         f'<label for="contact">{say("Name")}</label>'
-        '<input id="contact" name="contact" maxlength="80" autocomplete="off" required>'
+        '<input id="contact" name="contact" maxlength="80" autocomplete="off" required '
+        f'value="{escape(given.get("contact", ""))}">'
         f'<label for="group">{say("Group")}</label>'
         f'<select id="group" name="group">{groups}</select>'
         f'<label for="address">{say("Address of the video program")}</label>'
-        '<input id="address" name="address" maxlength="200" autocomplete="off" required>'
+        '<input id="address" name="address" maxlength="200" autocomplete="off" required '
+        f'value="{escape(given.get("address", ""))}">'
         f"<button>{say('Add contact')}</button></form>"
     )
 

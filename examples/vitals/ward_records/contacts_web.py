@@ -12,7 +12,7 @@ The forms are for operators only.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from aiohttp import web
 from msgspec import to_builtins
@@ -24,12 +24,17 @@ from ward_records.contacts import GROUPS, Contacts
 from ward_records.language import why
 from ward_records.store import Unfit, Unknown, number_in
 
+_FIELDS = ("group", "contact", "address")
+
 
 class ContactsWeb:
-    """resident: her page, with what is wrong with the contact that was given."""
+    """resident: her page, with the contact that was given and what is wrong with it."""
 
     def __init__(
-        self, contacts: Contacts, tokens: Tokens, resident: Callable[[int, str], web.Response]
+        self,
+        contacts: Contacts,
+        tokens: Tokens,
+        resident: Callable[[int, Mapping[str, str], str], web.Response],
     ) -> None:
         self._contacts = contacts
         self._tokens = tokens
@@ -40,10 +45,10 @@ class ContactsWeb:
         router.add_post("/residents/{id:[0-9]{1,9}}/contacts", self._add)
         router.add_post("/residents/{id:[0-9]{1,9}}/contacts/{one:[0-9]{1,9}}/remove", self._remove)
 
-    def form(self, number: int, wrong: str = "") -> str:
+    def form(self, number: int, given: Mapping[str, str], wrong: str) -> str:
         """Raises Unknown."""
         those = {group: self._contacts.of(number, group) for group in GROUPS}
-        return contacts_page.form(number, those, wrong)
+        return contacts_page.form(number, those, given, wrong)
 
     async def _asked(self, request: web.Request) -> web.Response:
         asked = await self._tokens.asked(request)
@@ -59,13 +64,11 @@ class ContactsWeb:
     async def _add(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
         number, form = int(request.match_info["id"]), await request.post()
-        group, name, address = (
-            str(form.get(field, "")).strip() for field in ("group", "contact", "address")
-        )
+        given = {field: str(form.get(field, "")).strip() for field in _FIELDS}
         try:
-            self._contacts.add(number, group, name, address)
+            self._contacts.add(number, *given.values())
         except Unfit as unfit:
-            return self._resident(number, why(unfit))
+            return self._resident(number, given, why(unfit))
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         raise web.HTTPSeeOther(f"/residents/{number}")

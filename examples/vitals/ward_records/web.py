@@ -208,9 +208,9 @@ class _Ward:
         """Her page once more, with what is wrong with what was given."""
         return self._resident(number, True, "", given, wrong)
 
-    def change_contacts(self, number: int, wrong: str) -> web.Response:
-        """Her page once more, with what is wrong with the contact that was given."""
-        return self._resident(number, True, wrong_contact=wrong)
+    def change_contacts(self, number: int, given: Mapping[str, str], wrong: str) -> web.Response:
+        """Her page once more, with the contact that was given and what is wrong with it."""
+        return self._resident(number, True, contact=(given, wrong))
 
     def _resident(
         self,
@@ -219,15 +219,15 @@ class _Ward:
         wrong_limits: str = "",
         given: Mapping[str, str] | None = None,
         wrong: str = "",
-        wrong_contact: str = "",
+        contact: tuple[Mapping[str, str], str] = ({}, ""),
     ) -> web.Response:
         try:
             found = self._store.resident(number)
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         person = residents_page.change(found, given or {}, wrong)
-        contacts = self.of_contacts.form(number, wrong_contact)
+        contacts = self.of_contacts.form(number, *contact)
         forms = self._of_day.medicine_form(number) + contacts + person
         readings = self._store.readings(number, most=MOST * len(KINDS))
         made = page.resident(found, readings, forms, open_, wrong_limits)
-        return shown(made, 400 if wrong or wrong_limits or wrong_contact else 200)
+        return shown(made, 400 if wrong or wrong_limits or contact[1] else 200)
