@@ -1,7 +1,7 @@
 """Gathers what the runtime says to people in the editor, as templates, for its translators.
 
-Of ``situ.document`` problems, mends and differences; of ``situ.rehearse`` what happened, and why
-something did or did not.
+Of ``situ.document`` problems, mends and differences; of ``situ.rehearse`` what happened, why
+something did or did not, where two runs part, and what is wrong with a recording or a scenario.
 
 packaging/texts.py uses it. A template is a text of the sources; where an f-string has a value, it
 has ``{0}``, ``{1}`` … Texts without two words in a row are taken for names, and left out.
@@ -19,6 +19,7 @@ RUNTIME = ROOT / "runtime" / "situ"
 SOURCES = (
     "document/*.py",
     *(f"rehearse/{name}.py" for name in ("past", "reason", "telling", "ways", "why", "why_*")),
+    *(f"rehearse/{name}.py" for name in ("parting", "recorded", "recording", "scenario")),
 )
 QUIET = {"schema.py", "locate.py", "writer.py"}
 """Files whose texts no person reads in the editor."""
@@ -27,7 +28,7 @@ SAID = re.compile(r"[a-z]{2,}'?,? +(?:[\w<\"“({[]|$)|\}[^\w{}]* [a-z]{2,}|^: [
 
 WORDS = {"exists", "empty", "wide", "high", "lies", "lie", "and", "or"}
 WORDS |= {"state", "event", "timeout", "button", "text", "image", "movie", "input", "list"}
-WORDS |= {"nothing", "well", "badly", "back"}
+WORDS |= {"nothing", "well", "badly", "back", "you"}
 """Single words that are said too."""
 XML = re.compile(r"^<\w+ \w+=|^<\w+/>$|<param |^<choice>|\\[sd]|^\^|\n")
 """Pieces of schemas, and regular expressions."""

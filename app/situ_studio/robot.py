@@ -12,6 +12,7 @@ from situ.document.rbd import Application
 from situ.errors import SituError, UsageError
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
+from situ_studio.language import said
 from situ_studio.live.comparing_side import ComparingSide
 from situ_studio.live.follower import Follower
 from situ_studio.live.following import FollowMode
@@ -150,7 +151,7 @@ class RobotSide(QObject):
 
     def _on_refused(self, why: str) -> None:
         self._end_work()
-        self._window.dialogs.tell(why)
+        self._window.dialogs.tell(said(why))
 
     def _on_went_on(self, done: float) -> None:
         if self._work is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import runpy
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
@@ -12,9 +13,12 @@ import pytest
 from tests.document.test_docs_problems import EXAMPLES, NUMBERED, Example, checked
 
 from situ.document.ready import load_ready
+from situ.errors import ScenarioError, UsageError
+from situ.rehearse import recorded
 from situ.rehearse.reason import Reason
+from situ.rehearse.recording import read as recording_of
 from situ.rehearse.recording import record
-from situ.rehearse.scenario import load
+from situ.rehearse.scenario import load, parse
 from situ.rehearse.suite import scenarios
 from situ.rehearse.telling import Teller
 from situ.rehearse.why import why_not
@@ -23,6 +27,8 @@ from situ_studio.runtime_words import RuntimeWords, templates
 
 ROOT = Path(__file__).resolve().parents[2]
 KNOWN = templates()
+GATHERED = runpy.run_path(str(ROOT / "packaging" / "runtime_texts.py"))["templates"]()
+"""Those of the sources, as they are given to the translators next."""
 
 
 def marked(template: str) -> str:
@@ -120,3 +126,34 @@ def every(reasons: Iterable[Reason]) -> Iterator[str]:
     for reason in reasons:
         yield reason.text
         yield from every(reason.below)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        b'{"at":1,"event":"e","set":{"a":1}}',
+        b'{"at":-1,"event":"e"}',
+        b'{"at":1,"event":"e","application":"nobody"}',
+        b'{"at":1,"end":false}',
+        b'{"at":1,"end":true}\n{"at":2,"event":"e"}',
+        b'{"at":2,"event":"e"}\n{"at":1,"event":"e"}',
+    ],
+)
+def test_what_is_wrong_with_a_scenario_is_said_in_the_user_s_language(line: bytes) -> None:
+    words = RuntimeWords(GATHERED, marked)
+    with pytest.raises(ScenarioError) as wrong:
+        parse(line, "s.jsonl", ["desk"])
+    assert "⟦" in words.said(str(wrong.value))
+
+
+def test_what_is_no_recording_is_said_in_the_user_s_language(tmp_path: Path) -> None:
+    words = RuntimeWords(GATHERED, marked)
+    file = tmp_path / "x.mcap"
+    file.write_bytes(b"nothing of a recording")
+    with pytest.raises(UsageError) as wrong:
+        list(recorded.read(file))
+    assert words.said(str(wrong.value)).startswith("⟦")
+    file.write_bytes(b"{}\n")
+    with pytest.raises(UsageError) as wrong:
+        recording_of(file)
+    assert "⟦" in words.said(str(wrong.value))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMenu
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse.ways import name_of_state
+from situ_studio.language import said
 from situ_studio.letters import px
 from situ_studio.live.comparing import Compared, Comparing
 from situ_studio.live.comparing_projects import RecordedProjects
@@ -182,7 +183,7 @@ class ComparingSide(QObject):
 
     def _on_refused(self, why: str) -> None:
         self._end_work()
-        self._window.dialogs.tell(why)
+        self._window.dialogs.tell(said(why))
 
     def _on_went_on(self, done: float) -> None:
         if self._work is not None:

@@ -12,7 +12,7 @@ from situ.document import folder, words
 from situ.errors import UsageError
 from situ.rehearse.usage import PLACE, write_csv
 from situ.rehearse.ways import frames
-from situ_studio.language import tr
+from situ_studio.language import said, tr
 from situ_studio.live.field import Asked, Field, painted, recordings_in, whole
 from situ_studio.live.field_panel import FieldPanel
 from situ_studio.live.field_reading import FieldReading
@@ -169,7 +169,7 @@ class FieldSide(QObject):
     def _on_counted(self, field: Field) -> None:
         self._end_work()
         if field.refused:
-            self._window.dialogs.tell("\n".join(field.refused))
+            self._window.dialogs.tell("\n".join(map(said, field.refused)))
         project = self._window.session.project
         if not field.recordings or project is None:
             return

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 from situ.rehearse.coverage import Coverage, Seen
 from situ.rehearse.suite import Failed, Played
 from situ_studio.icon_widgets import ThemedButton, retheme
-from situ_studio.language import tr
+from situ_studio.language import said, tr
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.rehearsing.scenario_run import Ran, ScenarioRun
 from situ_studio.theme import Theme
@@ -122,7 +122,7 @@ def _ran_row(key: str, played: Played) -> Row:
     if played.well:
         result, where = tr("✓ well"), ""
     elif played.unreadable is not None:
-        result, where = tr("✗ unreadable"), played.unreadable
+        result, where = tr("✗ unreadable"), said(played.unreadable)
     else:
         result, where = tr("✗ failed"), failed_words(played.failed[0])
     return Row(key, (played.file, result, str(played.expectations), where), played.well)

@@ -97,9 +97,10 @@ def _data(teller: Teller, event: Fields) -> str:
 
 
 def _event(teller: Teller, event: Fields) -> str:
-    told = f"event {event['name']} comes to {event['application']}"
-    writer = event.get("writer")
-    return told if writer is None else f"{told}, raised by {teller.who(writer)}"
+    name, application, writer = event["name"], event["application"], event.get("writer")
+    if writer is None:
+        return f"event {name} comes to {application}"
+    return f"event {name} comes to {application}, raised by {teller.who(writer)}"
 
 
 def _transition(teller: Teller, event: Fields) -> str:
