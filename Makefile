@@ -5,11 +5,12 @@
 # make soak   the faults, long and often, with figures; SITU_SEED=N chooses other ones
 # make fuzz   damaged files of each kind, SECONDS=60 long
 # make pictures  makes the reference pictures of the studio anew: look at each, then commit
+# make tutorial  makes the pictures of docs/tutorial.md anew
 # make bare   what a robot gets, without Qt, in an environment of its own: installed and run
 # make format rewrites the code's layout;  make clean removes what was made here
 
 .DELETE_ON_ERROR:
-.PHONY: demo test check lint bench soak fuzz pictures bare format clean
+.PHONY: demo test check lint bench soak fuzz pictures tutorial bare format clean
 
 VENV := .venv
 READY := $(VENV)/.ready
@@ -65,6 +66,9 @@ fuzz: $(READY)
 
 pictures: $(READY)
 	@SITU_PICTURES=1 QT_QPA_PLATFORM=offscreen $(BIN)/pytest -q -n $(WORKERS) tests/gui/test_looks.py
+
+tutorial: $(READY)
+	@SITU_PICTURES=1 QT_QPA_PLATFORM=offscreen $(BIN)/pytest -q tests/gui/tutorial
 
 bare:
 	@sh packaging/bare_check.sh $(PYTHON)

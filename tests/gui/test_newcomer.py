@@ -191,7 +191,11 @@ class Person:
             if sum(_near(pixel, accent) for pixel in row) >= 5:
                 ringed.append(y)
         assert ringed, f"{card} has no plus"
-        return QPoint(area.right(), ringed[len(ringed) // 2])
+        # Ways of a selected card are as blue: the plus is below them.
+        lowest = ringed[-1:]
+        while lowest[0] - 1 in ringed:
+            lowest.insert(0, lowest[0] - 1)
+        return QPoint(area.right(), lowest[len(lowest) // 2])
 
     # -- the keyboard -------------------------------------------------------------------
 

@@ -1,0 +1,220 @@
+"""Who follows the tutorial: does what a step says, counts it, and has pictures taken on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import shiboken6
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage, QInputMethodEvent, QPainter
+from PySide6.QtTest import QSignalSpy, QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QPlainTextEdit,
+    QTreeView,
+    QWidget,
+)
+from tests.gui.canvas.test_draw_conversation import Draughtsman
+from tests.gui.likeness import keep
+from tests.gui.test_looks import without_mouse
+from tests.gui.test_newcomer import CONTROL, NONE
+
+from situ_studio.rehearsing.robot_screen import RobotScreen
+from situ_studio.screens.sheet import Sheet
+
+PATIENCE = 20_000
+"""Milliseconds that all scenarios get."""
+COLOURS = 72
+"""Of a picture: it shall be small, and letters shall be read."""
+
+
+class Pupil(Draughtsman):
+    """``gestures``: how many clicks, drags, keys and texts it took; a text is one.
+
+    ``written``: what the tutorial has to say for a person to do the same: each text that was
+    typed and each name that was pressed, in the current step; ``looked``: its pictures.
+    """
+
+    def __init__(self, window: Any, pictures: Path | None) -> None:
+        super().__init__(window)
+        self.gestures = 0
+        self.written: list[str] = []
+        self.looked: list[str] = []
+        self._pictures = pictures
+        self._seconds = 0.0
+        window.rehearsing.clock = lambda: self._seconds
+
+    def look(self, name: str) -> None:
+        """Here the tutorial has a picture."""
+        self.looked.append(name)
+        if self._pictures is not None:
+            without_mouse(self)  # type: ignore[arg-type]
+            picture, asking = self.window.grab(), QApplication.activeModalWidget()
+            if asking is not None:
+                painter = QPainter(picture)
+                area = asking.rect()
+                area.moveCenter(self.window.rect().center())
+                painter.fillRect(area, asking.palette().window())
+                painter.drawPixmap(area, asking.grab())
+                painter.end()
+            image = picture.toImage().convertToFormat(QImage.Format.Format_RGB32)
+            keep(image, self._pictures / f"{name}.png", COLOURS)
+
+    @contextmanager
+    def _counts(self, gestures: int, *words: str) -> Iterator[None]:
+        """What is done inside is so many gestures, however it is done."""
+        before, written = self.gestures, list(self.written)
+        yield
+        self.gestures, self.written = before + gestures, [*written, *words]
+
+    def settle(self) -> None:
+        asking = QApplication.activeModalWidget()
+        if asking is None:
+            super().settle()
+            return
+        asking.activateWindow()
+        QApplication.processEvents()
+
+    # -- counted ------------------------------------------------------------------------
+
+    def click_at(self, spot: QPoint) -> None:
+        self.gestures += 1
+        super().click_at(spot)
+
+    def twice(self, spot: QPoint) -> None:
+        self.gestures += 1
+        super().twice(spot)
+
+    def drag(self, start: QPoint, end: QPoint) -> None:
+        self.gestures += 1
+        super().drag(start, end)
+
+    def drag_new(self, source: str, target: str) -> None:
+        with self._counts(2):
+            self.click_card(source)
+            self.drag(self.plus(source), self.drawn(target).center())
+
+    def click(self, name: str, kind: type[QWidget] = QWidget) -> None:
+        self.written.append(name)
+        super().click(name, kind)
+
+    def press(self, name: str) -> None:
+        """A button, where others are called so too."""
+        self.click(name, QAbstractButton)
+
+    def key(self, key: Qt.Key, held: Qt.KeyboardModifier = NONE) -> None:
+        self.gestures += 1
+        QTest.keyClick(self._hears(), key, held)
+        self.settle()
+
+    def type(self, text: str, end: Qt.Key | None = Qt.Key.Key_Return) -> None:
+        with self._counts(1, text):
+            for letter in text:
+                QTest.keyClicks(self._hears(), letter)
+                self.settle()
+            if end is not None:
+                self.key(end)
+
+    def compose(self, text: str) -> None:
+        """Through an input method, as Japanese is typed."""
+        with self._counts(1, text):
+            done = QInputMethodEvent()
+            done.setCommitString(text)
+            QApplication.sendEvent(self._hears(), done)
+            self.key(Qt.Key.Key_Return)
+
+    def write_into(self, name: str, text: str) -> None:
+        with self._counts(3, name, text):
+            super().write_into(name, text)
+
+    def write_over(self, name: str, text: str) -> None:
+        """The same, in a field of several lines."""
+        with self._counts(3, name, text):
+            self.click(name, QPlainTextEdit)
+            self.key(Qt.Key.Key_A, CONTROL)
+            self.type(text, Qt.Key.Key_Tab)
+
+    def pick(self, box: str, choice: str) -> None:
+        with self._counts(2, choice):
+            super().pick(box, choice)
+
+    def menu(self, name: str, entry: str) -> None:
+        with self._counts(2, name, entry):
+            super().menu(name, entry)
+
+    def answer(self, text: str) -> None:
+        self.gestures += 1
+        self.written.append(text)
+        super().answer(text)
+
+    def run(self, command: str) -> None:
+        with self._counts(2, command):
+            super().run(command)
+
+    def follow(self, card: str, by: QPoint, name: str) -> None:
+        """From the plus of a card to empty ground, where a new state begins."""
+        self.click_card(card)
+        start = self.plus(card)
+        self.drag(start, start + by)
+        self.type("state")
+        self.key(Qt.Key.Key_F2)
+        self.type(name)
+
+    # -- places -------------------------------------------------------------------------
+
+    def _hears(self) -> QWidget:
+        """As of a system: while a list of words is open the keys are the list's."""
+        popup = QApplication.activePopupWidget()
+        if isinstance(popup, QAbstractItemView) and shiboken6.isValid(popup):
+            return popup
+        return QApplication.focusWidget() or self.window
+
+    def on_sheet(self, x: int, y: int) -> QPoint:
+        """In percent of the screen that is drawn."""
+        sheet = self.widget("Screen", Sheet)
+        return sheet.mapToGlobal(QPoint(sheet.width() * x // 100, sheet.height() * y // 100))
+
+    def open_in_tree(self, name: str, which: int = 0) -> None:
+        """A row of the project tree, of those that are called so."""
+        tree = self.widget("Project", QTreeView)
+        assert isinstance(tree, QTreeView)
+        how = Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchRecursive
+        first, shown = tree.model().index(0, 0), Qt.ItemDataRole.DisplayRole
+        index = tree.model().match(first, shown, name, -1, how)[which]
+        self.click_at(tree.viewport().mapToGlobal(tree.visualRect(index).center()))
+        self.written.append(name)
+
+    def tick(self, name: str) -> None:
+        """The box of what is chosen or not, at its left edge."""
+        self.written.append(name)
+        flag = self.widget(name, QAbstractButton)
+        self.click_at(flag.mapToGlobal(QPoint(8, flag.height() // 2)))
+
+    # -- the rehearsal ------------------------------------------------------------------
+
+    def touch(self, words: str) -> None:
+        """What has these words on the screen of the rehearsed robot."""
+        shown = self.widget("The robot's screen", RobotScreen)
+        assert isinstance(shown, RobotScreen)
+        target = next(one for one in shown.targets if one.words == words)
+        self.click_at(shown.mapToGlobal(shown.place_of(target).toPoint()))
+        self.written.append(words)
+
+    def wait(self, seconds: float) -> None:
+        """The rehearsal goes on; nobody does anything."""
+        running = self.window.rehearsing.running  # type: ignore[attr-defined]
+        for _ in range(round(seconds / 0.25)):
+            self._seconds += 0.25
+            running.catch_up()
+        self.settle()
+
+    def wait_for_scenarios(self) -> None:
+        run = self.window.scenarios.run_  # type: ignore[attr-defined]
+        if len(run.ran) < len(run.files):
+            assert QSignalSpy(run.ended).wait(PATIENCE)
+        self.settle()
