@@ -301,6 +301,32 @@ def test_one_robot_has_its_own_values(used: Any, ward: Path) -> None:
     assert endpoint.text() == ""
 
 
+def test_whether_robots_announce_themselves_is_said_for_all_and_for_one(
+    used: Any, ward: Path
+) -> None:
+    made, robot = form(used), section(used, "robot")
+    assert robot.announce.isChecked()
+    press(used, robot.announce)
+    assert not used.session.project.announce
+    used.key(Qt.Key.Key_S, CONTROL)
+    assert "[robot]\nannounce = false" in (ward / "situ.toml").read_text()
+    # Where this robot says nothing the project's word counts; it may say another one.
+    press(used, made.which.button("robot.local.toml"))
+    assert not robot.announce.isChecked()
+    press(used, robot.announce)
+    assert used.session.project.announce
+    used.key(Qt.Key.Key_S, CONTROL)
+    assert (ward / "robot.local.toml").read_text() == "[robot]\nannounce = true\n"
+    press(used, robot.announce)
+    assert not used.session.project.announce
+    press(used, made.which.button("situ.toml"))
+    press(used, robot.announce)
+    assert used.session.project.announce
+    used.key(Qt.Key.Key_S, CONTROL)
+    assert "announce" not in (ward / "situ.toml").read_text()
+    assert field_at(made, ("robot", "announce")) is robot.announce
+
+
 def test_problems_of_the_file_stand_above_and_lead_here(used: Any) -> None:
     used.session.check_now()
     assert form(used).told.isVisible()

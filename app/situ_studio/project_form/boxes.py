@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLayout
+from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.document import toml_writing as writing
 from situ.document.beside import Toml
@@ -94,6 +94,10 @@ class FieldsSection(Section):
         for (table, key), field in self.fields.items():
             value = table_of(tables, table).get(key)
             field.show_value(value if isinstance(value, str) else "")
+
+    def field_of(self, table: str, key: str) -> QWidget | None:
+        """The field of a value; None where it has none."""
+        return self.fields.get((table, key))
 
     def _on_value(self, table: str, key: str, label: str, value: str) -> None:
         words = tr("Change {0}").format(label.lower())

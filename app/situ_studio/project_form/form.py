@@ -20,6 +20,7 @@ from situ_studio.project_form.applications import ApplicationsSection
 from situ_studio.project_form.boxes import Change, FieldsSection, Section
 from situ_studio.project_form.checks import inside, named
 from situ_studio.project_form.readings import ReadingsSection
+from situ_studio.project_form.robot import RobotSection, announces
 from situ_studio.project_form.sections import (
     LanguagesSection,
     MqttSection,
@@ -112,6 +113,27 @@ class ProjectForm(QWidget):
 
     def _make(self, theme: Theme) -> dict[str, Section]:
         self.applications = ApplicationsSection(theme)
+        self.robot = RobotSection(
+            theme,
+            self.tr("Robot"),
+            "",
+            (
+                (
+                    "robot",
+                    "endpoint",
+                    self.tr("Address"),
+                    self.tr("Where it is reached, such as tcp://127.0.0.1:5570"),
+                    named,
+                ),
+                (
+                    "robot",
+                    "adapter",
+                    self.tr("Adapter"),
+                    self.tr("What drives it: sim is the simulated robot"),
+                    named,
+                ),
+            ),
+        )
         languages = LanguagesSection(theme)
         languages.language_asked.connect(self.language_asked)
         return {
@@ -139,27 +161,7 @@ class ProjectForm(QWidget):
             ),
             "applications": self.applications,
             "languages": languages,
-            "robot": FieldsSection(
-                theme,
-                self.tr("Robot"),
-                "",
-                (
-                    (
-                        "robot",
-                        "endpoint",
-                        self.tr("Address"),
-                        self.tr("Where it is reached, such as tcp://127.0.0.1:5570"),
-                        named,
-                    ),
-                    (
-                        "robot",
-                        "adapter",
-                        self.tr("Adapter"),
-                        self.tr("What drives it: sim is the simulated robot"),
-                        named,
-                    ),
-                ),
-            ),
+            "robot": self.robot,
             "tags": TagsSection(
                 theme,
                 self.tr(
@@ -219,6 +221,9 @@ class ProjectForm(QWidget):
         toml = self._values.get(self.file)
         tables = tomllib.loads(toml.text) if toml is not None else {}
         local = self.file == LOCAL_FILE
+        project = self._values.get(PROJECT_FILE) if local else None
+        everywhere = tomllib.loads(project.text) if project is not None else {}
+        self.robot.everywhere = announces(everywhere, True)
         self.readings.setVisible(not local)
         for name, section in self.sections.items():
             section.setVisible(not local or name in ("robot", "tags", "places", "mqtt"))

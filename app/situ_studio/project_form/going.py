@@ -52,7 +52,7 @@ def field_at(form: ProjectForm, place: Place) -> QWidget | None:
     listed = table == "project" and key in ("applications", "languages")
     section = form.sections.get(key if listed else SECTIONS.get(table, table))
     if isinstance(section, FieldsSection):
-        return section.fields.get((table, key), section)
+        return section.field_of(table, key) or section
     if isinstance(section, RowsSection):
         row, column = section.row_of(place), 0
         if table == "setting":
