@@ -51,10 +51,11 @@ class Details(QDialog):
         self.copy = buttons.addButton(self.tr("Copy the details"), role.ActionRole)
         self.copy.clicked.connect(self._on_copy)
         close: QPushButton = buttons.addButton(self.tr("Close"), role.RejectRole)
-        close.setDefault(True)
         close.clicked.connect(self.reject)
         self.close_button = close
         column.addWidget(buttons)
+        # Here: a button that lies in no dialog yet would not be the dialog's.
+        close.setDefault(True)
         self.buttons = buttons
         self.fold.setVisible(not unfolded)
         self.fold.setChecked(unfolded)

@@ -70,11 +70,12 @@ class ExportDialog(QDialog):
         self.export = self.buttons.addButton(
             self.tr("Export"), QDialogButtonBox.ButtonRole.AcceptRole
         )
-        self.export.setDefault(True)
         self.export.setProperty("role", "filled")
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
         column.addWidget(self.buttons)
+        # Here: a button that lies in no dialog yet would not be the dialog's.
+        self.export.setDefault(True)
         self.what.currentIndexChanged.connect(self._settle)
         self.scale.valueChanged.connect(self._settle)
         self._settle()

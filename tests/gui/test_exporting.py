@@ -244,7 +244,7 @@ def test_the_question_says_how_large_a_png_becomes_and_refuses_too_large_ones(
     for _ in range(4):
         QTest.keyClick(dialog.scale, Qt.Key.Key_Up)
     assert dialog.size_.text() == "300 × 150 px"
-    QTest.mouseClick(dialog.export, Qt.MouseButton.LeftButton)
+    QTest.keyClick(dialog.what, Qt.Key.Key_Return)
     assert dialog.result() == ExportDialog.DialogCode.Accepted
     assert (dialog.chosen.what, dialog.chosen.scale) == ("seen", 3.0)
     dialog.deleteLater()

@@ -78,6 +78,8 @@ def test_details_are_folded_and_copied_by_a_button(studio: Start) -> None:
     dialog.show()
     used.settle()
     assert not dialog.details.isVisible()
+    # Enter closes it.
+    assert dialog.close_button.isDefault()
     used.click(dialog.fold)
     assert dialog.details.isVisible()
     QGuiApplication.clipboard().clear()
