@@ -69,10 +69,10 @@ def run(args: argparse.Namespace) -> int:
 
 def _recording(args: argparse.Namespace, project: Project | None) -> Recording:
     from situ.rehearse import scenario
-    from situ.rehearse.recording import Recording, read_trace, record
+    from situ.rehearse.recording import read, record
 
     if args.script is None:
-        return Recording.of(read_trace(args.trace))
+        return read(args.trace)
     assert project is not None
     names = [application.name for application in project.applications.values()]
     lines = scenario.load(args.script, names)

@@ -10,25 +10,25 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.rehearse.recorded_robot import Recorded, recorder
 
+from situ.decide.inputs import Input
 from situ.document.folder import load
 from situ.document.project import Project
 from situ.rehearse import scenario
 from situ.rehearse.coverage import Coverage
 from situ.rehearse.past import Past
-from situ.rehearse.recording import Recording, record
+from situ.rehearse.recording import Hidden, Recording, read, record
 from situ.rehearse.ways import leads_to
 
 if TYPE_CHECKING:
     from tests.rehearse.conftest import Make
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-# No trace tells the clock: what it led to can not be judged from one.
-SCENARIOS = [
-    file
-    for file in sorted(EXAMPLES.glob("*/scenarios/*.jsonl"))
-    if '"clock.' not in file.read_text("utf-8")
-]
+EVERY = sorted(EXAMPLES.glob("*/scenarios/*.jsonl"))
+# No trace tells the clock: what it led to can be judged from a recording only.
+BY_THE_CLOCK = [file for file in EVERY if '"clock.' in file.read_text("utf-8")]
+SCENARIOS = [file for file in EVERY if file not in BY_THE_CLOCK]
 
 MAZE = """<application name="maze">
 <always><timeout next="1">7</timeout><expectedevents>
@@ -80,7 +80,14 @@ def _agrees(project: Project, recording: Recording) -> None:
     """Every event is judged in the past as the robot judged it."""
     past = Past(project, recording.whole)
     events = recording.events
+    clock: dict[int, list[Hidden]] = {}
+    seen = 0
+    for step in recording.steps:
+        clock.setdefault(seen, []).extend(step.before)
+        seen += len(step.events)
     for place, event in enumerate(events):
+        for hidden in clock.get(place, ()):
+            past.keep(hidden)
         name, kind = event.get("application", ""), event["kind"]
         past.pass_time(event["t"])
         if kind == "event" and past.applications[name].suspended is None:
@@ -119,9 +126,29 @@ def test_the_examples_too(path: Path) -> None:
     names = [application.name for application in project.applications.values()]
     recording, _ = record(project, scenario.load(path, names))
     _agrees(project, recording)
-    one, other = Coverage(project), Coverage(project)
-    one.add(recording)
-    other.add(Recording.of(recording.events))
-    for kind, seen in one.groups().items():
-        again = other.groups()[kind]
+    _covers_the_same(project, recording, Recording.of(recording.events))
+
+
+@pytest.mark.parametrize("path", BY_THE_CLOCK[-1:], ids=lambda path: path.stem)
+def test_a_recording_knows_what_the_clock_was_set_to(path: Path, tmp_path: Path) -> None:
+    folder, file = path.parents[1], tmp_path / "run.mcap"
+    run = Recorded(folder, recorder(file, folder))
+    names = [application.name for application in run.project.applications.values()]
+    lines = scenario.load(path, names)
+    for line in lines:
+        if isinstance(line.does, Input):
+            run.at(line.at, line.does)
+    run.at(lines[-1].at)
+    run.recorder.close()
+    found = read(file)
+    _agrees(run.project, found)
+    _covers_the_same(run.project, record(run.project, lines)[0], found)
+
+
+def _covers_the_same(project: Project, one: Recording, other: Recording) -> None:
+    first, second = Coverage(project), Coverage(project)
+    first.add(one)
+    second.add(other)
+    for kind, seen in first.groups().items():
+        again = second.groups()[kind]
         assert [s.covered for s in seen] == [s.covered for s in again]

@@ -277,3 +277,9 @@ def test_a_run_over_deploys_is_decided_again_by_itself(
     assert deployed == ([2, 1] if late else [1, 2, 1])
     assert replay(file) == (0, run.trace, "")
     assert replay(file, "--decide") == (0, b"decided again, all is as recorded\n", "")
+
+
+@pytest.mark.parametrize("state", [b"", b"{", b'{"board": 3}', b"\xff"])
+def test_a_damaged_snapshot_is_told(state: bytes) -> None:
+    with pytest.raises(UsageError, match="snapshot is damaged"):
+        recorded.board_of(state)

@@ -9,16 +9,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from tests.rehearse.recorded_robot import Recorded, recorder
 
 from situ.cli import main
 from situ.decide import inputs
+from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent, to_fields
 from situ.document import deployed
 from situ.document.modules import Module, Modules
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse.reason import Answer, lines
-from situ.rehearse.recording import Recording
+from situ.rehearse.recording import Recording, read
 from situ.rehearse.recording import record as record_run
 from situ.rehearse.simulate import Rehearsal
 from situ.rehearse.stays import stays
@@ -760,6 +762,28 @@ def test_the_clock_is_in_no_trace_but_known_where_the_scenario_is(
     assert "clock.time above 09:00: it was “08:30”, set at 1 s by scenario" in told
     told = _ask(project, record(project, *events, alone=True), 2, "enter", state="2")
     assert "clock.time above 09:00: not told by a trace alone" in told
+
+
+def test_a_recording_of_the_robot_tells_the_clock(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """By its inputs; a ring's file, which begins later, by the robot's state."""
+    (tmp_path / "app.rbd.xml").write_text(CLOCK)
+    (tmp_path / "situ.toml").write_text('[project]\nname = "p"\napplications = ["app.rbd.xml"]\n')
+    first, second = tmp_path / "first.mcap", tmp_path / "second.mcap"
+    run = Recorded(tmp_path, recorder(first, tmp_path))
+    run.at(SECOND, inputs.Set({"clock.time": "08:30"}, "situ"))
+    later = Recorded(tmp_path, recorder(second, tmp_path), state=run.robot.snapshot())
+    for one in (run, later):
+        one.at(2 * SECOND, inputs.Raise("go"))
+        one.recorder.close()
+    wanted = '{"kind": "enter", "state": "2"}'
+    asked = ("--project", str(tmp_path), "--not", wanted, "--at", "2")
+    assert main(["why", str(first), *asked]) == 0
+    said = "clock.time above 09:00: it was “08:30”, set at 1 s by situ"
+    assert said in capsys.readouterr().out
+    (step,) = read(second).steps
+    assert [(one.t, one.tag, one.value) for one in step.before] == [(2, "clock.time", "08:30")]
 
 
 def test_a_situation_that_waits_for_the_clock(make: Make, record: Record) -> None:

@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 import msgspec
 
 from situ.decide.masking import Mask, written
-from situ.rehearse.recorded import Document, Heading, Line, Piece, Snapshot, Torn, loaded
+from situ.rehearse.recorded import (
+    Document,
+    Heading,
+    Line,
+    Piece,
+    Snapshot,
+    Torn,
+    board_of,
+    loaded,
+)
 from situ.rehearse.recording import Fields
 
 
@@ -35,8 +43,8 @@ def masked(recording: Iterable[Piece]) -> Iterator[Piece]:
         elif isinstance(piece, Document):
             documents.append(piece)
         elif isinstance(piece, Snapshot):
-            for tag, entry in _board.decode(piece.state).board.items():
-                mask.know(tag, entry.value)
+            for tag, value in board_of(piece.state).items():
+                mask.know(tag, value)
         elif isinstance(piece, Torn):
             ended.append(piece)
     yield from _shown(mask, moment)
@@ -47,14 +55,3 @@ def _shown(mask: Mask, moment: list[tuple[Line, Fields]]) -> Iterator[Line]:
     events = mask.step([event for _, event in moment])
     for (line, _), event in zip(moment, events, strict=True):
         yield Line(msgspec.json.encode(event), line.at)
-
-
-class _Entry(msgspec.Struct):
-    value: Any = None
-
-
-class _Board(msgspec.Struct):
-    board: dict[str, _Entry] = {}
-
-
-_board = msgspec.json.Decoder(_Board)

@@ -98,6 +98,15 @@ class Torn(Struct, frozen=True):
 Piece = Heading | Document | Snapshot | Taken | Line | Torn
 
 
+def board_of(state: bytes) -> dict[str, Any]:
+    """The tags that stood on the blackboard of a ``Snapshot``. Raises UsageError."""
+    try:
+        found = _board.decode(state).board
+    except (msgspec.DecodeError, UnicodeDecodeError):
+        raise UsageError("the recording's snapshot is damaged, or another situ's") from None
+    return {tag: entry.value for tag, entry in found.items()}
+
+
 def is_recording(data: bytes) -> bool:
     """Whether a file that begins so is one."""
     return data.startswith(MAGIC)
@@ -315,6 +324,15 @@ def inputs_schema() -> bytes:
     return msgspec.json.encode({**taken, "title": "situ.Input", "$defs": definitions})
 
 
+class _Entry(Struct):
+    value: Any = None
+
+
+class _Board(Struct):
+    board: dict[str, _Entry] = {}
+
+
+_board = msgspec.json.Decoder(_Board)
 _heading = msgspec.json.Decoder(Heading)
 _taken = msgspec.json.Decoder(Taken)
 _DAMAGE = (

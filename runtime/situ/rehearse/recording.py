@@ -10,7 +10,9 @@ from typing import Any
 import msgspec
 from msgspec import Struct, field
 
+from situ.decide import inputs
 from situ.decide.effects import AnyEffect, Changed
+from situ.decide.priorities import RUNTIME
 from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent, to_fields
 from situ.decide.world import untraced
@@ -113,15 +115,62 @@ def read_trace(path: str | Path) -> list[Fields]:
 
     UsageError where it cannot be read or is no trace.
     """
-    try:
-        data = Path(path).read_bytes()
-    except (OSError, ValueError) as error:
-        raise UsageError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
-    events: list[Fields] = []
+    data = _data(path)
     lines: Iterable[bytes] = data.split(b"\n")
     if recorded.is_recording(data):
         found = recorded.pieces(BytesIO(data), str(path))
         lines = (piece.text for piece in found if isinstance(piece, recorded.Line))
+    return _events(path, lines)
+
+
+def read(path: str | Path) -> Recording:
+    """A run from a trace of JSON lines, or from a recording (MCAP): that tells by its inputs where
+    each step began and what the clock was set to, too, unless it is masked.
+
+    UsageError where it cannot be read or is no trace.
+    """
+    data = _data(path)
+    if not recorded.is_recording(data):
+        return Recording.of(_events(path, data.split(b"\n")))
+    lines: list[bytes] = []
+    begins: list[tuple[int, list[Hidden]]] = []
+    clock: dict[str, Any] = {}
+    for piece in recorded.pieces(BytesIO(data), str(path)):
+        if isinstance(piece, recorded.Line):
+            lines.append(piece.text)
+        elif isinstance(piece, recorded.Snapshot):
+            clock = recorded.board_of(piece.state)
+        elif isinstance(piece, recorded.Taken):
+            given = piece.given
+            told, writer = (given.tags, given.writer) if isinstance(given, inputs.Set) else ({}, "")
+            before = [
+                Hidden(piece.t, tag, value, by)
+                for values, by in ((clock, RUNTIME), (told, writer))
+                for tag, value in values.items()
+                if tag.startswith(CLOCK)
+            ]
+            begins.append((len(lines), before))
+            clock = {}
+    events = _events(path, lines)
+    if not begins:
+        return Recording.of(events)
+    ends = [begin for begin, _ in begins[1:]] + [len(events)]
+    steps = Recording.of(events[: begins[0][0]]).steps
+    for (begin, before), end in zip(begins, ends, strict=True):
+        if before or begin < end:
+            steps.append(Step(events[begin:end], before))
+    return Recording(steps, whole=False, end=steps[-1].t if steps else 0.0)
+
+
+def _data(path: str | Path) -> bytes:
+    try:
+        return Path(path).read_bytes()
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
+
+
+def _events(path: str | Path, lines: Iterable[bytes]) -> list[Fields]:
+    events: list[Fields] = []
     for number, line in enumerate(lines, 1):
         if not line.strip():
             continue
