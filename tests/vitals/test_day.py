@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import runpy
 from collections.abc import Awaitable, Callable
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 from typing import Any
 
 import aiohttp
 import pytest
-from aiohttp.test_utils import TestServer
+from aiohttp import web
+from aiohttp.test_utils import BaseTestServer, TestServer
 
 from ward_records.access import Tokens
 from ward_records.day import TIMES, Day
@@ -17,6 +20,7 @@ from ward_records.store import Resident, Store, Unfit
 from ward_records.watching import GONE, WATCHED, Picture, Watching
 from ward_records.web import application
 
+VITALS = Path(__file__).resolve().parents[2] / "examples" / "vitals"
 TOKENS = Tokens("the-robot", "a-nurse", "a-visitor")
 ROBOT = {"Authorization": "Bearer the-robot"}
 
@@ -289,6 +293,36 @@ def test_a_nurse_looks_and_lets_the_robot_go(over_http: Over) -> None:
         assert "nothing" in await (await session.get("/watch/3/live")).text()
 
     over_http(asking)
+
+
+def test_the_camera_shows_its_pictures_to_the_records_and_to_nobody_else(
+    store: Store, day: Day, clock: Clock
+) -> None:
+    records = runpy.run_path(str(VITALS / "modules" / "monitor.py"))["records"]
+    watching = Watching(clock)
+
+    async def strange(_: web.Request) -> web.Response:
+        return web.Response(text="<p>")
+
+    async def show(server: BaseTestServer, token: str) -> object:
+        url = str(server.make_url("")).rstrip("/")
+        return await asyncio.to_thread(records(url, token), "7", b"<svg/>")
+
+    async def run() -> None:
+        other = web.Application()
+        other.router.add_put("/watch/7", strange)
+        async with (
+            TestServer(application(store, day, watching, TOKENS)) as ward,
+            TestServer(other) as strangers,
+        ):
+            assert await show(ward, TOKENS.service) == {"watched": False, "ended": False}
+            with pytest.raises(OSError, match="403"):
+                await show(ward, "guessed")
+            with pytest.raises(OSError, match="is not the records"):
+                await show(strangers, TOKENS.service)
+
+    asyncio.run(run())
+    assert watching.look("7") == Picture("image/svg+xml", b"<svg/>")
 
 
 def test_a_nurse_changes_what_is_given_and_what_is_told(

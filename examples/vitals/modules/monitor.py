@@ -14,6 +14,7 @@ import random
 import sys
 import urllib.request
 from collections.abc import Callable
+from http.client import HTTPException
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -98,9 +99,12 @@ def records(url: str, token: str) -> Show:
             method="PUT",
             headers={"Authorization": f"Bearer {token}", "Content-Type": "image/svg+xml"},
         )
-        with urllib.request.urlopen(asked, timeout=5) as answer:
-            said: dict[str, Any] = json.loads(answer.read())
-            return said
+        try:
+            with urllib.request.urlopen(asked, timeout=5) as answer:
+                said: dict[str, Any] = json.loads(answer.read())
+        except (ValueError, HTTPException) as error:
+            raise OSError(f"{url} is not the records: {error}") from None
+        return said
 
     return show
 
