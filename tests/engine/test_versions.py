@@ -62,7 +62,7 @@ def test_a_version_has_what_was_sent_and_what_is_the_robots_own(versions: Versio
     (home / "robot.local.toml").write_text('[tags]\nrounds = 7\n[robot]\nadapter = "pybullet"\n')
     robot = Versions(versions.folder.parent, load_ready(home))
     files = longer(robot, 4000)
-    files["situ.toml"] += b'\n[robot]\nendpoint = "tcp://elsewhere:1"\n'
+    files["situ.toml"] += b'\n[robot]\nendpoint = "tcp://elsewhere:1"\nannounce = false\n'
     add(robot, 1, files)
     project = robot.project(1)
     timeout = project.applications[FLOW].states[0].timeout
@@ -70,6 +70,7 @@ def test_a_version_has_what_was_sent_and_what_is_the_robots_own(versions: Versio
     assert timeout.seconds == 4000
     assert project.tags["rounds"] == 7
     assert (project.endpoint, project.adapter) == (robot.given.endpoint, "pybullet")
+    assert project.announce
     assert robot.texts(project)["robot.local.toml"].startswith("[tags]")
     (home / "robot.local.toml").unlink()
     robot = Versions(versions.folder.parent, load_ready(home))
