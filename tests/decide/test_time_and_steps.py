@@ -264,6 +264,18 @@ def test_one_more_is_a_livelock(play: Play) -> None:
     assert len(trace.of("event")) == 101
 
 
+@pytest.mark.parametrize(("entries", "livelocks"), [(100, 0), (101, 1)])
+def test_a_list_that_unnamed_events_empty_may_have_a_hundred_entries(
+    play: Play, entries: int, livelocks: int
+) -> None:
+    """So the checker can not tell whether it ends: no list says how long it gets."""
+    when = '<when><data tag="many.0" exists="true"/></when>'
+    take = '<take from="many" tag="one"/>'
+    rbd = state("1", f'<event next="#again">{when}{take}</event>')
+    trace = play(rbd, [{"at": 1, "set": {"many": list(range(entries))}}])
+    assert len(trace.of("error")) == livelocks
+
+
 def loop(when: str = "") -> str:
     return state("1", f'<event next="2">{when}</event>') + state("2", '<event next="1"/>')
 
