@@ -182,16 +182,21 @@ class MatrixView(QWidget):
         resources = [p[1] for p in chosen if p[:1] == ("resource",) and len(p) > 1]
         columns += [len(grid.modules) + i for i, r in enumerate(grid.resources) if r in resources]
         self.sides.show_chosen(frozenset(rows) - {-1}, frozenset(columns))
-        if len(rows) == 1 and rows[0] >= 0 and grid.modules and not self._covers(rows[0]):
+        if len(rows) == 1 and rows[0] >= 0 and grid.modules:
             at = self.table.currentIndex().column()
             module = _module_of(self._document, chosen[0])
-            column = grid.modules.index(module) if module in grid.modules else max(0, at)
-            with self._told():
-                self.table.choose(Area(rows[0], min(column, len(grid.modules) - 1)))
+            column = grid.modules.index(module) if module in grid.modules else None
+            if not self._covers(rows[0], column):
+                to = max(0, at) if column is None else column
+                with self._told():
+                    self.table.choose(Area(rows[0], min(to, len(grid.modules) - 1)))
 
-    def _covers(self, row: int) -> bool:
+    def _covers(self, row: int, column: int | None) -> bool:
+        """Whether a row is in the chosen area, and a column, where one is meant."""
         area = self.table.area
-        return area is not None and area.top <= row <= area.bottom
+        if area is None or not area.top <= row <= area.bottom:
+            return False
+        return column is None or area.left <= column <= area.right
 
     def selection(self) -> tuple[Place, ...]:
         return self._selected

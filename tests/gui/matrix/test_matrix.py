@@ -431,6 +431,21 @@ BIG = "\n".join(
 )
 
 
+def test_a_priority_that_is_selected_elsewhere_is_the_cell_where_typing_goes(desk: Make) -> None:
+    """In the same row too, where another cell was the current one."""
+    used = desk()
+    used.click("sound", "converse")
+    modules = [entry.module for entry in used.document.situation("sound").entries]
+    place = ("situation", "sound", "entry", str(modules.index("gaze-sound")))
+    used.view.select((place,))
+    used.settle()
+    row, column = used.at("sound", "gaze-sound")
+    assert used.area() == Area(row, column)
+    # The situation alone: the cell stays.
+    used.view.select((("situation", "sound"),))
+    assert used.area() == Area(row, column)
+
+
 def test_names_and_holders_stay_where_they_are_while_the_cells_are_scrolled(desk: Make) -> None:
     used = desk(read(BIG))
     holders, header = used.view.sides.holders, used.table.rows
