@@ -31,9 +31,9 @@ def made_small(picture: QImage) -> QImage:
     ).convertToFormat(QImage.Format.Format_RGB32)
 
 
-def keep(small: QImage, file: Path, colours: int = COLOURS) -> None:
+def keep(small: QImage, file: Path) -> None:
     """Writes a picture with a palette of the colours that most of it has."""
-    table = _palette(Counter(memoryview(bytes(small.constBits())).cast("I")), colours)
+    table = _palette(Counter(memoryview(bytes(small.constBits())).cast("I")))
     flags = Qt.ImageConversionFlag.ThresholdDither | Qt.ImageConversionFlag.AvoidDither
     kept = small.convertToFormat(QImage.Format.Format_Indexed8, table, flags)
     # Nothing of how and when it was made.
@@ -43,15 +43,15 @@ def keep(small: QImage, file: Path, colours: int = COLOURS) -> None:
     assert kept.save(str(file), quality=0), f"{file} can not be written"
 
 
-def _palette(counted: Counter[int], colours: int) -> list[int]:
+def _palette(counted: Counter[int]) -> list[int]:
     """Of colours that are alike the most used one, of those the most used ones."""
     alike: dict[int, list[int]] = {}
     for colour, times in counted.most_common():
         near = alike.setdefault(colour & 0xF0F0F0, [colour, 0])
         near[1] += times
     best = sorted(alike.values(), key=lambda one: -one[1])[:COLOURS]
-    exact = [colour for colour, _ in counted.most_common(colours // 4)]
-    return list(dict.fromkeys([*exact, *(colour for colour, _ in best)]))[:colours]
+    exact = [colour for colour, _ in counted.most_common(COLOURS // 4)]
+    return list(dict.fromkeys([*exact, *(colour for colour, _ in best)]))[:COLOURS]
 
 
 def _means(small: QImage, size: QSize) -> QImage:

@@ -9,7 +9,7 @@ from typing import Any
 
 import shiboken6
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QImage, QInputMethodEvent, QPainter
+from PySide6.QtGui import QInputMethodEvent, QPainter
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -20,17 +20,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 from tests.gui.canvas.test_draw_conversation import Draughtsman
-from tests.gui.likeness import keep
 from tests.gui.test_looks import without_mouse
 from tests.gui.test_newcomer import CONTROL, NONE
+from tests.gui.tutorial.small import keep
 
 from situ_studio.rehearsing.robot_screen import RobotScreen
 from situ_studio.screens.sheet import Sheet
 
 PATIENCE = 20_000
 """Milliseconds that all scenarios get."""
-COLOURS = 72
-"""Of a picture: it shall be small, and letters shall be read."""
 
 
 class Pupil(Draughtsman):
@@ -62,8 +60,7 @@ class Pupil(Draughtsman):
                 painter.fillRect(area, asking.palette().window())
                 painter.drawPixmap(area, asking.grab())
                 painter.end()
-            image = picture.toImage().convertToFormat(QImage.Format.Format_RGB32)
-            keep(image, self._pictures / f"{name}.png", COLOURS)
+            keep(picture.toImage(), self._pictures / f"{name}.png")
 
     @contextmanager
     def _counts(self, gestures: int, *words: str) -> Iterator[None]:

@@ -1,0 +1,47 @@
+"""Pictures of the window that are small and can be read: few colours, but some of each hue.
+
+By how often a colour is used alone, the few dots of a sign would become grey.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QImage
+
+GREYS, SHADES = 32, 10
+"""Colours without a hue, and of each hue."""
+HUE = 45
+"""Degrees of one."""
+FAINT = 28
+"""Steps of 255 between the most and the least of red, green and blue: below there is no hue."""
+
+
+def keep(picture: QImage, file: Path) -> None:
+    """Writes it as a PNG with a palette."""
+    picture = picture.convertToFormat(QImage.Format.Format_RGB32)
+    table = _palette(Counter(memoryview(bytes(picture.constBits())).cast("I")))
+    flags = Qt.ImageConversionFlag.ThresholdDither | Qt.ImageConversionFlag.AvoidDither
+    kept = picture.convertToFormat(QImage.Format.Format_Indexed8, table, flags)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    assert kept.save(str(file), quality=0), f"{file} can not be written"
+
+
+def _palette(counted: Counter[int]) -> list[int]:
+    """Of each hue, and of colours that are alike the most used one."""
+    hues: dict[int | None, dict[int, list[int]]] = {}
+    for colour, times in counted.most_common():
+        near = hues.setdefault(_hue(QColor(colour)), {})
+        near.setdefault(colour & 0xF0F0F0, [colour, 0])[1] += times
+    found = []
+    for hue, near in hues.items():
+        best = sorted(near.values(), key=lambda one: -one[1])
+        found += [colour for colour, _ in best[: GREYS if hue is None else SHADES]]
+    return found
+
+
+def _hue(colour: QColor) -> int | None:
+    parts = (colour.red(), colour.green(), colour.blue())
+    return None if max(parts) - min(parts) < FAINT else colour.hslHue() // HUE
