@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
     QHBoxLayout,
+    QMenu,
     QPushButton,
     QSizePolicy,
     QStackedWidget,
@@ -80,6 +81,10 @@ class Segments(QFrame):
         return self._buttons[name]
 
 
+READABLE = 64
+"""Px that a tab of the strip below has at least, if its words want them."""
+
+
 class CountButton(QPushButton):
     """A tab of the strip below, with a number in a pill behind its words; 0 shows none.
 
@@ -103,7 +108,9 @@ class CountButton(QPushButton):
 
     def _behind(self) -> str:
         """Room for the pill: the words stand at the left of what spaces make wider."""
-        return "\u2003\u2002" + "\u2002" * (len(str(self._count)) - 1) if self._count else ""
+        figures = len(str(self._count))
+        room = "\u2003\u2002" + "\u2002" * (figures if figures > 1 else 0)
+        return room if self._count else ""
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -171,6 +178,10 @@ class BottomPanels(QWidget):
         self._line.setContentsMargins(4, 0, 12, 0)
         self._line.setSpacing(0)
         self._line.addStretch(1)
+        self.more = IconButton(theme, "more", self.tr("More panels"), "text2", 16)
+        self.more.hide()
+        self.more.clicked.connect(self._on_more)
+        self._line.addWidget(self.more)
         self._fold = IconButton(theme, "down", self.tr("Fold the panel"), "text2", 14)
         self._fold.clicked.connect(lambda: self.set_folded(not self.is_folded))
         self._line.addWidget(self._fold)
@@ -179,6 +190,7 @@ class BottomPanels(QWidget):
         self._group = QButtonGroup(self)
         self._buttons: dict[str, CountButton] = {}
         self._panels: dict[str, QWidget] = {}
+        self._gone: set[str] = set()
 
     @property
     def is_folded(self) -> bool:
@@ -200,12 +212,17 @@ class BottomPanels(QWidget):
         self._settle_room()
         if len(self._buttons) == 1:
             button.setChecked(True)
+        self._settle_tabs()
 
     def set_shown(self, name: str, shown: bool) -> None:
         """Whether a panel has a tab at the moment."""
-        self._buttons[name].setVisible(shown)
+        if shown:
+            self._gone.discard(name)
+        else:
+            self._gone.add(name)
         if not shown and self.current == name:
             self.choose(next(iter(self._buttons)))
+        self._settle_tabs()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -226,6 +243,7 @@ class BottomPanels(QWidget):
         self._buttons[name].setChecked(True)
         self._stack.setCurrentWidget(self._panels[name])
         self._settle_room()
+        self._settle_tabs()
         self.set_folded(False)
         self.chosen.emit(name)
 
@@ -239,6 +257,35 @@ class BottomPanels(QWidget):
             )
             panel.setSizePolicy(policy)
         self._stack.updateGeometry()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._settle_tabs()
+
+    def _settle_tabs(self) -> None:
+        """Tabs that can be read, the one that is shown among them; a menu has the others."""
+        there = [name for name in self._buttons if name not in self._gone]
+        wide = {name: min(px(READABLE), self._buttons[name].sizeHint().width()) for name in there}
+        margins = self._line.contentsMargins()
+        around = margins.left() + margins.right() + self._fold.width()
+        room = self.width() - around
+        overflows = sum(wide.values()) > room
+        if overflows:
+            room -= self.more.width() + wide.get(self.current, 0)
+        for name, button in self._buttons.items():
+            if name in wide and name != self.current:
+                room -= wide[name]
+            button.setVisible(name in wide and (not overflows or name == self.current or room >= 0))
+        self.more.setVisible(overflows)
+
+    def _on_more(self) -> None:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for name, button in self._buttons.items():
+            if name not in self._gone and button.isHidden():
+                made = menu.addAction(button.accessibleName())
+                made.triggered.connect(lambda _=False, name=name: self.choose(name))
+        menu.popup(self.more.mapToGlobal(self.more.rect().bottomLeft()))
 
     def button(self, name: str) -> QPushButton:
         return self._buttons[name]

@@ -192,6 +192,38 @@ def test_another_panel_below_is_as_high_as_a_person_made_the_one_before(
     assert dock.height() == high
 
 
+def test_tabs_below_that_have_no_room_are_in_a_menu_and_the_chosen_one_is_always_seen(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("conversation"))
+    bottom = used.window.bottom
+    for name in bottom.names:
+        bottom.set_shown(name, True)
+    used.settle()
+    assert all(bottom.button(name).isVisible() for name in bottom.names)
+    assert not bottom.more.isVisible()
+    used.window.resize(800, 700)
+    used.settle()
+    tabs = [name for name in bottom.names if bottom.button(name).isVisible()]
+    assert tabs == list(bottom.names[: len(tabs)])
+    assert all(bottom.button(name).width() >= 64 for name in tabs)
+    assert "find" not in tabs
+    used.click(bottom.more)
+    (menu,) = (one for one in bottom.findChildren(QMenu) if one.isVisible())
+    assert len(menu.actions()) == len(bottom.names) - len(tabs)
+    wanted = menu.actions()[-1]
+    assert wanted.text() == "Find"
+    QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(wanted).center())
+    used.settle()
+    assert bottom.current == "find"
+    assert bottom.button("find").isVisible()
+    assert bottom.button("problems").isVisible()
+    used.window.resize(1280, 800)
+    used.settle()
+    assert all(bottom.button(name).isVisible() for name in bottom.names)
+    assert not bottom.more.isVisible()
+
+
 def test_a_layout_that_can_not_be_read_is_the_first_one(
     studio: Start, project: Copy, settings: QSettings
 ) -> None:
