@@ -143,7 +143,7 @@ def _write_png(drawn: Paper, into: QIODevice, title: str, area: QRectF, scale: f
     made.setText("Title", title)
     painter = QPainter()
     well = painter.begin(made) and _paint(drawn, painter, area, scale)
-    return well and made.save(into, "PNG")
+    return well and made.save(into, b"PNG")
 
 
 def _paint(drawn: Paper, painter: QPainter, area: QRectF, scale: float) -> bool:
