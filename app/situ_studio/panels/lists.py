@@ -15,13 +15,15 @@ NUMBER = int(Qt.ItemDataRole.UserRole) + 1
 ICON = NUMBER + 1
 """A pair of an icon's name and a colour's token."""
 COUNT = NUMBER + 2
-"""A small text at the right end."""
+"""A small text at the right end; the name goes before it where there is little room."""
 MARKS = NUMBER + 3
 """Pairs of icon and token at the right end."""
 PLACE = NUMBER + 4
 """What the row stands for."""
 DETAIL = NUMBER + 5
 """A second line."""
+COUNT_LEAST = 36
+"""Width that the small text at the right end gets in any case: that of a large number."""
 
 AnyIndex = QModelIndex | QPersistentModelIndex
 
@@ -84,10 +86,19 @@ class RowDelegate(QStyledItemDelegate):
             box = QRectF(right - 14, line.center().y() - 7, 14, 14)
             icons.paint(painter, name, box, theme.color(token))
             right -= 18
+        name = index.data(Qt.ItemDataRole.DisplayRole) or ""
+        called = face(
+            13 if self._height >= 24 else 12.5, index.data(Qt.ItemDataRole.FontRole) or 400
+        )
         count = index.data(COUNT)
         if count:
+            painter.setFont(called)
+            left = right - x - painter.fontMetrics().horizontalAdvance(name) - 8
             painter.setFont(face(11))
             painter.setPen(theme.color("text3"))
+            count = painter.fontMetrics().elidedText(
+                count, Qt.TextElideMode.ElideRight, max(int(left), COUNT_LEAST)
+            )
             width = painter.fontMetrics().horizontalAdvance(count)
             painter.drawText(
                 QRectF(right - width, line.y(), width + 1, line.height()),
@@ -95,14 +106,9 @@ class RowDelegate(QStyledItemDelegate):
                 count,
             )
             right -= width + 6
-        weight = index.data(Qt.ItemDataRole.FontRole) or 400
-        painter.setFont(face(13 if self._height >= 24 else 12.5, weight))
+        painter.setFont(called)
         painter.setPen(theme.color("text"))
-        name = painter.fontMetrics().elidedText(
-            index.data(Qt.ItemDataRole.DisplayRole) or "",
-            Qt.TextElideMode.ElideRight,
-            int(right - x),
-        )
+        name = painter.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, int(right - x))
         painter.drawText(
             QRectF(x, line.y(), right - x, line.height()),
             int(Qt.AlignmentFlag.AlignVCenter),
