@@ -158,9 +158,10 @@ class CardItem(NodeFace):
             self._paint_tiny(painter, look)
         elif level == "quarter":
             self._paint_quarter(painter, look)
-        elif widget is None or self._changes(look):
-            # A picture for print keeps its lines; what a robot does to a card is another each time.
+        elif widget is None or self._live(look):
+            # A picture for print keeps its lines; where the robot is, it is so for a moment only.
             self._paint_near(painter)
+            self._paint_deeds(painter, look)
         else:
             state = (
                 look.version,
@@ -172,6 +173,8 @@ class CardItem(NodeFace):
                 self.row,
             )
             look.pictures.paint(painter, self.uid, self.face, state, self._rect, self._paint_near)
+            # Another each moment, while the card below stays as it is.
+            self._paint_deeds(painter, look)
 
     def _paint_near(self, painter: QPainter) -> None:
         look = self.look
@@ -180,16 +183,12 @@ class CardItem(NodeFace):
             self._paint_half(painter, look)
         else:
             self._paint_full(painter, look)
+
+    def _paint_deeds(self, painter: QPainter, look: Look) -> None:
+        """What a robot has done here, and an operator."""
         if isinstance(look.live, LiveView):
             counted.paint(painter, look, look.live, self.face.no, self.face.width - 10)
             operated.paint(painter, look, look.live, self.face.no)
-
-    def _changes(self, look: Look) -> bool:
-        """Whether the card shows what differs from moment to moment."""
-        live, no = look.live, self.face.no
-        return isinstance(live, LiveView) and (
-            no in live.active or no in live.counts or no in live.breakpoints
-        )
 
     def _live(self, look: Look) -> bool:
         return isinstance(look.live, LiveView) and self.face.no in look.live.active

@@ -143,6 +143,8 @@ def test_a_canvas_looks_the_same_from_its_pictures(
         lambda c: c.graph.nodes["1"].view.hover("0"),
         lambda c: c.set_theme(theme.DARK),
         lambda c: c.set_live(LiveView(active=frozenset({"2"}), counts={"1": 3})),
+        lambda c: c.set_live(LiveView(active=frozenset({"1"}), breakpoints=frozenset({"2"}))),
+        lambda c: c.set_live(LiveView(active=frozenset({"2"}), counts={"1": 4, "2": 1})),
         lambda c: c.set_live(None),
         lambda c: c.show_document(
             replace(c.document, states=(replace(c.document.states[0], name="other"),))
@@ -154,6 +156,24 @@ def test_a_canvas_looks_the_same_from_its_pictures(
         same()
         assert farthest(before, looks(one.canvas)) > 50
         before = looks(one.canvas)
+
+
+def test_what_a_robot_did_is_painted_over_cards_that_stay_as_they_are(
+    desk: Callable[..., Any], small: Application
+) -> None:
+    canvas = desk(small, size=(640, 420)).canvas
+    pictures, card = canvas.look.pictures, canvas.graph.nodes["1"].view
+
+    def looks(count: int) -> QImage:
+        canvas.set_live(LiveView(active=frozenset({"2"}), counts={"1": count}))
+        image: QImage = canvas.viewer.viewport().grab().toImage()
+        return image
+
+    before = [looks(1) for _ in range(3)][-1]
+    kept = pictures._kept[card.uid].picture.cacheKey()
+    assert looks(2) != before
+    assert pictures._kept[card.uid].picture.cacheKey() == kept
+    assert looks(1) == before
 
 
 def test_a_picture_for_print_is_made_of_lines(qt: QApplication) -> None:
