@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 
 from msgspec import Struct
-from PySide6.QtCore import QModelIndex, Qt
+from PySide6.QtCore import QModelIndex, QSize, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -94,6 +94,7 @@ class ConnectDialog(QDialog):
         self.list = _Robots()
         self.list.setRootIsDecorated(False)
         self.list.setFrameShape(QFrame.Shape.NoFrame)
+        self.list.setIconSize(QSize(px(16), px(16)))
         self.list.setAccessibleName(self.tr("Robots found in the network"))
         self.list.setHeaderLabels([self.tr("Robot"), self.tr("Address"), self.tr("Connecting")])
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
