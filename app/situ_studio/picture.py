@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRectF, QSize, QSizeF, Qt
-from PySide6.QtGui import QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
+from PySide6.QtGui import QImage, QImageWriter, QPageLayout, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 
 from situ.document import folder
@@ -143,7 +143,7 @@ def _write_png(drawn: Paper, into: QIODevice, title: str, area: QRectF, scale: f
     made.setText("Title", title)
     painter = QPainter()
     well = painter.begin(made) and _paint(drawn, painter, area, scale)
-    return well and made.save(into, b"PNG")
+    return well and QImageWriter(into, b"png").write(made)
 
 
 def _paint(drawn: Paper, painter: QPainter, area: QRectF, scale: float) -> bool:
