@@ -108,9 +108,7 @@ class CountButton(QPushButton):
 
     def _behind(self) -> str:
         """Room for the pill: the words stand at the left of what spaces make wider."""
-        figures = len(str(self._count))
-        room = "\u2003\u2002" + "\u2002" * (figures if figures > 1 else 0)
-        return room if self._count else ""
+        return "\u2003\u2002" + "\u2002" * len(str(self._count)) if self._count else ""
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

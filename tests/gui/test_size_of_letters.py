@@ -157,6 +157,31 @@ def test_a_tab_below_without_room_ends_with_dots_and_says_its_words_in_its_toolt
     tab.deleteLater()
 
 
+def test_the_number_of_a_tab_below_stands_apart_from_its_words(
+    studio: Start, project: Copy
+) -> None:
+    """Also of the tab that is chosen, whose words are bolder."""
+    used = studio(project("reception"))
+    bottom = used.window.bottom
+    bottom.choose("problems")
+    for count in (8, 44, 108):
+        bottom.set_count("problems", count)
+        used.settle()
+        tab = next(
+            b for b in used.window.findChildren(CountButton) if b.text().startswith("Problems")
+        )
+        picture = tab.grab().toImage()
+        middle = tab.height() // 2
+        row = [picture.pixelColor(x, middle).name() for x in range(tab.width())]
+        begins = row.index(LIGHT.color("hover").name())
+        before = {
+            picture.pixelColor(x, y).name()
+            for x in (begins - 3, begins - 2)
+            for y in range(middle - 8, middle + 8)
+        }
+        assert len(before) == 1, f"the words reach to {count}"
+
+
 def test_only_the_panel_below_that_is_shown_asks_for_width(studio: Start, project: Copy) -> None:
     bottom = studio(project("reception")).window.bottom
     bottom.choose("timeline")
