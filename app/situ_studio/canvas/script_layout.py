@@ -109,5 +109,5 @@ class Pills:
         self._ground.add(key, box)
 
     def is_free(self, area: QRectF) -> bool:
-        around = area.adjusted(-3, -2, 3, 2)
-        return not self._ground.near(around.left(), around.top(), around.right(), around.bottom())
+        left, top, right, bottom = area.getCoords()
+        return self._ground.is_free(left - 3, top - 2, right + 3, bottom + 2)

@@ -106,6 +106,16 @@ class Boxes(Generic[Name]):
                         found[id(box)] = entry
         return list(found.values())
 
+    def is_free(self, left: float, top: float, right: float, bottom: float) -> bool:
+        """Whether none overlaps this area."""
+        cells = self._cells
+        for across in range(int(left // CELL), int(right // CELL) + 1):
+            for down in range(int(top // CELL), int(bottom // CELL) + 1):
+                for _, box in cells.get((across, down), ()):
+                    if box[0] < right and left < box[2] and box[1] < bottom and top < box[3]:
+                        return False
+        return True
+
 
 class Cards(Boxes[str]):
     """The cards of a drawing, which pipes keep clear of. boxes: by name."""

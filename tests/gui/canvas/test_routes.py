@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from situ_studio.canvas.routes import Route, Router
-from situ_studio.canvas.space import Box, Pipe, PipeId, segments
+from situ_studio.canvas.space import Box, Boxes, Pipe, PipeId, segments
 from situ_studio.canvas.ways import STUB
 
 WIDTH, HEIGHT = 176.0, 116.0
@@ -376,3 +376,15 @@ def test_cards_that_touch_still_get_a_route(gap: int) -> None:
     pipes = [pipe(boxes, "0", "2"), pipe(boxes, "2", "0"), pipe(boxes, "1", "2")]
     routes = Router().route(boxes, pipes)
     assert all(len(routes[p.id].points) >= 2 or routes[p.id].folded for p in pipes)
+
+
+@settings(max_examples=60)
+@given(st.lists(st.tuples(*[st.integers(-400, 400)] * 4), max_size=12), st.integers(-400, 400))
+def test_an_area_is_free_where_nothing_overlaps_it(
+    spots: list[tuple[int, int, int, int]], at: int
+) -> None:
+    boxes: Boxes[int] = Boxes()
+    for name, (x, y, wide, high) in enumerate(spots):
+        boxes.add(name, Box(x, y, x + abs(wide), y + abs(high)))
+    area = (at, -at, at + 90, 60 - at)
+    assert boxes.is_free(*area) == (not boxes.near(*area))
