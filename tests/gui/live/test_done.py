@@ -132,7 +132,7 @@ def test_of_the_conversation(
         with Carer(it) as carer:
             carer.command("why")
             assert panel.title.text().startswith("converse is suspended")
-            assert "sets robot.stop to true" in seen(it)[0]
+            assert seen(it)[0].startswith("you set robot.stop to true")
             carer.row(panel.table, len(panel.links) - 1)
             carer.panel("blackboard")
         then = {one.key: one.cells[1] for one in window.robot.blackboard.rows.rows}
