@@ -27,6 +27,7 @@ from situ_studio.language import translated
 from situ_studio.layouts import clear, rule
 from situ_studio.panels.fields import Flag
 from situ_studio.panels.over_scroll import OverScroll
+from situ_studio.rehearsing.answers import USUAL, example
 from situ_studio.rehearsing.clock_bar import ClockBar
 from situ_studio.rehearsing.course import Course, Pending
 from situ_studio.rehearsing.dial_rows import DialRow
@@ -269,7 +270,7 @@ class Desk(OverScroll):
             called = one.name or (f"“{one.text}”" if one.text else "")
             what = f"{translated(kinds.kind(one.action).title)} {called}".strip()
             line.addWidget(Elided(what, "label"), 1)
-            answer = self._answer(what) if one.action == "service" else None
+            answer = self._answer(what, one) if one.action == "service" else None
             for words, ok in ((self.tr("Ends well"), True), (self.tr("Fails"), False)):
                 button = QPushButton(words)
                 button.setProperty("role", "mend")
@@ -281,10 +282,15 @@ class Desk(OverScroll):
                 self._actions.addWidget(answer)
         _show(self._actions, bool(self._pending))
 
-    def _answer(self, what: str) -> QLineEdit:
-        """What a service answers where it ends well: a value as it is written in a scenario."""
+    def _answer(self, what: str, pending: Pending) -> QLineEdit:
+        """What a service answers where it ends well: a value as it is written in a scenario. Enter
+        ends it so.
+        """
         line = QLineEdit()
-        line.setPlaceholderText(self.tr('its answer, such as {"names": []}'))
+        assert self._running is not None
+        said = example(self._running.course.project, pending)
+        line.setPlaceholderText(self.tr('its answer, such as {"names": []}').replace(USUAL, said))
+        line.returnPressed.connect(lambda: self._end(pending, True, line))
         line.setAccessibleName(self.tr("What {0} answers").format(what))
         return line
 

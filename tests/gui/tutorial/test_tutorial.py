@@ -27,7 +27,6 @@ GESTURES = 180
 SEEN = {
     "Speech Hello": "Speech",
     "What Service measure answers": "its answer",
-    "Ends well: Service measure": "Ends well",
 }
 """What is seen of what a screen reader says."""
 LARGEST = 60_000

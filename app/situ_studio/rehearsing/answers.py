@@ -1,0 +1,30 @@
+"""What a service may answer, to be seen by whoever answers in its place."""
+
+from __future__ import annotations
+
+import json
+
+from situ.document.analysis_data import actions
+from situ.document.project import Project
+from situ.document.rbd import Service
+from situ_studio.rehearsing.course import Pending
+
+USUAL = '{"names": []}'
+
+
+def example(project: Project, pending: Pending) -> str:
+    """An answer with the parts that the service of that name takes out of it, as JSON."""
+    services = (
+        one
+        for application in project.applications.values()
+        if application.name == pending.application
+        for one in actions(application)
+        if isinstance(one, Service) and one.name == pending.name
+    )
+    parts = {
+        result.path.partition(".")[0]: 1
+        for one in services
+        for result in one.results
+        if result.path
+    }
+    return json.dumps(parts, ensure_ascii=False) if parts else USUAL

@@ -1,0 +1,24 @@
+"""What is offered as an answer in place of a service."""
+
+from __future__ import annotations
+
+import json
+
+from situ.document.project import Project
+from situ.document.rbd import Application, Result, Service, State
+from situ_studio.rehearsing.answers import USUAL, example
+from situ_studio.rehearsing.course import Pending
+
+
+def test_an_answer_has_the_parts_that_the_service_takes_out_of_it() -> None:
+    results = (Result("bp.high", "pressure.systolic"), Result("bp.pulse", "pulse"), Result("all"))
+    asked = Service(name="measure", url="board:cuff/measure", results=results)
+    other = Service(name="other", url="board:cuff/other", results=(Result("x", "x"),))
+    states = (State("1", actions=(other, asked)),)
+    project = Project(
+        root=".", name="p", toml=None, applications={"a": Application("a", states=states)}
+    )
+    begun = Pending("a", "service", "measure", None, 0, None)
+    assert json.loads(example(project, begun)) == {"pressure": 1, "pulse": 1}
+    assert example(project, Pending("a", "service", "nobody's", None, 0, None)) == USUAL
+    assert example(project, Pending("b", "service", "measure", None, 0, None)) == USUAL
