@@ -216,6 +216,10 @@
         <translation>{0}（{1} の間）</translation>
     </message>
     <message>
+        <source>Only an operator may change it: your key lets you look only.</source>
+        <translation>変えられるのは操作者だけです。この鍵では見ることだけができます。</translation>
+    </message>
+    <message>
         <source>Always. Add a test, as in a guard.</source>
         <translation>いつも。条件と同じように判定を足せます。</translation>
     </message>
@@ -504,6 +508,74 @@
         <translation>状態 {0}</translation>
     </message>
     <message>
+        <source>every state</source>
+        <translation>すべての状態</translation>
+    </message>
+    <message>
+        <source>what every state has</source>
+        <translation>すべての状態に共通のもの</translation>
+    </message>
+    <message>
+        <source>the timeout of {0}</source>
+        <translation>{0} の時間切れ</translation>
+    </message>
+    <message>
+        <source>the unnamed event</source>
+        <translation>名前のないイベント</translation>
+    </message>
+    <message>
+        <source>Move {0} things</source>
+        <translation>{0} 個を移動</translation>
+    </message>
+    <message>
+        <source>Move {0} cards</source>
+        <translation>カード {0} 枚を移動</translation>
+    </message>
+    <message>
+        <source>the state before</source>
+        <translation>前の状態</translation>
+    </message>
+    <message>
+        <source>itself</source>
+        <translation>同じ状態</translation>
+    </message>
+    <message>
+        <source>Lead {0} to {1}</source>
+        <translation>{0} の行き先を {1} にする</translation>
+    </message>
+    <message>
+        <source>Disconnect {0}</source>
+        <translation>{0} のつながりを切る</translation>
+    </message>
+    <message>
+        <source>Add {0} of {1}</source>
+        <translation>{1} に {0} を加える</translation>
+    </message>
+    <message>
+        <source>Add {0} of {1} to {2}</source>
+        <translation>{1} に、{2} へ行く {0} を加える</translation>
+    </message>
+    <message>
+        <source>Add state {0}</source>
+        <translation>状態 {0} を追加</translation>
+    </message>
+    <message>
+        <source>Add state {0} after {1}</source>
+        <translation>{1} の後に状態 {0} を加える</translation>
+    </message>
+    <message>
+        <source>Insert state {0}</source>
+        <translation>状態 {0} を挿入</translation>
+    </message>
+    <message>
+        <source>Rename state {0} to {1}</source>
+        <translation>状態 {0} の名前を {1} に変更</translation>
+    </message>
+    <message>
+        <source>Start in {0}</source>
+        <translation>{0} から始める</translation>
+    </message>
+    <message>
         <source>the frame {0}</source>
         <translation>枠 {0}</translation>
     </message>
@@ -664,6 +736,10 @@
         <translation>{0} の間成り立ちます。</translation>
     </message>
     <message>
+        <source>Once current it stays until {0}.</source>
+        <translation>この状況になると、{0} まで続きます。</translation>
+    </message>
+    <message>
         <source>Once current it stays for {0} s at least.</source>
         <translation>この状況になると、少なくとも {0} 秒続きます。</translation>
     </message>
@@ -684,6 +760,10 @@
         <translation>{0} が先です。</translation>
     </message>
     <message>
+        <source>{0} may move the robot.</source>
+        <translation>{0} がロボットを動かせます。</translation>
+    </message>
+    <message>
         <source>{0} may move the robot, in this order.</source>
         <translation>ロボットを使えるのは、順に {0} です。</translation>
     </message>
@@ -694,6 +774,22 @@
     <message>
         <source>{0} and {1}</source>
         <translation>{0} と {1}</translation>
+    </message>
+    <message>
+        <source>is above {0}</source>
+        <translation>が {0} より大きい</translation>
+    </message>
+    <message>
+        <source>is below {0}</source>
+        <translation>が {0} より小さい</translation>
+    </message>
+    <message>
+        <source>is at least {0}</source>
+        <translation>が {0} 以上</translation>
+    </message>
+    <message>
+        <source>is at most {0}</source>
+        <translation>が {0} 以下</translation>
     </message>
     <message>
         <source>not set</source>
@@ -852,6 +948,14 @@
         <translation>{0} 行 {1} 列</translation>
     </message>
     <message>
+        <source>the printer does not begin; is it there, and is there room?</source>
+        <translation>プリンターが始まりません。つながっていて、空き容量はありますか？</translation>
+    </message>
+    <message>
+        <source>its file is not whole; is there room?</source>
+        <translation>ファイルが最後まで書けていません。空き容量はありますか？</translation>
+    </message>
+    <message>
         <source>only in an application</source>
         <translation>アプリケーションでだけ使えます</translation>
     </message>
@@ -952,6 +1056,10 @@
         <translation>変更がありません</translation>
     </message>
     <message>
+        <source>only an operator may: your key lets you look only</source>
+        <translation>操作者だけができます。この鍵では見ることだけができます</translation>
+    </message>
+    <message>
         <source>there is no breakpoint</source>
         <translation>ブレークポイントがありません</translation>
     </message>
@@ -1032,12 +1140,28 @@
         <translation>スクリプトのグラフでだけ使えます</translation>
     </message>
     <message>
+        <source>Cut {0} pipes</source>
+        <translation>{0} 本の線を切る</translation>
+    </message>
+    <message>
+        <source>Only long pipes are folded, and this one is not</source>
+        <translation>折りたためるのは長い線だけです。これは長くありません</translation>
+    </message>
+    <message>
         <source>Arranging {0} cards</source>
         <translation>カード {0} 枚を整列中</translation>
     </message>
     <message>
         <source>There are other cards now than those arranged: arrange them again</source>
         <translation>整列している間にカードが変わりました。もう一度整列してください</translation>
+    </message>
+    <message>
+        <source>Select two states to connect</source>
+        <translation>つなぐ状態を二つ選んでください</translation>
+    </message>
+    <message>
+        <source>Connect {0} states</source>
+        <translation>状態 {0} 個をつなぐ</translation>
     </message>
     <message>
         <source>The layout took longer than {0} s and was given up: all cards stay where they are</source>
@@ -1420,8 +1544,36 @@
         <translation>{0} を変更</translation>
     </message>
     <message>
+        <source>Select a state first, then add the {0}.</source>
+        <translation>先に状態を選んでから、{0}を加えてください。</translation>
+    </message>
+    <message>
+        <source>Add {0} to {1}</source>
+        <translation>{1} に{0}を加える</translation>
+    </message>
+    <message>
+        <source>{0} runs {1}: add the {2} there.</source>
+        <translation>{0} は {1} を動かします。{2}はそちらに加えてください。</translation>
+    </message>
+    <message>
+        <source>{0} has a timeout already.</source>
+        <translation>{0} にはもう時間切れがあります。</translation>
+    </message>
+    <message>
+        <source>Actions belong to states and events: select one of them first.</source>
+        <translation>動作は状態かイベントに付きます。先にどちらかを選んでください。</translation>
+    </message>
+    <message>
         <source>Add {0}</source>
         <translation>{0}を追加</translation>
+    </message>
+    <message>
+        <source>Select a situation first, then add the condition.</source>
+        <translation>先に状況を選んでから、条件を加えてください。</translation>
+    </message>
+    <message>
+        <source>Add condition to {0}</source>
+        <translation>{0} に条件を加える</translation>
     </message>
     <message>
         <source>A tag is words of a to z, 0 to 9, _ and - with dots between.</source>
@@ -1480,8 +1632,68 @@
         <translation>聞こえるとおりに書いた言葉。</translation>
     </message>
     <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>name, folders of media and scenarios</source>
+        <translation>名前、メディアとシナリオのフォルダー</translation>
+    </message>
+    <message>
+        <source>new, order, add, remove</source>
+        <translation>新規、順番、追加、取り除く</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>翻訳</translation>
+    </message>
+    <message>
         <source>How words are said</source>
         <translation>言葉の読み方</translation>
+    </message>
+    <message>
+        <source>readings, pronounce, voice</source>
+        <translation>読み、発音、声</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>address, adapter</source>
+        <translation>アドレス、アダプター</translation>
+    </message>
+    <message>
+        <source>data, tags, blackboard</source>
+        <translation>データ、タグ、ブラックボード</translation>
+    </message>
+    <message>
+        <source>end users, form</source>
+        <translation>利用者、フォーム</translation>
+    </message>
+    <message>
+        <source>Kept when the robot restarts</source>
+        <translation>再起動しても残すもの</translation>
+    </message>
+    <message>
+        <source>durable, stored</source>
+        <translation>残す、保存</translation>
+    </message>
+    <message>
+        <source>Private</source>
+        <translation>個人情報</translation>
+    </message>
+    <message>
+        <source>personal data, hidden, operators</source>
+        <translation>個人情報、隠す、操作者</translation>
+    </message>
+    <message>
+        <source>map, positions</source>
+        <translation>地図、位置</translation>
+    </message>
+    <message>
+        <source>MQTT, broker, sensors, call buttons</source>
+        <translation>MQTT、ブローカー、センサー、呼び出しボタン</translation>
     </message>
     <message>
         <source>Names and abbreviations that a voice would say wrongly: it says the second where the first is written. The screen and the trace keep what is written.</source>
@@ -1976,8 +2188,36 @@
         <translation>モジュール {0} 個</translation>
     </message>
     <message>
+        <source>1 state</source>
+        <translation>状態 1 個</translation>
+    </message>
+    <message>
+        <source>1 note</source>
+        <translation>メモ 1 枚</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>枠 1 個</translation>
+    </message>
+    <message>
+        <source>{0} states</source>
+        <translation>状態 {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} notes</source>
+        <translation>メモ {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} frames</source>
+        <translation>枠 {0} 個</translation>
+    </message>
+    <message>
         <source>{0} things</source>
         <translation>{0} 個</translation>
+    </message>
+    <message>
+        <source>a frame</source>
+        <translation>枠</translation>
     </message>
     <message>
         <source>Paste {0}</source>
@@ -2008,6 +2248,10 @@
         <translation>接続中、{0} ミリ秒遅れ</translation>
     </message>
     <message>
+        <source>{0}, you can look only</source>
+        <translation>{0}、見るだけ</translation>
+    </message>
+    <message>
         <source>lost {0} s ago</source>
         <translation>{0} 秒前に切断</translation>
     </message>
@@ -2036,12 +2280,28 @@
         <translation>{0} 回、誰も先へ進めず時間切れになりました。</translation>
     </message>
     <message>
+        <source>That is since {0}: what was before is not known here.</source>
+        <translation>{0} からの分です。その前のことは、ここでは分かりません。</translation>
+    </message>
+    <message>
         <source>It is the current situation.</source>
         <translation>今の状況です。</translation>
     </message>
     <message>
         <source>Field</source>
         <translation>現場</translation>
+    </message>
+    <message>
+        <source>The tag that says where the robot is</source>
+        <translation>ロボットの居場所を示すタグ</translation>
+    </message>
+    <message>
+        <source>What the robot did is counted for each place: each value of this tag</source>
+        <translation>ロボットがしたことを、場所ごと（このタグの値ごと）に数えます</translation>
+    </message>
+    <message>
+        <source>{0} is no tag; write it as pose.place</source>
+        <translation>{0} はタグではありません。pose.place のように書いてください</translation>
     </message>
     <message>
         <source>Recordings…</source>
@@ -2082,6 +2342,10 @@
     <message>
         <source>The whole table into a file (CSV)</source>
         <translation>表全体をファイル (CSV) に書き出す</translation>
+    </message>
+    <message>
+        <source>Place by</source>
+        <translation>場所のタグ</translation>
     </message>
     <message>
         <source>Nothing counted yet</source>
@@ -2196,6 +2460,14 @@
         <translation>コピーしました：{0}</translation>
     </message>
     <message>
+        <source>States, notes and frames can be copied: select some</source>
+        <translation>コピーできるのは状態、メモ、枠です。いくつか選んでください</translation>
+    </message>
+    <message>
+        <source>{0} copied</source>
+        <translation>{0} をコピーしました</translation>
+    </message>
+    <message>
         <source>Cut {0}</source>
         <translation>{0} を切り取り</translation>
     </message>
@@ -2204,8 +2476,124 @@
         <translation>クリップボードの文字に誤りがあります。{0}</translation>
     </message>
     <message>
+        <source>There are no states on the clipboard</source>
+        <translation>クリップボードに状態がありません</translation>
+    </message>
+    <message>
         <source>There are no situations, data or modules on the clipboard</source>
         <translation>クリップボードに状況、データ、モジュールがありません</translation>
+    </message>
+    <message>
+        <source>Begin a script of situations</source>
+        <translation>状況のスクリプトを始める</translation>
+    </message>
+    <message>
+        <source>Begin the texts in {0}</source>
+        <translation>{0} の文を始める</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>メモを加える</translation>
+    </message>
+    <message>
+        <source>Add frame</source>
+        <translation>枠を加える</translation>
+    </message>
+    <message>
+        <source>Resize {0}</source>
+        <translation>{0} の大きさを変更</translation>
+    </message>
+    <message>
+        <source>Change the text of a note</source>
+        <translation>メモの文を変更</translation>
+    </message>
+    <message>
+        <source>Call a frame {0}</source>
+        <translation>枠の名前を {0} にする</translation>
+    </message>
+    <message>
+        <source>You have its key</source>
+        <translation>鍵を持っています</translation>
+    </message>
+    <message>
+        <source>Open to everybody</source>
+        <translation>誰でも接続できます</translation>
+    </message>
+    <message>
+        <source>Needs a key you do not have</source>
+        <translation>持っていない鍵が必要です</translation>
+    </message>
+    <message>
+        <source>Not the robot you know</source>
+        <translation>知っているロボットではありません</translation>
+    </message>
+    <message>
+        <source>Another version of Situ</source>
+        <translation>Situ のバージョンが違います</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>いなくなりました</translation>
+    </message>
+    <message>
+        <source>Only the robot whose key you have can answer, whoever announced it.</source>
+        <translation>誰が知らせたものでも、答えられるのは、あなたが鍵を持つロボットだけです。</translation>
+    </message>
+    <message>
+        <source>It runs without keys: whoever is in the network can look, change and deploy, and nobody can tell whether it is the robot that it says it is.</source>
+        <translation>鍵なしで動いています。ネットワークにいる人なら誰でも見たり変えたり配備したりできます。名乗っているとおりのロボットかどうかも確かめられません。</translation>
+    </message>
+    <message>
+        <source>Whoever looks after the robot makes you a key, with situ keys add; it goes into the folder of your keys.</source>
+        <translation>ロボットの管理者に situ keys add で鍵を作ってもらい、鍵のフォルダーに入れてください。</translation>
+    </message>
+    <message>
+        <source>A robot of this name or address is known here, by another key. Ask whoever looks after it before you connect.</source>
+        <translation>この名前かアドレスのロボットは、別の鍵で知られています。接続する前に、管理者に確かめてください。</translation>
+    </message>
+    <message>
+        <source>Robot and studio do not understand each other: update one of them.</source>
+        <translation>ロボットとこのエディターのバージョンが合いません。どちらかを更新してください。</translation>
+    </message>
+    <message>
+        <source>It has said goodbye, or has not been heard of for a minute.</source>
+        <translation>終了を知らせてきたか、1 分間応答がありません。</translation>
+    </message>
+    <message>
+        <source>the program that looks for them has ended</source>
+        <translation>探すプログラムが終わりました</translation>
+    </message>
+    <message>
+        <source>{0} has more events than are kept: the first {1} are not shown.</source>
+        <translation>{0} の出来事は残せる数より多いため、最初の {1} 件は表示されません。</translation>
+    </message>
+    <message>
+        <source>{0} holds another run behind this one, which is not shown.</source>
+        <translation>{0} には、この後に別の実行が入っています。それは表示されません。</translation>
+    </message>
+    <message>
+        <source>{0} ends without its end: the robot was still running, or was killed.</source>
+        <translation>{0} は途中で終わっています。ロボットがまだ動いていたか、強制終了されたためです。</translation>
+    </message>
+    <message>
+        <source>{0} events are not known</source>
+        <translation>出来事 {0} 件が分かりません</translation>
+    </message>
+    <message>
+        <source>Announce it in the network</source>
+        <translation>ネットワークに知らせる</translation>
+    </message>
+    <message>
+        <source>A robot that others can reach is found by them when they connect.</source>
+        <translation>ほかから届くロボットは、接続のときに見つけてもらえます。</translation>
+    </message>
+    <message>
+        <source>Announce the robot</source>
+        <translation>ロボットを知らせる</translation>
+    </message>
+    <message>
+        <source>Do not announce the robot</source>
+        <translation>ロボットを知らせない</translation>
     </message>
 </context>
 <context>
@@ -2361,6 +2749,10 @@
 <context>
     <name>BottomPanels</name>
     <message>
+        <source>More panels</source>
+        <translation>ほかのパネル</translation>
+    </message>
+    <message>
         <source>Fold the panel</source>
         <translation>パネルを畳む</translation>
     </message>
@@ -2423,6 +2815,25 @@
     <message>
         <source>Go on</source>
         <translation>続ける</translation>
+    </message>
+</context>
+<context>
+    <name>CommandedCanvas</name>
+    <message>
+        <source>All of them are selected already</source>
+        <translation>もうすべて選ばれています</translation>
+    </message>
+    <message>
+        <source>Select a state with transitions</source>
+        <translation>遷移のある状態を選んでください</translation>
+    </message>
+    <message>
+        <source>Select one state, or one transition</source>
+        <translation>状態か遷移を一つ選んでください</translation>
+    </message>
+    <message>
+        <source>They are on the grid already</source>
+        <translation>もうグリッドに合っています</translation>
     </message>
 </context>
 <context>
@@ -2627,6 +3038,45 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>ConnectDialog</name>
+    <message>
+        <source>Connect to a robot</source>
+        <translation>ロボットに接続</translation>
+    </message>
+    <message>
+        <source>Found in the network</source>
+        <translation>ネットワークで見つかったもの</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>接続</translation>
+    </message>
+    <message>
+        <source>Robots found in the network</source>
+        <translation>ネットワークで見つかったロボット</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>接続</translation>
+    </message>
+    <message>
+        <source>Robots can not be looked for: {0}</source>
+        <translation>ロボットを探せません: {0}</translation>
+    </message>
+    <message>
+        <source>Looking for robots… One that only its own machine reaches does not announce itself.</source>
+        <translation>ロボットを探しています… 自分の機械からしか届かないロボットは、自分を知らせません。</translation>
+    </message>
+</context>
+<context>
     <name>DeployDialog</name>
     <message>
         <source>Deploy</source>
@@ -2695,6 +3145,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>It will act the same; its media may differ.</source>
         <translation>動きは同じです。メディアは違うかもしれません。</translation>
+    </message>
+    <message>
+        <source>Only an operator may deploy: your key lets you look only.</source>
+        <translation>配備できるのは操作者だけです。この鍵では見ることだけができます。</translation>
     </message>
     <message>
         <source>Roll back to version {0}</source>
@@ -3308,6 +3762,10 @@ Draw what a robot says, shows and does.</source>
         <source>Printing {0}</source>
         <translation>{0} を印刷しています</translation>
     </message>
+    <message>
+        <source>{0} can not be printed: {1}</source>
+        <translation>{0} を印刷できません: {1}</translation>
+    </message>
 </context>
 <context>
     <name>FieldSide</name>
@@ -3485,6 +3943,14 @@ Draw what a robot says, shows and does.</source>
 </context>
 <context>
     <name>Follower</name>
+    <message>
+        <source>, known since {0}</source>
+        <translation>、{0} から分かっています</translation>
+    </message>
+    <message>
+        <source>, {0} events missed</source>
+        <translation>、出来事 {0} 件が抜けています</translation>
+    </message>
     <message>
         <source>{0}, {1}</source>
         <translation>{0}、{1}</translation>
@@ -4171,20 +4637,24 @@ Draw what a robot says, shows and does.</source>
         <translation>プロジェクト</translation>
     </message>
     <message>
+        <source>languages, translations</source>
+        <translation>言語、翻訳</translation>
+    </message>
+    <message>
         <source>{0} has errors: mend it first, or they would be lost.</source>
         <translation>{0} に誤りがあります。失われないように、先に直してください。</translation>
+    </message>
+    <message>
+        <source>Its name or code, such as Japanese, 日本語, ja or pt-BR</source>
+        <translation>名前かコード（Japanese、日本語、ja、pt-BR など）</translation>
     </message>
     <message>
         <source>Add a language</source>
         <translation>言語を追加</translation>
     </message>
     <message>
-        <source>Its code, such as ja, de or pt-BR</source>
-        <translation>言語コード（ja、de、pt-BR など）</translation>
-    </message>
-    <message>
-        <source>{0} is no language: write a code such as ja or pt-BR.</source>
-        <translation>{0} は言語ではありません。ja や pt-BR のようなコードを書いてください。</translation>
+        <source>{0} is no language: write its name, or a code such as ja or pt-BR.</source>
+        <translation>{0} という言語はありません。名前か、ja や pt-BR のようなコードを書いてください。</translation>
     </message>
     <message>
         <source>Add {0}</source>
@@ -4509,6 +4979,25 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>ProjectMenu</name>
+    <message>
+        <source>Add to the project</source>
+        <translation>プロジェクトに加える</translation>
+    </message>
+    <message>
+        <source>One file alone is open: nothing can be added beside it.</source>
+        <translation>開いているのはファイル一つだけです。ほかに加えることはできません。</translation>
+    </message>
+    <message>
+        <source>Language…</source>
+        <translation>言語…</translation>
+    </message>
+    <message>
+        <source>What the project is</source>
+        <translation>プロジェクトの設定</translation>
+    </message>
+</context>
+<context>
     <name>ProjectTree</name>
     <message>
         <source>Project</source>
@@ -4660,20 +5149,8 @@ Draw what a robot says, shows and does.</source>
         <translation>トレース</translation>
     </message>
     <message>
-        <source>Connect to a robot</source>
-        <translation>ロボットに接続</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>アドレス</translation>
-    </message>
-    <message>
         <source>Reading {0}</source>
         <translation>{0} を読み込み中</translation>
-    </message>
-    <message>
-        <source>{0} ends without its end: the robot was still running, or was killed.</source>
-        <translation>{0} は途中で終わっています。ロボットがまだ動いていたか、強制終了されたためです。</translation>
     </message>
     <message>
         <source>Bookmark</source>
@@ -4974,6 +5451,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>No situation yet. Drag Situation, Data and Module from the palette to here, then from card to card, from left to right.</source>
         <translation>まだ状況がありません。パレットから「状況」「データ」「モジュール」をここへドラッグし、次にカードからカードへ、左から右へつないでください。</translation>
+    </message>
+    <message>
+        <source>When shall something else go first? Press Data in the palette and name what the robot notices, then drag from its right edge to an empty place: a situation.</source>
+        <translation>ほかのものを先にするのはいつですか？ パレットの「データ」を押してロボットが気づくことの名前を付け、右の端から何もないところへドラッグすると、状況ができます。</translation>
     </message>
     <message>
         <source>When what?</source>
@@ -9842,10 +10323,6 @@ A right click or the down key gives other values.</source>
         <translation>{0} は分かりません。調べるには時間がかかりすぎます。条件を簡単にするか、situ simulate で試してください</translation>
     </message>
     <message>
-        <source>Keep {0} when the robot restarts</source>
-        <translation>ロボットが始まり直しても {0} を残す</translation>
-    </message>
-    <message>
         <source>Lead to state {0}</source>
         <translation>行き先を状態 {0} にする</translation>
     </message>
@@ -9908,10 +10385,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>No setting is a {0}; did you mean {1}? There are {2}</source>
         <translation>{0} という設定はありません。{1} のことですか？ あるのは {2} です</translation>
-    </message>
-    <message>
-        <source>No text in {0} for {1}: it stays as it is written; translate it in texts/{2}.po (situ texts adds what is not there yet)</source>
-        <translation>{1} の {0} の訳がありません。書かれたまま使われます。texts/{2}.po に訳を書いてください（situ texts がまだないものを加えます）</translation>
     </message>
     <message>
         <source>Nobody writes {0}{1}, so it never has a value: {2}</source>
@@ -9984,10 +10457,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Select the states that the part shall have first.</source>
         <translation>先に、部品にする状態を選んでください。</translation>
-    </message>
-    <message>
-        <source>Several applications need a script that says which of them comes first: add spds = &quot;….spds.xml&quot; to [project]</source>
-        <translation>アプリケーションが複数あるときは、どれが先かを決めるスクリプトが必要です。[project] に spds = &quot;….spds.xml&quot; を加えてください</translation>
     </message>
     <message>
         <source>So that {0} fits into it, the letters become {1} mm or less on a 10-inch screen, too small for many old eyes: make it larger, or say less</source>
@@ -10122,10 +10591,6 @@ A right click or the down key gives other values.</source>
         <translation>このタグに同じ属性が二つあります。一つを取り除いてください</translation>
     </message>
     <message>
-        <source>The setting {0} is lost at a restart: add it to [durable]</source>
-        <translation>設定 {0} は再起動で失われます。[durable] に加えてください</translation>
-    </message>
-    <message>
         <source>The state {0} can begin again and again</source>
         <translation>状態 {0} が何度でも始まり直すことがあります</translation>
     </message>
@@ -10212,10 +10677,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>There is no file {0}: add it, or take it out here</source>
         <translation>ファイル {0} がありません。加えるか、ここから取り除いてください</translation>
-    </message>
-    <message>
-        <source>There is no texts/{0}.po, so texts stay as they are written: make it with situ texts, or take the language out</source>
-        <translation>texts/{0}.po がないので、文章は書かれたまま使われます。situ texts で作るか、言語を取り除いてください</translation>
     </message>
     <message>
         <source>These letters are {0} mm on a 10-inch screen, too small for many old eyes: make the size at least {1}</source>
@@ -10526,6 +10987,10 @@ A right click or the down key gives other values.</source>
         <translation>モジュール {0} が宣言されていません。ここのモジュールにリソースとともに加えるか、モジュール情報に加えてください</translation>
     </message>
     <message>
+        <source>No text in {0} for {1}: it stays as it is written; translate it in the texts (texts/{2}.po)</source>
+        <translation>{1} の {0} の文がありません。書かれたままになります。文の表 (texts/{2}.po) で訳してください</translation>
+    </message>
+    <message>
         <source>Nothing leads out of the state {0}: add an event or a timeout that leads on, or say that it may end here, if that is meant</source>
         <translation>状態 {0} から出る道がありません。先へ進むイベントか時間切れを加えるか、終わりのつもりなら「ここで終わってよい」としてください</translation>
     </message>
@@ -10536,6 +11001,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Saying again cannot stand among a state&apos;s actions: put it into an event that leads nowhere, or take it out</source>
         <translation>言い直しは状態の動作としては置けません。行き先のないイベントに移すか、取り除いてください</translation>
+    </message>
+    <message>
+        <source>Several applications need a script that says which of them comes first: begin one, and name it in the project</source>
+        <translation>アプリケーションがいくつもあるときは、どれが先かを決めるスクリプトが必要です。スクリプトを始めて、プロジェクトに加えてください</translation>
     </message>
     <message>
         <source>Take out what says it again</source>
@@ -10564,6 +11033,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>The script has no situation: add one</source>
         <translation>スクリプトに状況がありません。加えてください</translation>
+    </message>
+    <message>
+        <source>There are no texts in {0} yet (texts/{1}.po), so all stay as they are written: begin them, or take the language out</source>
+        <translation>{0} の文 (texts/{1}.po) がまだないので、すべて書かれたままになります。文を始めるか、この言語を外してください</translation>
     </message>
     <message>
         <source>There is no way back to the start from {0}{1}: add an event or a timeout that leads there, or a Home button to every state</source>
@@ -10604,6 +11077,26 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Who has not understood cannot hear it again in {0}: add a button or a phrase that says it again, best a Repeat button in every state</source>
         <translation>{0} では聞き取れなかった人がもう一度聞けません。言い直すボタンか言葉を加えてください。すべての状態に「もう一度」ボタンを置くのが最善です</translation>
+    </message>
+    <message>
+        <source>Write it as {0}, without quotes</source>
+        <translation>引用符なしで {0} と書く</translation>
+    </message>
+    <message>
+        <source>a line has exactly one verb of {0}; here: {1}</source>
+        <translation>1 行に書ける動詞は {0} のうち 1 つだけです。ここでは：{1}</translation>
+    </message>
+    <message>
+        <source>a scenario has no verb for {0}</source>
+        <translation>シナリオに {0} を表す動詞はありません</translation>
+    </message>
+    <message>
+        <source>announced in the network</source>
+        <translation>ネットワークに知らせる</translation>
+    </message>
+    <message>
+        <source>at {0} s recorded was {1}, decided now is {2}</source>
+        <translation>{0} 秒：記録では {1}、今の判断では {2}</translation>
     </message>
     <message>
         <source>below {0}</source>
@@ -10708,6 +11201,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>event {0}</source>
         <translation>イベント {0}</translation>
+    </message>
+    <message>
+        <source>event {0} comes to {1}, raised by {2}</source>
+        <translation>イベント {0} が {1} に届く（{2}が起こした）</translation>
     </message>
     <message>
         <source>event {0}{1}</source>
@@ -10954,6 +11451,10 @@ A right click or the down key gives other values.</source>
         <translation>一覧</translation>
     </message>
     <message>
+        <source>lists and objects stand too deep in each other; take some out</source>
+        <translation>リストとオブジェクトの入れ子が深すぎます。いくつか減らしてください</translation>
+    </message>
+    <message>
         <source>looks or foreign data changed ({0})</source>
         <translation>見た目か外部データの変更（{0}）</translation>
     </message>
@@ -11046,6 +11547,10 @@ A right click or the down key gives other values.</source>
         <translation>そこへ向かうイベントも時間切れも起こりえません</translation>
     </message>
     <message>
+        <source>no further event</source>
+        <translation>続く出来事なし</translation>
+    </message>
+    <message>
         <source>no module {0} is declared</source>
         <translation>モジュール {0} は宣言されていません</translation>
     </message>
@@ -11094,6 +11599,10 @@ A right click or the down key gives other values.</source>
         <translation>なし</translation>
     </message>
     <message>
+        <source>nothing of that</source>
+        <translation>そのようなことはしていない</translation>
+    </message>
+    <message>
         <source>on this screen</source>
         <translation>この画面に</translation>
     </message>
@@ -11108,6 +11617,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>only while nothing happens</source>
         <translation>何も起こらない間だけ</translation>
+    </message>
+    <message>
+        <source>operator {0}</source>
+        <translation>操作者 {0}</translation>
     </message>
     <message>
         <source>or</source>
@@ -11314,6 +11827,10 @@ A right click or the down key gives other values.</source>
         <translation>画面の地</translation>
     </message>
     <message>
+        <source>the recording&apos;s snapshot is damaged, or another situ&apos;s</source>
+        <translation>記録のスナップショットが壊れているか、別の situ のものです</translation>
+    </message>
+    <message>
         <source>the same start, written out or left to the first state</source>
         <translation>開始は同じで、明示したか、最初の状態に任せたかの違いだけ</translation>
     </message>
@@ -11324,6 +11841,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>the same state anew</source>
         <translation>同じ状態をもう一度</translation>
+    </message>
+    <message>
+        <source>the scenario has ended; delete this line or move the end</source>
+        <translation>シナリオは終わっています。この行を消すか、終わりを後ろへ移してください</translation>
     </message>
     <message>
         <source>the situations that give it a priority are never current</source>
@@ -11382,6 +11903,18 @@ A right click or the down key gives other values.</source>
         <translation>このプロジェクト</translation>
     </message>
     <message>
+        <source>time goes back: {0} after {1}; order the lines by time</source>
+        <translation>時間が戻っています：{1} の後に {0}。行を時間の順に並べてください</translation>
+    </message>
+    <message>
+        <source>true or false, without quotes</source>
+        <translation>引用符なしの true か false</translation>
+    </message>
+    <message>
+        <source>unknown application {0}; there is {1}</source>
+        <translation>アプリケーション {0} はありません。あるのは {1} です</translation>
+    </message>
+    <message>
         <source>until of {0} held, so it does not begin: {1}</source>
         <translation>{0} の「終わる条件」が成り立っていたので始まりません：{1}</translation>
     </message>
@@ -11404,6 +11937,18 @@ A right click or the down key gives other values.</source>
     <message>
         <source>whenever it could be, {0} comes first: change a condition, or their order</source>
         <translation>起こりうるときには必ず {0} が先になります。条件か順序を変えてください</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>あなた</translation>
+    </message>
+    <message>
+        <source>you delete {0}</source>
+        <translation>あなたが {0} を消す</translation>
+    </message>
+    <message>
+        <source>you set {0} to {1}</source>
+        <translation>あなたが {0} を {1} にする</translation>
     </message>
     <message>
         <source>{0} and was taken</source>
@@ -11590,6 +12135,10 @@ A right click or the down key gives other values.</source>
         <translation>{0} が {1} を離れる</translation>
     </message>
     <message>
+        <source>{0} lets {1} {2}</source>
+        <translation>{0} が {1} に {2} をさせる</translation>
+    </message>
+    <message>
         <source>{0} loses {1}, nobody holds it</source>
         <translation>{0} が {1} を失い、誰も持っていない</translation>
     </message>
@@ -11622,6 +12171,10 @@ A right click or the down key gives other values.</source>
         <translation>{1} の {0} が起こします</translation>
     </message>
     <message>
+        <source>{0} plays {1}</source>
+        <translation>{0} が {1} を鳴らす</translation>
+    </message>
+    <message>
         <source>{0} raises it when it ends {1}: {2}</source>
         <translation>{0} が終わると（{1}）起こります：{2}</translation>
     </message>
@@ -11632,6 +12185,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>{0} sets {1} to {2}</source>
         <translation>{0} が {1} を {2} にする</translation>
+    </message>
+    <message>
+        <source>{0} shows another screen</source>
+        <translation>{0} が別の画面を出す</translation>
     </message>
     <message>
         <source>{0} shows something else on the {1}</source>
@@ -11714,12 +12271,28 @@ A right click or the down key gives other values.</source>
         <translation>{0}（{1} に {2} が設定）</translation>
     </message>
     <message>
+        <source>{0}: it holds a trace without inputs, so it can not be decided again; record with situ run --record</source>
+        <translation>{0}：入力のないトレースなので、もう一度判断させることはできません。situ run --record で記録してください</translation>
+    </message>
+    <message>
+        <source>{0}: it lacks where the robot began</source>
+        <translation>{0}：ロボットがどこから始めたかが欠けています</translation>
+    </message>
+    <message>
         <source>{0}: it was never set</source>
         <translation>{0}：一度も設定されていません</translation>
     </message>
     <message>
         <source>{0}: it was {1}</source>
         <translation>{0}：値は {1} でした</translation>
+    </message>
+    <message>
+        <source>{0}: its snapshot is damaged, or another situ&apos;s</source>
+        <translation>{0}：スナップショットが壊れているか、別の situ のものです</translation>
+    </message>
+    <message>
+        <source>{0}: not a recording of situ; give what situ run --record wrote</source>
+        <translation>{0}：situ の記録ではありません。situ run --record が書いたものを指定してください</translation>
     </message>
     <message>
         <source>{0}: not told by a trace alone</source>
@@ -11734,8 +12307,24 @@ A right click or the down key gives other values.</source>
         <translation>{0}：優先度は {2} と同じ {1} で、先に求めていました</translation>
     </message>
     <message>
+        <source>{0}: private values are masked, so it holds no inputs and can not be decided again; give the recording as it lies on the robot</source>
+        <translation>{0}：私的な値が伏せられているため入力がなく、もう一度判断させることはできません。ロボットにあるままの記録を指定してください</translation>
+    </message>
+    <message>
+        <source>{0}: the project that it holds can not be read</source>
+        <translation>{0}：中のプロジェクトを読めません</translation>
+    </message>
+    <message>
         <source>{0}: {1} had passed</source>
         <translation>{0}：{1} 過ぎていました</translation>
+    </message>
+    <message>
+        <source>{0}:{1}: not an event of a trace: {2}; give what situ simulate or situ trace wrote</source>
+        <translation>{0}:{1}：トレースの出来事ではありません：{2}。situ simulate か situ trace が書いたものを指定してください</translation>
+    </message>
+    <message>
+        <source>{0}:{1}: seq {2} after {3}: give the trace of one run</source>
+        <translation>{0}:{1}：番号 {3} の後に {2}。1 回の実行のトレースを指定してください</translation>
     </message>
     <message>
         <source>{0}; it counts anew from the end of speech and from every touch</source>
@@ -11760,6 +12349,26 @@ A right click or the down key gives other values.</source>
     <message>
         <source>“Is one of” needs a list such as [&quot;a&quot;, &quot;b&quot;], not {0}</source>
         <translation>「のどれか」には {0} ではなく [&quot;a&quot;, &quot;b&quot;] のような一覧が必要です</translation>
+    </message>
+    <message>
+        <source>“application” goes with “event” only</source>
+        <translation>“application” は “event” とだけ使えます</translation>
+    </message>
+    <message>
+        <source>“at” is a time in seconds, 0 or more</source>
+        <translation>“at” は 0 以上の秒数です</translation>
+    </message>
+    <message>
+        <source>“end” is true or left out</source>
+        <translation>“end” は true か、省略です</translation>
+    </message>
+    <message>
+        <source>“for” is seconds above 0</source>
+        <translation>“for” は 0 より大きい秒数です</translation>
+    </message>
+    <message>
+        <source>“touch” is true or left out</source>
+        <translation>“touch” は true か、省略です</translation>
     </message>
     <message>
         <source>the state {0}</source>
