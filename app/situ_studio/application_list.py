@@ -24,9 +24,11 @@ from situ.document.mend import apply
 from situ.document.project import Project
 from situ.document.rbd import Application, State
 from situ.document.spds import Spds
+from situ.errors import UsageError
 from situ_studio import icons, new_script
 from situ_studio.canvas.gestures import mark_start
 from situ_studio.edit import Written
+from situ_studio.language import said
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -102,10 +104,18 @@ class ApplicationList(QObject):
         window = self._window
         found = self._session.document(file)
         if found is None:
-            found, problems = codec.read(self._session.disk.read(file), file)
-            errors = [str(one) for one in problems if one.severity == "error"]
-            if errors or not isinstance(found, Application):
-                window.say(errors[0] if errors else self.tr("{0} is no application.").format(file))
+            try:
+                found, problems = codec.read(self._session.disk.read(file), file)
+            except UsageError as error:
+                window.say(str(error))
+                return
+            errors = [said(one.message) for one in problems if one.severity == "error"]
+            if errors:
+                told = self.tr("{0} can not be read: {1}")
+                window.say(told.format(file, errors[0]))
+                return
+            if not isinstance(found, Application):
+                window.say(self.tr("{0} is no application.").format(file))
                 return
         if isinstance(found, Application):
             self._add(file, found)

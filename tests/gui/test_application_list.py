@@ -110,7 +110,18 @@ def test_a_file_of_the_folder_becomes_an_application_with_its_priority(
     assert [p.code for p in used.session.problems if p.severity == "error"] == []
     plus(used, "broken.rbd.xml")
     assert len(used.session.project.applications) == 3
-    assert "broken.rbd.xml" in used.window.status.said.text()
+    assert used.window.status.said.text().startswith("broken.rbd.xml can not be read: ")
+    assert "malformed-xml" not in used.window.status.said.text()
+    # One that went while the menu was open.
+    form(used).applications.plus.click()
+    used.settle()
+    (tmp_path / "broken.rbd.xml").unlink()
+    menu = used.window.findChildren(QMenu)[-1]
+    gone = next(one for one in menu.actions() if one.text() == "broken.rbd.xml")
+    QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(gone).center())
+    used.settle()
+    assert "broken.rbd.xml: cannot be read" in used.window.status.said.text()
+    assert len(used.session.project.applications) == 3
 
 
 def test_a_new_application_is_named_opened_and_gone_after_undo(used: Any, tmp_path: Path) -> None:
