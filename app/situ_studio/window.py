@@ -405,8 +405,7 @@ class MainWindow(Frame):
             view.set_mode(mode)
             self.tabs.views.show_choice(view.shown_as)
             view.current_view().setFocus()
-            self.designing.settle()
-            self.actions_.refresh()
+            self._settle_selection()
 
     def reset_layout(self) -> None:
         """A designer that is shown keeps its panel."""

@@ -435,7 +435,8 @@ def test_a_priority_that_is_selected_elsewhere_is_the_cell_where_typing_goes(des
     """In the same row too, where another cell was the current one."""
     used = desk()
     used.click("sound", "converse")
-    modules = [entry.module for entry in used.document.situation("sound").entries]
+    sound = next(one for one in used.document.situations if one.name == "sound")
+    modules = [entry.module for entry in sound.entries]
     place = ("situation", "sound", "entry", str(modules.index("gaze-sound")))
     used.view.select((place,))
     used.settle()

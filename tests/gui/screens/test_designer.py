@@ -345,7 +345,7 @@ def test_a_double_click_on_the_small_picture_of_a_card_opens_its_screen(
 def test_what_a_text_can_name_is_the_same_in_chips_on_the_sheet_and_in_the_form(
     studio: Start, tmp_path: Path
 ) -> None:
-    """All that the project knows: what its script observes too."""
+    """All that the project knows: what its script observes too, and before a state is chosen."""
     (tmp_path / "situ.toml").write_text(
         '[project]\nname = "w"\napplications = ["w.rbd.xml"]\nspds = "w.spds.xml"\n'
         '[tags]\n"ward" = "3"\n',
@@ -364,8 +364,8 @@ def test_what_a_text_can_name_is_the_same_in_chips_on_the_sheet_and_in_the_form(
         encoding="utf-8",
     )
     desk = Desk(studio(tmp_path))
-    desk.go_to("1")
     assert [desk.side.tags.chip(tag).text() for tag in ("heat", "ward")] == ["heat", "ward"]
+    desk.go_to("1")
     desk.used.select("state", "1", "screen", "t")
     in_form = desk.window.inspector.form.field("text")
     in_form.setFocus()
