@@ -109,5 +109,5 @@ class Pills:
         self._ground.add(key, box)
 
     def is_free(self, area: QRectF) -> bool:
-        left, top, right, bottom = area.getCoords()
-        return self._ground.is_free(left - 3, top - 2, right + 3, bottom + 2)
+        left, top = area.left(), area.top()
+        return self._ground.is_free(left - 3, top - 2, area.right() + 3, area.bottom() + 2)
