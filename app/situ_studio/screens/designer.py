@@ -133,7 +133,7 @@ class Designer(QWidget):
         self.sampling.changed.connect(self._show_values)
 
     def _on_pressed(self, name: str) -> None:
-        """A component in the middle; what it says is typed at once, as after the palette's press."""
+        """A component in the middle; what it says is typed at once, as from the palette."""
         place = self.shown.add(name, 50, 50)
         if place is not None:
             self.filled_in.emit(place)
