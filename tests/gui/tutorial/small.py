@@ -11,8 +11,8 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage
 
-GREYS, SHADES = 32, 10
-"""Colours without a hue, and of each hue."""
+GROUNDS, GREYS, SHADES = 12, 16, 7
+"""Colours that most of a picture has, those without a hue, and those of each hue."""
 HUE = 45
 """Degrees of one."""
 FAINT = 28
@@ -30,16 +30,16 @@ def keep(picture: QImage, file: Path) -> None:
 
 
 def _palette(counted: Counter[int]) -> list[int]:
-    """Of each hue, and of colours that are alike the most used one."""
+    """What most of it has; then of each hue, of colours that are alike the most used one."""
     hues: dict[int | None, dict[int, list[int]]] = {}
     for colour, times in counted.most_common():
         near = hues.setdefault(_hue(QColor(colour)), {})
         near.setdefault(colour & 0xF0F0F0, [colour, 0])[1] += times
-    found = []
+    found = [colour for colour, _ in counted.most_common(GROUNDS)]
     for hue, near in hues.items():
         best = sorted(near.values(), key=lambda one: -one[1])
         found += [colour for colour, _ in best[: GREYS if hue is None else SHADES]]
-    return found
+    return list(dict.fromkeys(found))
 
 
 def _hue(colour: QColor) -> int | None:
