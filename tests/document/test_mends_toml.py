@@ -40,6 +40,16 @@ TABLE = (
         '[[setting]]\ntag = "a"\ntype = "choice"\nchoices = ["x", "y"]',
     ),
     ("bad-value", '[[setting]]\ntag = "a"\ntype = "choice"', '[[setting]]\ntag = "a"'),
+    (
+        "bad-value",
+        '[[setting]]\ntag = "a"\ntype = "choice"\nchoices = ["x", "x"]',
+        '[[setting]]\ntag = "a"',
+    ),
+    (
+        "bad-value",
+        '[[setting]]\ntag = "a"\nchoices = ["x", "y", "x"]',
+        '[[setting]]\ntag = "a"\nchoices = ["x", "y"]\ntype = "choice"',
+    ),
     ("bad-value", '[mqtt]\nin = { "a/b" = "fall" }', '[mqtt]\nin = { "a/b" = "event:fall" }'),
     ("bad-tag", '[tags]\n"User Name" = 1', "[tags]\nuser-name = 1"),
     ("bad-tag", '[privacy]\nprivate = ["User.**", "a"]', '[privacy]\nprivate = ["user.**", "a"]'),

@@ -10,6 +10,8 @@ from collections.abc import Collection, Sequence
 from difflib import get_close_matches
 from typing import Any
 
+from msgspec.structs import replace
+
 from situ.document import names
 from situ.document.datatypes import shown
 from situ.document.place import Path
@@ -85,13 +87,19 @@ def setting(file: str, at: int, found: dict[str, Any], types: Sequence[str]) -> 
     if named not in types:
         near = get_close_matches(named[:40], types, n=1, cutoff=0.5)
         return put(file, where, named, near[0], f"Make it a {near[0]}") if near else None
+    offered = ("setting", at, "choices")
     if len(once) < 2:
-        if named == "choice":
-            return put(file, where, named, None, "Let any text be put in")
-        return take_out(file, ("setting", at, "choices"), choices)
-    if named != "choice":
-        return put(file, where, found.get("type"), "choice", "Make it a choice")
-    return put(file, ("setting", at, "choices"), choices, once, "Offer each choice once")
+        if named != "choice":
+            return take_out(file, offered, choices)
+        made = put(file, where, named, None, "Let any text be put in")
+        # Choices are for a choice only.
+        gone = () if choices is None else take_out(file, offered, choices).changes
+        return replace(made, changes=(*made.changes, *gone))
+    several = put(file, offered, choices, once, "Offer each choice once")
+    if named == "choice":
+        return several
+    made = put(file, where, found.get("type"), "choice", "Make it a choice")
+    return replace(made, changes=(*made.changes, *(several.changes if once != choices else ())))
 
 
 def meaning(file: str, path: Path, was: Any) -> Mend | None:
