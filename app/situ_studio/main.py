@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import logging
 import os
 import re
@@ -55,6 +56,9 @@ def application() -> QApplication:
     made.setStyle("Fusion")
     made.setWindowIcon(QIcon(str(resource("icons", "situ.svg"))))
     load_fonts()
+    # What was imported stays until the end: Python's full collections, each of which would pause
+    # a window's frame for it, look at what windows made only.
+    gc.freeze()
     return made
 
 
