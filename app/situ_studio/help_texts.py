@@ -63,6 +63,9 @@ PAGES: tuple[Page, ...] = (
         What stops the robot from doing what you mean is listed under Problems while you
         draw. Save with Ctrl+S; what you have not saved yet is kept aside, and offered again
         after a crash.
+
+        The tutorial, docs/tutorial.md, draws a robot that measures the blood pressure from
+        nothing in a quarter of an hour.
         """,
         (
             "panel/project", "panel/problems", "command/welcome", "command/save",
