@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import runpy
+import weakref
 from collections.abc import Awaitable, Callable
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -213,6 +214,34 @@ def test_no_picture_stays_when_none_comes_any_more(clock: Clock) -> None:
     assert watching.look("7") is None
 
 
+def test_with_a_clock_that_is_set_back_no_picture_stays_and_nobody_seems_to_look(
+    clock: Clock,
+) -> None:
+    watching = Watching(clock)
+    watching.show("7", PICTURE)
+    clock.on(hours=-3)
+    assert watching.look("7") is None
+    assert watching.rooms() == []
+    watching.show("7", PICTURE)
+    watching.look("7")
+    clock.on(seconds=-2)
+    assert watching.show("7", PICTURE) == {"watched": False, "ended": False}
+
+
+def test_of_a_room_that_the_robot_has_left_nothing_is_kept(clock: Clock) -> None:
+    class Content(bytes):
+        """Bytes that can be asked whether somebody still has them."""
+
+    watching, content = Watching(clock), Content(PICTURE.content)
+    kept = weakref.ref(content)
+    watching.show("7", Picture(PICTURE.kind, content))
+    del content
+    assert kept() is not None
+    clock.on(seconds=GONE.total_seconds())
+    watching.rooms()
+    assert kept() is None
+
+
 def test_that_help_is_there_is_told_once(clock: Clock) -> None:
     watching = Watching(clock)
     watching.end("7")
@@ -301,16 +330,16 @@ def test_the_camera_shows_its_pictures_to_the_records_and_to_nobody_else(
     records = runpy.run_path(str(VITALS / "modules" / "monitor.py"))["records"]
     watching = Watching(clock)
 
-    async def strange(_: web.Request) -> web.Response:
-        return web.Response(text="<p>")
+    async def strange(request: web.Request) -> web.Response:
+        return web.Response(text=request.path.rpartition("/")[2])
 
-    async def show(server: BaseTestServer, token: str) -> object:
+    async def show(server: BaseTestServer, token: str, room: str = "7") -> object:
         url = str(server.make_url("")).rstrip("/")
-        return await asyncio.to_thread(records(url, token), "7", b"<svg/>")
+        return await asyncio.to_thread(records(url, token), room, b"<svg/>")
 
     async def run() -> None:
         other = web.Application()
-        other.router.add_put("/watch/7", strange)
+        other.router.add_put("/watch/{room}", strange)
         async with (
             TestServer(application(store, day, watching, TOKENS)) as ward,
             TestServer(other) as strangers,
@@ -318,8 +347,9 @@ def test_the_camera_shows_its_pictures_to_the_records_and_to_nobody_else(
             assert await show(ward, TOKENS.service) == {"watched": False, "ended": False}
             with pytest.raises(OSError, match="403"):
                 await show(ward, "guessed")
-            with pytest.raises(OSError, match="is not the records"):
-                await show(strangers, TOKENS.service)
+            for text in ("<p>", "7", "[]", "null"):
+                with pytest.raises(OSError, match="is not the records"):
+                    await show(strangers, TOKENS.service, text)
 
     asyncio.run(run())
     assert watching.look("7") == Picture("image/svg+xml", b"<svg/>")
@@ -342,7 +372,10 @@ def test_a_nurse_changes_what_is_given_and_what_is_told(
         assert "&lt;b&gt;one&lt;/b&gt; tablet" in text
         wrong = await session.post("/reminders", data={**new, "begins": "soon"})
         assert (wrong.status, "Not added" in await wrong.text()) == (400, True)
-        assert (await session.post("/reminders", data={**new, "whom": "99"})).status == 400
+        for whom in ("99", "all", "1.5", "9" * 5000):
+            assert (await session.post("/reminders", data={**new, "whom": whom})).status == 400
+        nobody = {"begins": "10:30", "what": "the doctor"}
+        assert (await session.post("/reminders", data=nobody)).status == 400
         await session.post("/reminders/1")
 
     over_http(asking)

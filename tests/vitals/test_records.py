@@ -61,6 +61,30 @@ def test_a_room_and_a_pin_are_one_resident(store: Store, jack: Resident) -> None
         store.add(12, "Somebody else", "1234")
 
 
+def test_who_tries_a_neighbours_pin_is_not_forgiven_for_knowing_an_own_one(
+    store: Store, jack: Resident
+) -> None:
+    store.add(12, "Joan Nikora", "9999")
+    for _ in range(4):
+        with pytest.raises(WrongPin):
+            store.login(12, "0000")
+        store.login(12, "9999")
+    with pytest.raises(WrongPin):
+        store.login(12, "0000")
+    with pytest.raises(Locked):
+        store.login(12, "1234")
+
+
+def test_a_clock_that_is_set_back_locks_no_room_for_longer(
+    store: Store, jack: Resident, clock: Clock
+) -> None:
+    for _ in range(5):
+        with pytest.raises(WrongPin):
+            store.login(12, "0000")
+    clock.on(days=-1)
+    assert store.login(12, "1234") == jack
+
+
 @pytest.mark.parametrize("pin", ["", "123", "12345", "12a4", "１２３４"])
 def test_a_pin_is_four_digits(store: Store, pin: str) -> None:
     with pytest.raises(Unfit):
@@ -82,7 +106,9 @@ def test_after_five_wrong_pins_a_room_is_not_looked_at_for_five_minutes(
     assert store.login(12, "1234") == jack
 
 
-def test_a_right_pin_forgets_the_wrong_ones(store: Store, jack: Resident) -> None:
+def test_where_one_lives_alone_a_right_pin_forgets_the_wrong_ones(
+    store: Store, jack: Resident
+) -> None:
     for _ in range(3):
         for _ in range(4):
             with pytest.raises(WrongPin):
@@ -245,6 +271,10 @@ def test_the_robot_logs_people_in_and_writes_down(store: Store, jack: Resident) 
         ("/login", {"room": 12, "pin": 1234}, 400),
         ("/readings", {"reading": {"kind": "nonsense"}}, 400),
         ("/readings", {"reading": 7}, 400),
+        ("/readings", {"reading": {"kind": ["medication"]}}, 400),
+        ("/readings", {"reading": {"kind": "call", "why": "\ud800"}}, 400),
+        ("/login", {"room": 12, "pin": "\ud800"}, 400),
+        ("/login", {"room": 10**400, "pin": "1234"}, 400),
         ("/readings", [], 400),
         ("/contacts", {"user": "x", "group": "family"}, 400),
         ("/contacts", {"user": 1}, 400),
@@ -285,6 +315,11 @@ def test_nobody_but_the_robot_logs_in_or_writes(
             assert answer.status == 403
 
     over_http(store, asking)
+
+
+def test_a_token_that_was_emptied_is_nobodys() -> None:
+    tokens = Tokens("the-robot", "", "a-visitor")
+    assert [tokens.role(one) for one in (None, "", "a-visitor")] == [None, None, "viewer"]
 
 
 @pytest.mark.parametrize("token", ["", "guessed", "the-robot"])

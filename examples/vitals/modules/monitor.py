@@ -101,9 +101,11 @@ def records(url: str, token: str) -> Show:
         )
         try:
             with urllib.request.urlopen(asked, timeout=5) as answer:
-                said: dict[str, Any] = json.loads(answer.read())
+                said = json.loads(answer.read())
         except (ValueError, HTTPException) as error:
             raise OSError(f"{url} is not the records: {error}") from None
+        if not isinstance(said, dict):
+            raise OSError(f"{url} is not the records: its answer is no object")
         return said
 
     return show

@@ -114,9 +114,11 @@ class DayWeb:
     async def _remind(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
         form = {name: str(value) for name, value in (await request.post()).items()}
-        whom = form.get("whom", "")
+        whom = form.get("whom", "0")
         try:
-            who = self._store.resident(int(whom)).id if whom.isdecimal() else None
+            # What is meant for one is never told to all for a number that can not be read.
+            number = int(whom) if whom.isdecimal() and len(whom) < 10 else 0
+            who = self._store.resident(number).id if whom else None
             self._day.remind(form.get("begins", ""), form.get("what", ""), who, "daily" in form)
         except Unfit as unfit:
             return self._day_shown(True, why(unfit), 400)

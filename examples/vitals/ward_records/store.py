@@ -188,7 +188,8 @@ class Store:
         """Whose room and PIN these are. Raises WrongPin; Locked after ``TRIES`` of them."""
         since = (self._now() - PAUSE).isoformat()
         with self._db:
-            self._db.execute("DELETE FROM wrong_pin WHERE at <= ?", (since,))
+            # Later than now: the clock was set back, and the room would be locked until then.
+            self._db.execute("DELETE FROM wrong_pin WHERE at <= ? OR at > ?", (since, self._time()))
         wrong = "SELECT count(*) FROM wrong_pin WHERE room = ?"
         if self._db.execute(wrong, (room,)).fetchone()[0] >= TRIES:
             raise Locked("too many wrong PINs: it is looked at again in some minutes")
@@ -196,7 +197,8 @@ class Store:
         with self._db:
             if found is None:
                 self._db.execute("INSERT INTO wrong_pin VALUES (?, ?)", (room, self._time()))
-            else:
+            elif self._lives_alone(room):
+                # Else who tries the neighbour's could go on for ever with an own one in between.
                 self._db.execute("DELETE FROM wrong_pin WHERE room = ?", (room,))
         if found is None:
             raise WrongPin("this room and this PIN do not go together")
@@ -222,6 +224,10 @@ class Store:
         # All are looked at, however early one fits: how long it takes tells nothing.
         fits = [number for number, salt, kept in rows if _same(_hashed(pin, salt), kept)]
         return fits[0] if fits else None
+
+    def _lives_alone(self, room: int) -> bool:
+        lives = self._db.execute("SELECT count(*) FROM resident WHERE room = ?", (room,))
+        return bool(lives.fetchone()[0] == 1)
 
     # -- what the robot tells ----------------------------------------------------
 
@@ -304,7 +310,7 @@ def number_in(value: Any) -> float | None:
         return None
     try:
         number = float(value)
-    except ValueError:
+    except (ValueError, OverflowError):
         return None
     return number if abs(number) < 1e12 else None
 

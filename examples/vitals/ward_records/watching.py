@@ -39,13 +39,13 @@ class Watching:
 
     def show(self, room: str, picture: Picture) -> dict[str, bool]:
         """From the robot. ``watched``: a nurse looks; ``ended``: she has ended it, told once."""
-        now, view = self._now(), self._view(room)
+        view, now = self._view(room), self._now()
         if view is None:
             view = self._views[room] = _View(picture, now)
         view.picture, view.at = picture, now
         if view.ended:
             del self._views[room]
-        watched = view.looked is not None and now - view.looked < WATCHED
+        watched = view.looked is not None and _is_fresh(now - view.looked, WATCHED)
         return {"watched": watched and not view.ended, "ended": view.ended}
 
     def look(self, room: str) -> Picture | None:
@@ -64,8 +64,20 @@ class Watching:
 
     def rooms(self) -> list[str]:
         """Where there is something to be seen."""
-        return sorted(room for room in self._views if self._view(room) is not None)
+        self._forget()
+        return sorted(self._views)
 
     def _view(self, room: str) -> _View | None:
-        view = self._views.get(room)
-        return view if view is not None and self._now() - view.at < GONE else None
+        self._forget()
+        return self._views.get(room)
+
+    def _forget(self) -> None:
+        now = self._now()
+        self._views = {
+            room: view for room, view in self._views.items() if _is_fresh(now - view.at, GONE)
+        }
+
+
+def _is_fresh(age: timedelta, most: timedelta) -> bool:
+    # Younger than nothing: the clock was set back.
+    return timedelta(0) <= age < most

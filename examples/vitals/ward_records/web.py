@@ -148,7 +148,8 @@ class _Ward:
         return web.json_response({"kept": True})
 
     def _keep(self, reading: dict[str, Any]) -> None:
-        if reading.get("kind") in OUTCOMES:
+        kind = reading.get("kind")
+        if isinstance(kind, str) and kind in OUTCOMES:
             self._day.keep(reading)
         else:
             self._store.keep(reading)
