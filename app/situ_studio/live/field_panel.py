@@ -135,6 +135,7 @@ class FieldPanel(QWidget):
         label.setProperty("role", "label")
         self.place = PlaceTag()
         label.setBuddy(self.place)
+        label.setToolTip(self.place.toolTip())
         below = QHBoxLayout()
         below.setContentsMargins(12, 0, 12, 4)
         below.setSpacing(8)
