@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import runpy
-import weakref
 from collections.abc import Awaitable, Callable
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -229,17 +228,20 @@ def test_with_a_clock_that_is_set_back_no_picture_stays_and_nobody_seems_to_look
 
 
 def test_of_a_room_that_the_robot_has_left_nothing_is_kept(clock: Clock) -> None:
-    class Content(bytes):
-        """Bytes that can be asked whether somebody still has them."""
+    gone: list[bytes] = []
 
-    watching, content = Watching(clock), Content(PICTURE.content)
-    kept = weakref.ref(content)
-    watching.show("7", Picture(PICTURE.kind, content))
-    del content
-    assert kept() is not None
+    class Content(bytes):
+        """Bytes that tell when nobody has them any more."""
+
+        def __del__(self) -> None:
+            gone.append(self)
+
+    watching = Watching(clock)
+    watching.show("7", Picture(PICTURE.kind, Content(PICTURE.content)))
+    assert gone == []
     clock.on(seconds=GONE.total_seconds())
     watching.rooms()
-    assert kept() is None
+    assert gone == [PICTURE.content]
 
 
 def test_that_help_is_there_is_told_once(clock: Clock) -> None:
