@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import ipaddress
 from pathlib import Path
 from typing import Any
@@ -9,9 +10,11 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from zeroconf import ServiceStateChange
+from zeroconf.asyncio import AsyncServiceInfo
 
 from situ.blackboard import keys, nearby
-from situ.blackboard.announced import Announced, fingerprint, heard, label, properties
+from situ.blackboard.announced import SERVICE, Announced, fingerprint, heard, label, properties
 from situ.blackboard.keys import RobotKey, new_pair
 from situ.blackboard.nearby import best_first, standing
 from situ.blackboard.protocol import VERSION
@@ -109,6 +112,61 @@ def test_a_robot_that_was_found_is_asked_with_its_own_key_wherever_it_is(tmp_pat
     for folder in (tmp_path, None):
         with pytest.raises(UsageError, match=r"no key for this robot here; situ keys add"):
             keys.client_keys(elsewhere, folder, robot="0" * 32)
+
+
+# -- who is there ------------------------------------------------------------
+
+
+class Answering(AsyncServiceInfo):
+    """Each that is asked answers at once."""
+
+    def __init__(self, type_: str, name: str) -> None:
+        told = dict[Any, Any](properties(WARD))
+        super().__init__(type_, name, 5570, properties=told, parsed_addresses=["10.0.0.5"])
+
+    async def async_request(self, *_: Any) -> bool:
+        return True
+
+
+def test_a_name_that_no_robot_can_have_takes_nobodys_place_and_steers_no_terminal(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Browser:
+        """Has heard of five, of which one is a robot."""
+
+        def __init__(self, zeroconf: Any, service: str, handlers: list[Any]) -> None:
+            for name in ("a\x1b[2J", "a\x9b2J", "a\u202eb", "_sub", "ward at rob1"):
+                for handler in handlers:
+                    full = f"{name}.{SERVICE}"
+                    handler(zeroconf, service, full, ServiceStateChange.Added)
+
+        async def async_cancel(self) -> None: ...
+
+    class Network:
+        zeroconf = None
+
+        def __init__(self, **_: Any) -> None: ...
+
+        async def async_close(self) -> None: ...
+
+    monkeypatch.setattr(nearby, "AsyncServiceInfo", Answering)
+    monkeypatch.setattr(nearby, "AsyncServiceBrowser", Browser)
+    monkeypatch.setattr(nearby, "AsyncZeroconf", Network)
+    monkeypatch.setattr(nearby, "MOST", 1)
+    there: list[str] = []
+
+    async def look() -> None:
+        heard_of = asyncio.Event()
+
+        def told(name: str, _: Announced | None) -> None:
+            there.append(name)
+            heard_of.set()
+
+        async with nearby.Nearby(told), asyncio.timeout(20):
+            await heard_of.wait()
+
+    asyncio.run(look())
+    assert there == ["ward at rob1"]
 
 
 # -- situ robots -------------------------------------------------------------

@@ -61,7 +61,7 @@ def properties(robot: Announced) -> dict[str, bytes]:
 def label(robot: Announced) -> str:
     """Its name among the others; the network gives one that is taken a number."""
     # A dot would part it, and " (2)" must have room.
-    name = f"{robot.project} at {robot.host}".replace(".", "-")
+    name = _one_line(f"{robot.project} at {robot.host}").replace(".", "-")
     return _cut(name, LABEL - 5).decode()
 
 
@@ -85,9 +85,12 @@ def heard(
 
 
 def _plain(value: bytes) -> str:
-    """One line without what steers a terminal."""
-    text = value.decode("utf-8", "replace")
-    return "".join(one if one.isprintable() else " " for one in text).strip()[:TEXT]
+    return _one_line(value.decode("utf-8", "replace"))[:TEXT]
+
+
+def _one_line(text: str) -> str:
+    """Without what steers a terminal."""
+    return "".join(one if one.isprintable() else " " for one in text).strip()
 
 
 def _cut(text: str, most: int) -> bytes:

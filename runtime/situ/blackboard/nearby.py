@@ -8,7 +8,13 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
 import ifaddr
-from zeroconf import InterfaceChoice, IPVersion, ServiceStateChange, Zeroconf
+from zeroconf import (
+    BadTypeInNameException,
+    InterfaceChoice,
+    IPVersion,
+    ServiceStateChange,
+    Zeroconf,
+)
 from zeroconf.asyncio import AsyncServiceBrowser, AsyncServiceInfo, AsyncZeroconf
 
 from situ.blackboard.announced import SERVICE, Announced, fingerprint, heard
@@ -70,16 +76,23 @@ class Nearby:
         name: str,
         state_change: ServiceStateChange,
     ) -> None:
+        if not name.isprintable():
+            # It would steer a terminal; no robot calls itself so.
+            return
+        try:
+            info = AsyncServiceInfo(SERVICE, name)
+        except BadTypeInNameException:
+            return
         before = self._asking.pop(name, None)
         if before is not None:
             before.cancel()
         if state_change is ServiceStateChange.Removed:
             self._tell(name, None)
         elif name in self._there or len(self._there | self._asking.keys()) < MOST:
-            self._asking[name] = asyncio.create_task(self._ask(zeroconf, name))
+            self._asking[name] = asyncio.create_task(self._ask(zeroconf, info))
 
-    async def _ask(self, zeroconf: Zeroconf, name: str) -> None:
-        info = AsyncServiceInfo(SERVICE, name)
+    async def _ask(self, zeroconf: Zeroconf, info: AsyncServiceInfo) -> None:
+        name = info.name
         if await info.async_request(zeroconf, ANSWER * 1000):
             found = tuple(info.parsed_addresses(IPVersion.V4Only))
             self._tell(name, heard(best_first(found, own_networks()), info.port, info.properties))
