@@ -19,7 +19,8 @@ from situ.decide.step import SECOND
 from situ.document.folder import sources
 from situ.document.ready import load_ready
 from situ.engine.record import OneFile, Recorder
-from situ.rehearse.recorded import Document, Heading, Snapshot, Taken, read
+from situ.rehearse.masking import masked
+from situ.rehearse.recorded import Document, Heading, Line, Snapshot, Taken, read
 
 WARD = """<application name="ward">
   <state no="1">
@@ -170,6 +171,16 @@ def test_a_file_that_breaks_off_is_masked_too(
     out, told = capfd.readouterr()
     assert HIDDEN in out
     assert "breaks off" in told
+
+
+def test_what_an_application_wrote_is_masked_though_it_has_not_been_heard_of(file: Path) -> None:
+    known = [piece for piece in read(file) if isinstance(piece, (Heading, Document))]
+    lines = [
+        Line(json.dumps({**data(tag, 41), "seq": at, "t": at, "writer": "ward"}).encode(), at)
+        for at, tag in enumerate(("user.age", "card"), 1)
+    ]
+    shown = [json.loads(one.text) for one in masked([*known, *lines]) if isinstance(one, Line)]
+    assert [one["value"] for one in shown] == [HIDDEN, HIDDEN]
 
 
 def test_what_does_not_go_together_is_2(
