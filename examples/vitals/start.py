@@ -67,7 +67,6 @@ def confide(records: Path, robot: Path, url: str) -> None:
     if file.exists():
         return
     token = json.loads((records / "tokens.json").read_text("utf-8"))["service"]
-    robot.mkdir(parents=True, exist_ok=True, mode=0o700)
     said = f'[[service]]\nurl = "{url}/**"\nheaders = {{ Authorization = "Bearer {token}" }}\n'
     descriptor = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     with os.fdopen(descriptor, "w", encoding="utf-8") as out:
@@ -104,6 +103,8 @@ def main() -> int:
     project = tomllib.loads((HERE / "situ.toml").read_text("utf-8"))
     records = project["tags"]["services.records"]
     address = urlsplit(records)
+    # Before the records make theirs in it: of a folder's parents nobody says for whom they are.
+    state.mkdir(parents=True, exist_ok=True, mode=0o700)
     with Programs() as programs:
         told = ("--host", address.hostname or "", "--port", str(address.port))
         nurse = first_line(programs.python("-m", "ward_records", state / "records", *told))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import runpy
 from collections.abc import Awaitable, Callable
 from datetime import UTC, datetime, timedelta
@@ -14,6 +15,7 @@ import pytest
 from aiohttp import web
 from aiohttp.test_utils import BaseTestServer, TestServer
 
+from situ.blackboard.services import PATIENCE
 from ward_records.access import Tokens
 from ward_records.day import TIMES, Day
 from ward_records.store import Resident, Store, Unfit
@@ -383,6 +385,78 @@ def test_a_nurse_changes_what_is_given_and_what_is_told(
     over_http(asking)
     assert [one.what for one in day.medicines(jack.id)] == ["<b>one</b> tablet"]
     assert day.reminders() == []
+
+
+def test_two_nurses_at_once_undo_nothing_of_each_other(
+    over_http: Over, day: Day, jack: Resident
+) -> None:
+    day.prescribe(jack.id, "morning", "one")
+    path = f"/residents/{jack.id}/medicine"
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        await session.get("/", params={"token": "a-nurse"})
+        page = await (await session.get(f"/residents/{jack.id}")).text()
+        stood = dict(re.findall(r'name="(\w+-was)" value="([^"]*)"', page))
+        assert stood == {"morning-was": "one", "noon-was": "", "evening-was": ""}
+        form = {**stood, "morning": "one", "noon": "", "evening": ""}
+        assert (await session.post(path, data={**form, "noon": "a drop"})).status == 200
+        # The other one's page is from before: it says nothing of noon that she has changed.
+        assert (await session.post(path, data={**form, "evening": "two"})).status == 200
+        late = await session.post(path, data={**form, "noon": "three", "morning": "none"})
+        assert late.status == 409
+        assert "Another nurse" in await late.text()
+
+    over_http(asking)
+    given = {one.round: one.what for one in day.medicines(jack.id)}
+    assert given == {"morning": "one", "noon": "a drop", "evening": "two"}
+
+
+@pytest.mark.parametrize("takes", [0.0, 0.5, 3.9, 5.0])
+def test_the_camera_answers_in_the_time_of_a_service_though_the_records_are_slow(
+    takes: float,
+) -> None:
+    monitor = runpy.run_path(str(VITALS / "modules" / "monitor.py"))
+
+    class Asked:
+        """A board and a request to it, which stand still but for what takes time."""
+
+        now, cancelled, params = 0.0, False, {"room": "7"}
+
+        def __init__(self) -> None:
+            self.answered: list[float] = []
+
+        def clock(self) -> float:
+            return self.now
+
+        def sleep(self, seconds: float) -> None:
+            self.now += seconds
+
+        def set(self, *_: object) -> None: ...
+
+        def answer(self, _: object) -> None:
+            self.answered.append(self.now)
+
+    asked = Asked()
+
+    def show(*_: object) -> dict[str, bool]:
+        asked.sleep(takes)
+        return {"watched": False, "ended": False}
+
+    monitor["watch"](asked, monitor["SimulatedCamera"](), show, asked)
+    assert asked.answered == [asked.now]
+    assert 20.0 <= asked.now <= 26.0 < PATIENCE
+
+
+@pytest.mark.parametrize(("size", "status"), [(300_000, 200), (600_000, 413)])
+def test_a_real_cameras_picture_is_taken_and_one_without_end_is_not(
+    over_http: Over, size: int, status: int
+) -> None:
+    async def asking(session: aiohttp.ClientSession) -> None:
+        headers = {**ROBOT, "Content-Type": "image/jpeg"}
+        shown = await session.put("/watch/7", data=b"\xff" * size, headers=headers)
+        assert shown.status == status
+
+    over_http(asking)
 
 
 def test_a_visitor_sees_no_medicine_no_camera_and_changes_nothing(

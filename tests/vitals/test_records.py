@@ -250,6 +250,24 @@ def over_http(store: Store, asking: Asking) -> None:
     asyncio.run(run())
 
 
+def test_no_number_of_games_hides_what_was_measured_of_the_body(
+    store: Store, jack: Resident, clock: Clock
+) -> None:
+    store.keep({**PRESSURE, "user": jack.id})
+    store.keep({**PRESSURE, "user": jack.id})
+    for score in range(130):
+        clock.on(hours=1)
+        store.keep({"kind": "game", "score": score % 6, "user": jack.id})
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        await session.get("/", params={"token": "a-nurse"})
+        assert "128 / 76" in await (await session.get("/")).text()
+        shown = await (await session.get("/residents/1")).text()
+        assert 'id="curve-pressure"' in shown
+
+    over_http(store, asking)
+
+
 def test_the_robot_logs_people_in_and_writes_down(store: Store, jack: Resident) -> None:
     async def asking(session: aiohttp.ClientSession) -> None:
         answer = await session.post("/login", json={"room": 12, "pin": "1234"}, headers=ROBOT)

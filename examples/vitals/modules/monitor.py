@@ -2,7 +2,7 @@
 
 An application asks ``board:monitor/watch`` with the ``room``. Then the records are shown a picture
 every second, and say whether a nurse looks: that stands at ``watched``. The answer is whether she
-has ended it; it comes after 25 s at the latest, to be asked again, for no service waits for ever.
+has ended it; it comes after 26 s at the latest, to be asked again, for no service waits for ever.
 Pictures go to nobody else and are kept by nobody.
 """
 
@@ -22,8 +22,8 @@ from urllib.parse import quote
 import situ
 from situ.errors import SituError
 
-STEP, PATIENCE = 1.0, 25.0
-"""Seconds between two pictures, and until it asks to be asked again."""
+STEP, PATIENCE, ANSWER = 1.0, 20.0, 5.0
+"""Seconds between two pictures, until it asks to be asked again, and for the records to answer."""
 
 LOST = 3
 """So many pictures in a row that nobody takes, and the connection is lost."""
@@ -100,7 +100,7 @@ def records(url: str, token: str) -> Show:
             headers={"Authorization": f"Bearer {token}", "Content-Type": "image/svg+xml"},
         )
         try:
-            with urllib.request.urlopen(asked, timeout=5) as answer:
+            with urllib.request.urlopen(asked, timeout=ANSWER) as answer:
                 said = json.loads(answer.read())
         except (ValueError, HTTPException) as error:
             raise OSError(f"{url} is not the records: {error}") from None

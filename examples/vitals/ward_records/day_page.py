@@ -125,6 +125,7 @@ def medicine_form(resident: int, medicines: Sequence[Medicine]) -> str:
     fields = "".join(
         f'<label for="{name}">{say(_ROUND[name])}</label>'
         f'<input id="{name}" name="{name}" maxlength="200" value="{escape(given.get(name, ""))}">'
+        f'<input type="hidden" name="{name}-was" value="{escape(given.get(name, ""))}">'
         for name in ROUNDS
     )
     return (

@@ -21,9 +21,12 @@ from ward_records import day_page, page
 from ward_records.access import Tokens
 from ward_records.answers import refused, shown
 from ward_records.day import ROUNDS, Day
-from ward_records.language import why
+from ward_records.language import say, why
 from ward_records.store import Store, Unfit, Unknown
 from ward_records.watching import KINDS, Picture, Watching
+
+LARGEST = 512 * 1024
+"""Bytes of a picture."""
 
 _ROOM = "/watch/{room:[A-Za-z0-9-]{1,20}}"
 
@@ -75,7 +78,8 @@ class DayWeb:
         self._tokens.must_be_robot(request)
         if request.content_type not in KINDS:
             return refused(415, f"a picture is one of {', '.join(KINDS)}")
-        picture = Picture(request.content_type, await request.read())
+        content = await request.clone(client_max_size=LARGEST).read()
+        picture = Picture(request.content_type, content)
         return web.json_response(self._watching.show(request.match_info["room"], picture))
 
     # -- what the nurse does -----------------------------------------------------
@@ -138,6 +142,17 @@ class DayWeb:
             who = self._store.resident(int(request.match_info["id"])).id
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
+        given = {one.round: one.what for one in self._day.medicines(who)}
+        changed = []
         for name in ROUNDS:
-            self._day.prescribe(who, name, str(form.get(name, "")))
+            what, was, now = form.get(name, ""), form.get(f"{name}-was"), given.get(name, "")
+            # What she left as it was does not undo what another nurse has changed meanwhile.
+            if what in (was, now):
+                continue
+            if was is not None and was != now:
+                said = "Another nurse has changed this meanwhile. Go back, load the page again."
+                raise web.HTTPConflict(text=say(said))
+            changed.append((name, str(what)))
+        for name, what in changed:
+            self._day.prescribe(who, name, what)
         raise web.HTTPSeeOther(f"/residents/{who}")

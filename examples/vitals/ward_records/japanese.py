@@ -105,6 +105,9 @@ JAPANESE = {
     "an address has no blanks and begins with a letter, a digit or +": (
         "連絡先は空白を含まず、英字、数字または+で始まります"
     ),
+    "Another nurse has changed this meanwhile. Go back, load the page again.": (
+        "ほかの看護師がその間に変更しました。戻って、ページを読み込み直してください。"
+    ),
     "family or friends": "ご家族かお友達を選んでください",
     "a name has 1 to 80 letters": "名前は1文字から80文字です",
     "a PIN is four digits": "暗証番号は数字4桁です",

@@ -51,6 +51,7 @@ CREATE TABLE IF NOT EXISTS reading (
   id INTEGER PRIMARY KEY, resident INTEGER NOT NULL REFERENCES resident (id),
   at TEXT NOT NULL, kind TEXT NOT NULL, measured TEXT NOT NULL
 );
+CREATE INDEX IF NOT EXISTS reading_of ON reading (resident, kind, at);
 CREATE TABLE IF NOT EXISTS call (
   id INTEGER PRIMARY KEY, at TEXT NOT NULL, why TEXT NOT NULL, room TEXT NOT NULL, seen TEXT
 );
@@ -279,7 +280,17 @@ class Store:
             "ORDER BY at DESC, id DESC LIMIT ?2",
             (number, most),
         )
-        return [Reading(who, _at(at), kind, json.loads(value)) for who, at, kind, value in rows]
+        return [_reading(*row) for row in rows]
+
+    def readings_of_each_kind(self, number: int, most: int) -> list[Reading]:
+        """The last ones of each kind, of one resident; the newest first."""
+        rows = self._db.execute(
+            "SELECT resident, at, kind, measured FROM (SELECT *, row_number() OVER "
+            "(PARTITION BY kind ORDER BY at DESC, id DESC) AS place FROM reading "
+            "WHERE resident = ?) WHERE place <= ? ORDER BY at DESC, id DESC",
+            (number, most),
+        )
+        return [_reading(*row) for row in rows]
 
     def calls(self, most: int = 50) -> list[Call]:
         """Those that nobody has seen first, then the newest."""
@@ -324,6 +335,10 @@ def must_be_named(name: str) -> None:
 def _resident(row: tuple[int, str, int, str]) -> Resident:
     number, name, room, limits = row
     return Resident(number, name, room, LIMITS | json.loads(limits))
+
+
+def _reading(resident: int, at: str, kind: str, measured: str) -> Reading:
+    return Reading(resident, _at(at), kind, json.loads(measured))
 
 
 def _at(text: str) -> datetime:

@@ -34,7 +34,6 @@ from ward_records.day_web import DayWeb
 from ward_records.language import speak, wanted, why
 from ward_records.residents_web import ResidentsWeb
 from ward_records.store import (
-    KINDS,
     LIMITS,
     Locked,
     Reading,
@@ -176,7 +175,8 @@ class _Ward:
 
     def _measured(self, number: int) -> list[Reading]:
         """The last reading of the body: a game does not hide it."""
-        return [one for one in self._store.readings(number) if one.kind != "game"][:1]
+        last = self._store.readings_of_each_kind(number, most=1)
+        return [one for one in last if one.kind != "game"][:1]
 
     async def resident(self, request: web.Request) -> web.Response:
         role = self._tokens.nurse(request)
@@ -229,6 +229,6 @@ class _Ward:
         person = residents_page.change(found, given or {}, wrong)
         contacts = self.of_contacts.form(number, *contact)
         forms = self._of_day.medicine_form(number) + contacts + person
-        readings = self._store.readings(number, most=MOST * len(KINDS))
+        readings = self._store.readings_of_each_kind(number, most=MOST)
         made = page.resident(found, readings, forms, open_, wrong_limits)
         return shown(made, 400 if wrong or wrong_limits or contact[1] else 200)
