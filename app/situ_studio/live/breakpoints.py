@@ -50,7 +50,7 @@ class Breakpoints(QWidget):
         self._may_change = True
         self.setProperty("role", "panel")
         titles = (tr("No."), tr("The robot pauses"), tr("Application"), tr("Set by"))
-        self.table = BreakpointTable(tr("Breakpoints"), titles, (40, 250, 90), theme)
+        self.table = BreakpointTable(tr("Breakpoints"), titles, (40, 360, 120), theme)
         self.table.rows.tips = (
             tr("The breakpoint's number; green where something waits at it"),
             tr("A click goes there, Delete takes the breakpoint away"),

@@ -7,13 +7,15 @@ from typing import Any
 
 from msgspec import Struct
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from situ_studio.letters import px
 from situ_studio.theme import Theme, font
 
 ROW = 24
+BESIDE = 20
+"""What a cell leaves free beside its words."""
 
 
 class Row(Struct, frozen=True):
@@ -113,7 +115,7 @@ class RowsModel(QAbstractTableModel):
 
 
 class RowsTable(QTableView):
-    """widths: px of all columns but the last, which takes the rest."""
+    """widths: of all columns but the last, which takes the rest; px of the design."""
 
     chosen = Signal(QModelIndex)
     """A row that a person clicks, or presses Enter on; once also where it is clicked twice."""
@@ -146,11 +148,17 @@ class RowsTable(QTableView):
         header.setFixedHeight(px(ROW))
         for column, width in enumerate(widths):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
-            header.resizeSection(column, width)
+            header.resizeSection(column, px(width))
         header.setStretchLastSection(True)
 
     def set_theme(self, theme: Theme) -> None:
         self.rows.set_theme(theme)
+
+    def make_room(self, column: int, text: str) -> None:
+        """That column becomes as wide as it must be for the text, never narrower."""
+        needed = QFontMetrics(font(12)).horizontalAdvance(text) + px(BESIDE)
+        if needed > self.columnWidth(column):
+            self.setColumnWidth(column, needed)
 
     def when_chosen(self, told: Callable[[str], None]) -> None:
         """``told`` gets the key of a row that is ``chosen``."""

@@ -28,13 +28,13 @@ class Trace(RowsTable):
         titles = (tr("Time"), tr("What"), tr("Because of"), tr("Details"))
         super().__init__(tr("Trace"), titles, (90, 120, 90), theme, parent)
         self.rows.tips = (
-            tr("When it happened, since the robot started."),
+            tr("When it happened: by the clock, or in seconds since the robot started."),
             tr("What happened, with its number."),
             tr("The number of what it came from."),
             tr("What is known about it."),
         )
         self._viewing: Viewing | None = None
-        self._shown = LogRows(TraceLog(), _row)
+        self._shown = LogRows(TraceLog(), self._row)
         self._follows = True
         self.chosen.connect(self._seek)
         bar = self.verticalScrollBar()
@@ -58,15 +58,31 @@ class Trace(RowsTable):
         gone, came = news
         self.rows.drop(gone, self._shown.drop)
         self.rows.add(came, self._shown.take)
+        if came:
+            self._make_room()
         if came and self._follows:
             self.scrollToBottom()
 
     def _read(self) -> None:
         assert self._viewing is not None
         self._follows = True
-        self._shown = LogRows(self._viewing.log, _row)
+        self._shown = LogRows(self._viewing.log, self._row)
         self.rows.exchange(self._shown)
+        self._make_room()
         self.scrollToBottom()
+
+    def _make_room(self) -> None:
+        """The last time is the longest: a day stands before it where the run has several."""
+        assert self._viewing is not None
+        if self._shown:
+            self.make_room(0, self._shown[-1].cells[0])
+
+    def _row(self, event: TraceFields) -> Row:
+        assert self._viewing is not None
+        cause = "" if event["cause"] is None else f"{event['cause']}"
+        what = f"{event['seq']} {event['kind']}"
+        cells = (self._viewing.written(event["t"]), what, cause, words(event))
+        return Row(str(event["seq"]), cells, event["kind"] in _LOUD)
 
     def _show_cursor(self) -> None:
         viewing = self._viewing
@@ -108,12 +124,6 @@ class Trace(RowsTable):
             self.verticalScrollBar().setValue(end)
 
 
-def _row(event: TraceFields) -> Row:
-    cause = "" if event["cause"] is None else f"{event['cause']}"
-    cells = (f"{event['t']:.3f} s", f"{event['seq']} {event['kind']}", cause, words(event))
-    return Row(str(event["seq"]), cells, event["kind"] in _LOUD)
-
-
 def words(event: TraceFields) -> str:
     """An event's own fields in one line: ``reception: 2 → 3 by clickContinue``."""
     fields = {key: value for key, value in event.items() if key not in _ALWAYS}
@@ -124,5 +134,6 @@ def words(event: TraceFields) -> str:
     for key, value in fields.items():
         if value is None or (key == "components"):
             continue
-        parts.append(f"{key} {in_text(value)}")
+        several = isinstance(value, list) and all(isinstance(one, str) for one in value)
+        parts.append(f"{key} {' '.join(value) if several else in_text(value)}")
     return f"{application}: {', '.join(parts)}" if application else ", ".join(parts)

@@ -94,6 +94,8 @@ class Why(QWidget):
                 for n, link in enumerate(links)
             ]
         )
+        for link in links:
+            self.table.make_room(0, link.at)
 
     def _on_chosen(self, key: str) -> None:
         self.chosen.emit(self.links[int(key)])
