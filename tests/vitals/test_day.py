@@ -5,8 +5,8 @@ from __future__ import annotations
 import asyncio
 import re
 import runpy
-from collections.abc import Awaitable, Callable
-from datetime import UTC, datetime, timedelta
+from collections.abc import Callable
+from datetime import UTC
 from pathlib import Path
 from typing import Any
 
@@ -14,51 +14,21 @@ import aiohttp
 import pytest
 from aiohttp import web
 from aiohttp.test_utils import BaseTestServer, TestServer
+from tests.vitals import ward
+from tests.vitals.ward import ROBOT, TOKENS, Asking, Clock
 
 from situ.blackboard.services import PATIENCE
-from ward_records.access import Tokens
 from ward_records.day import TIMES, Day
 from ward_records.store import Resident, Store, Unfit
 from ward_records.watching import GONE, WATCHED, Picture, Watching
 from ward_records.web import application
 
 VITALS = Path(__file__).resolve().parents[2] / "examples" / "vitals"
-TOKENS = Tokens("the-robot", "a-nurse", "a-visitor")
-ROBOT = {"Authorization": "Bearer the-robot"}
-
-
-class Clock:
-    def __init__(self) -> None:
-        self.now = datetime(2026, 5, 4, 8, 0, tzinfo=UTC)
-
-    def __call__(self) -> datetime:
-        return self.now
-
-    def at(self, time: str) -> None:
-        self.now = self.now.replace(hour=int(time[:2]), minute=int(time[3:]))
-
-    def on(self, **passed: float) -> None:
-        self.now += timedelta(**passed)
-
-
-@pytest.fixture
-def clock() -> Clock:
-    return Clock()
-
-
-@pytest.fixture
-def store(clock: Clock) -> Store:
-    return Store(None, clock)
 
 
 @pytest.fixture
 def day(store: Store, clock: Clock) -> Day:
     return Day(store.db, clock, UTC)
-
-
-@pytest.fixture
-def jack(store: Store) -> Resident:
-    return store.add(12, "Jack <Nilsen>", "1234")
 
 
 def visited(jack: Resident, outcome: str, round_: str = "morning") -> dict[str, str]:
@@ -258,26 +228,12 @@ def test_that_help_is_there_is_told_once(clock: Clock) -> None:
 
 # -- over HTTP -------------------------------------------------------------------------
 
-Asking = Callable[[aiohttp.ClientSession], Awaitable[None]]
 Over = Callable[[Asking], None]
 
 
 @pytest.fixture
-def over_http(store: Store, day: Day, clock: Clock) -> Over:
-    ward = application(store, day, Watching(clock), TOKENS)
-
-    def begin(asking: Asking) -> None:
-        async def run() -> None:
-            jar = aiohttp.CookieJar(unsafe=True)
-            async with (
-                TestServer(ward) as server,
-                aiohttp.ClientSession(server.make_url("/"), cookie_jar=jar) as session,
-            ):
-                await asking(session)
-
-        asyncio.run(run())
-
-    return begin
+def over_http(store: Store, clock: Clock) -> Over:
+    return lambda asking: ward.over_http(store, asking, clock=clock)
 
 
 def test_the_robot_asks_what_is_to_be_done_and_tells_how_it_ended(

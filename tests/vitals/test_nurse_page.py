@@ -7,55 +7,19 @@ import asyncio
 import csv
 import io
 import re
-from collections.abc import Awaitable, Callable
-from datetime import UTC, datetime, timedelta
+from datetime import timedelta
 from pathlib import Path
 
 import aiohttp
 import pytest
-from aiohttp.test_utils import TestServer
+from tests.vitals.ward import NOW, over_http
 
 from ward_records import contacts_page, curves, day_page, page
-from ward_records.access import Tokens
-from ward_records.day import Day
 from ward_records.japanese import JAPANESE
 from ward_records.language import speak, wanted
 from ward_records.store import LIMITS, Reading, Resident, Store, Unfit, Unknown, WrongPin
-from ward_records.watching import Watching
-from ward_records.web import application
 
 VITALS = Path(__file__).resolve().parents[2] / "examples" / "vitals"
-TOKENS = Tokens("the-robot", "a-nurse", "a-visitor")
-NOW = datetime(2026, 5, 4, 8, 0, tzinfo=UTC)
-Asking = Callable[[aiohttp.ClientSession], Awaitable[None]]
-
-
-@pytest.fixture
-def store() -> Store:
-    return Store(None, lambda: NOW)
-
-
-@pytest.fixture
-def jack(store: Store) -> Resident:
-    return store.add(12, "Jack <Nilsen>", "1234")
-
-
-def over_http(store: Store, asking: Asking, token: str = "a-nurse", speaks: str = "en") -> None:
-    async def run() -> None:
-        day = Day(store.db, lambda: NOW)
-        made = application(store, day, Watching(lambda: NOW), TOKENS)
-        async with (
-            TestServer(made) as server,
-            aiohttp.ClientSession(
-                server.make_url("/"),
-                cookie_jar=aiohttp.CookieJar(unsafe=True),
-                headers={"Accept-Language": speaks},
-            ) as session,
-        ):
-            await session.get("/", params={"token": token})
-            await asking(session)
-
-    asyncio.run(run())
 
 
 # -- who lives here ------------------------------------------------------------------
@@ -113,7 +77,7 @@ def test_the_nurse_adds_and_changes_residents_by_forms(store: Store, jack: Resid
         assert answer.status == 200
         assert (await session.post("/residents/9/person", data=bea)).status == 404
 
-    over_http(store, asking)
+    over_http(store, asking, "a-nurse")
     assert [(one.name, one.room) for one in store.residents()] == [
         ("Bea <Lee>", 9),
         ("Jack <Nilsen>", 12),
@@ -146,7 +110,7 @@ def test_a_form_of_another_page_changes_nothing(
         own = {"Origin": str(session._base_url).rstrip("/"), "Sec-Fetch-Site": "same-origin"}
         assert (await session.post("/residents", data=person, headers=own)).status == 200
 
-    over_http(store, asking)
+    over_http(store, asking, "a-nurse")
     assert [one.name for one in store.residents()] == ["Jack <Nilsen>", "Eve"]
 
 
@@ -224,7 +188,7 @@ def test_the_page_has_a_curve_of_each_kind_that_was_measured_twice(
         assert 'aria-label="Blood pressure: 30 readings, the last one 159 / 80"' in shown
         assert "<script" not in shown
 
-    over_http(store, asking)
+    over_http(store, asking, "a-nurse")
 
 
 def test_all_readings_are_taken_away_as_a_table(store: Store, jack: Resident) -> None:
@@ -250,7 +214,7 @@ def test_all_readings_are_taken_away_as_a_table(store: Store, jack: Resident) ->
         assert own.count("\n") == 2
         assert (await session.get("/residents/9/readings.csv")).status == 404
 
-    over_http(store, asking)
+    over_http(store, asking, "a-nurse")
 
 
 # -- in her language -----------------------------------------------------------------
@@ -291,7 +255,7 @@ def test_the_page_is_japanese_where_the_browser_asks_for_it(store: Store, jack: 
         english = await session.get("/", headers={"Accept-Language": "en"})
         assert "room 12</strong>: fall" in await english.text()
 
-    over_http(store, asking, speaks="ja-JP,en;q=0.5")
+    over_http(store, asking, "a-nurse", speaks="ja-JP,en;q=0.5")
 
 
 def test_every_text_of_the_page_has_a_japanese_one() -> None:

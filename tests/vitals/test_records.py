@@ -2,50 +2,18 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import Awaitable, Callable
-from datetime import UTC, datetime, timedelta
+from datetime import timedelta
 from pathlib import Path
 from typing import Any
 
 import aiohttp
 import pytest
-from aiohttp.test_utils import TestServer
+from tests.vitals.ward import ROBOT, Clock, over_http
 
 from ward_records.access import Tokens
-from ward_records.day import Day
 from ward_records.store import LIMITS, Locked, Resident, Store, Unfit, Unknown, WrongPin
-from ward_records.watching import Watching
-from ward_records.web import application
 
-TOKENS = Tokens("the-robot", "a-nurse", "a-visitor")
 PRESSURE = {"kind": "pressure", "systolic": "128", "diastolic": "76", "pulse": 68}
-
-
-class Clock:
-    def __init__(self) -> None:
-        self.now = datetime(2026, 5, 4, 8, 0, tzinfo=UTC)
-
-    def __call__(self) -> datetime:
-        return self.now
-
-    def on(self, **passed: float) -> None:
-        self.now += timedelta(**passed)
-
-
-@pytest.fixture
-def clock() -> Clock:
-    return Clock()
-
-
-@pytest.fixture
-def store(clock: Clock) -> Store:
-    return Store(None, clock)
-
-
-@pytest.fixture
-def jack(store: Store) -> Resident:
-    return store.add(12, "Jack <Nilsen>", "1234")
 
 
 # -- what is kept --------------------------------------------------------------------
@@ -231,23 +199,6 @@ def test_limits_that_are_none_change_nothing(
 
 
 # -- over HTTP -------------------------------------------------------------------------
-
-Asking = Callable[[aiohttp.ClientSession], Awaitable[None]]
-ROBOT = {"Authorization": "Bearer the-robot"}
-
-
-def over_http(store: Store, asking: Asking) -> None:
-    ward = application(store, Day(store.db, Clock()), Watching(Clock()), TOKENS)
-
-    async def run() -> None:
-        jar = aiohttp.CookieJar(unsafe=True)
-        async with (
-            TestServer(ward) as server,
-            aiohttp.ClientSession(server.make_url("/"), cookie_jar=jar) as session,
-        ):
-            await asking(session)
-
-    asyncio.run(run())
 
 
 def test_no_number_of_games_hides_what_was_measured_of_the_body(
