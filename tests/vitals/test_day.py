@@ -6,7 +6,7 @@ import asyncio
 import re
 import runpy
 from collections.abc import Callable
-from datetime import UTC
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -134,6 +134,20 @@ def test_later_is_ten_minutes_later_and_nobody_is_looked_for_three_times(
         day.keep(told(1, "nobody"))
     assert day.schedule()["reminders"] == []
     assert [one.outcome for one in day.reminders()] == ["nobody"]
+
+
+def test_what_was_told_is_not_told_again_because_it_is_midnight_meanwhile(store: Store) -> None:
+    moments = [datetime(2026, 5, 4, 23, 50, tzinfo=UTC)]
+
+    def now() -> datetime:
+        return moments.pop(0) if len(moments) > 1 else moments[0]
+
+    day = Day(store.db, now, UTC)
+    day.remind("23:55", "the gate is shut", None, daily=True)
+    day.keep(told(1, "told"))
+    midnight = datetime(2026, 5, 5, tzinfo=UTC)
+    moments[:] = [midnight - timedelta(microseconds=1), midnight]
+    assert day.schedule() == {"notices": [], "reminders": []}
 
 
 def test_half_an_hour_after_its_begin_nothing_is_told_any_more(day: Day, clock: Clock) -> None:

@@ -109,9 +109,13 @@ def test_a_form_of_another_page_changes_nothing(
             assert (await session.post(path, data=data, headers=headers)).status == 403
         own = {"Origin": str(session._base_url).rstrip("/"), "Sec-Fetch-Site": "same-origin"}
         assert (await session.post("/residents", data=person, headers=own)).status == 200
+        # A proxy that speaks TLS to the nurse's browser, and HTTP to the records.
+        own = {"Origin": "https://ward.example", "Sec-Fetch-Site": "same-origin"}
+        other = person | {"room": "13"}
+        assert (await session.post("/residents", data=other, headers=own)).status == 200
 
     over_http(store, asking, "a-nurse")
-    assert [one.name for one in store.residents()] == ["Jack <Nilsen>", "Eve"]
+    assert [one.name for one in store.residents()] == ["Jack <Nilsen>", "Eve", "Eve"]
 
 
 @pytest.mark.parametrize("token", ["a-visitor", "guessed", "the-robot"])

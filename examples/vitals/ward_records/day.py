@@ -131,9 +131,11 @@ class Day:
         """What is still to be told today, each by ``at``, the time to tell it: ``notices`` for
         all, ``reminders`` for one."""
         now = self._now().astimezone(self._zone)
+        # One day for all of it, though it be midnight by now.
+        day = now.date().isoformat()
         found: dict[str, list[dict[str, Any]]] = {"notices": [], "reminders": []}
-        for one in self.reminders():
-            told = self._told(one.id)
+        for one in self._reminders(day):
+            told = self._told(one.id, day)
             absent = sum(outcome == "nobody" for _, outcome in told)
             begins = now.replace(
                 hour=int(one.begins[:2]), minute=int(one.begins[3:]), second=0, microsecond=0
@@ -160,7 +162,8 @@ class Day:
         if outcome not in OUTCOMES[kind]:
             raise Unfit(f"the outcome must be one of {', '.join(OUTCOMES[kind])}")
         number = number_in(told.get("user" if kind == "medication" else "reminder"))
-        at, day = self._now().isoformat(), self._today()
+        now = self._now()
+        at, day = now.isoformat(), self._day(now)
         row: tuple[object, ...] = (number, day, at, outcome)
         table = "telling (reminder, day, at, outcome) VALUES (?, ?, ?, ?)"
         if kind == "medication":
@@ -189,24 +192,30 @@ class Day:
 
     def reminders(self) -> list[Reminder]:
         """Of today, by time."""
+        return self._reminders(self._today())
+
+    def _reminders(self, day: str) -> list[Reminder]:
         rows = self._db.execute(
             "SELECT m.id, m.resident, r.room, m.begins, m.what, (SELECT t.outcome FROM telling t "
             "WHERE t.reminder = m.id AND t.day = ?1 ORDER BY t.rowid DESC LIMIT 1) "
             "FROM reminder m LEFT JOIN resident r ON r.id = m.resident "
             "WHERE m.day IS NULL OR m.day = ?1 ORDER BY m.begins, m.id",
-            (self._today(),),
+            (day,),
         )
         return [Reminder(*row) for row in rows]
 
-    def _told(self, reminder: int) -> list[tuple[datetime, str]]:
+    def _told(self, reminder: int, day: str) -> list[tuple[datetime, str]]:
         rows = self._db.execute(
             "SELECT at, outcome FROM telling WHERE reminder = ? AND day = ? ORDER BY rowid",
-            (reminder, self._today()),
+            (reminder, day),
         )
         return [(datetime.fromisoformat(at), outcome) for at, outcome in rows]
 
     def _today(self) -> str:
-        return self._now().astimezone(self._zone).date().isoformat()
+        return self._day(self._now())
+
+    def _day(self, at: datetime) -> str:
+        return at.astimezone(self._zone).date().isoformat()
 
 
 def _no_earlier_day(day: datetime, at: datetime) -> datetime:

@@ -89,8 +89,10 @@ def _is_ours(request: web.Request) -> bool:
     port of the same machine is the same site to ``SameSite``."""
     if request.method in ("GET", "HEAD") or COOKIE not in request.cookies:
         return True
-    if request.headers.get("Sec-Fetch-Site", "same-origin") != "same-origin":
-        return False
+    site = request.headers.get("Sec-Fetch-Site")
+    if site is not None:
+        # No page can say this itself; behind a proxy with TLS the origin is another than ours.
+        return site == "same-origin"
     origin = request.headers.get("Origin")
     return origin is None or origin == f"{request.scheme}://{request.host}"
 
