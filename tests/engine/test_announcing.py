@@ -158,6 +158,21 @@ def test_where_it_can_not_be_announced_one_line_says_so(capfd: pytest.CaptureFix
     assert said.count("\n") == 1
 
 
+def test_where_no_process_can_be_begun_the_robot_runs_all_the_same(
+    capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no_more(*_: object, **__: object) -> None:
+        raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    monkeypatch.setattr(subprocess, "Popen", no_more)
+    announcing = Announcing()
+    announcing.begin(Announcement(Announced("ward", "rob1", 5570), HERE))
+    announcing.close()
+    assert capfd.readouterr().err == (
+        "situ run: the robot is not announced in the network: Resource temporarily unavailable\n"
+    )
+
+
 def test_the_system_tells_of_other_addresses() -> None:
     told = changes_of_network()
     assert (told is None) == (sys.platform != "linux")

@@ -19,7 +19,7 @@ from zeroconf import InterfaceChoice, IPVersion, ServiceInfo
 from zeroconf.asyncio import AsyncZeroconf
 
 from situ.blackboard.announced import SERVICE, label, properties
-from situ.engine.announcing import Announcement
+from situ.engine.announcing import Announcement, not_announced
 
 TTL = 60
 """Seconds for which others believe it: as long is a robot seen that lost its power."""
@@ -137,8 +137,7 @@ def main() -> int:
     except asyncio.CancelledError:
         return 0
     except OSError as error:
-        why = error.strerror or error
-        print(f"situ run: the robot is not announced in the network: {why}", file=sys.stderr)
+        print(not_announced(error), file=sys.stderr)
         return 1
     return 0
 

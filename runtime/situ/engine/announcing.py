@@ -50,6 +50,12 @@ def announcement(project: Project, requests: str, public: bytes | None) -> Annou
     return Announcement(robot, parts.hostname)
 
 
+def not_announced(error: OSError) -> str:
+    """One line for people."""
+    why = error.strerror or error
+    return f"situ run: the robot is not announced in the network: {why}"
+
+
 class Announcing:
     """One robot's process that announces it, from ``begin`` to ``close``."""
 
@@ -63,9 +69,13 @@ class Announcing:
             return
         command = [sys.executable, "-m", "situ.engine.announcer"]
         # A group of its own: what the terminal says is for us, and it ends by its input.
-        self._process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, start_new_session=True
-        )
+        try:
+            self._process = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, start_new_session=True
+            )
+        except OSError as error:
+            print(not_announced(error), file=sys.stderr)
+            return
         assert self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
             self._process.stdin.write(msgspec.json.encode(announcement) + b"\n")
