@@ -67,8 +67,11 @@ class OperatingSide(QObject):
 
     @property
     def can_operate(self) -> bool:
-        """Whether a robot is there to be told something."""
-        return self._link.connected
+        """Whether a robot is there to be told something, and is what all views show: a hand that
+        means a rehearsal stops no robot.
+        """
+        viewing = self._window.robot.follower.viewing
+        return self._link.connected and viewing.log is self._link.log
 
     @property
     def is_paused(self) -> bool:

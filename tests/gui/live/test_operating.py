@@ -160,6 +160,33 @@ def test_what_the_robot_refuses_is_said_in_words(
     it.window.disconnect_robot()
 
 
+def test_nobody_who_rehearses_pauses_or_leads_the_robot_by_mistake(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    window = it.window
+    link = connect(it, there.endpoint, until)
+    actions = window.actions_.actions
+    hands = [actions[name] for name in sorted(actions) if name.startswith("operate.")]
+    until(link.moment_changed, lambda: button(it, "operate.pause").isVisible())
+    window.rehearsing.clock = lambda: 0.0
+    it.key(Qt.Key.Key_F5)
+    assert link.connected
+    assert not button(it, "operate.pause").isVisible()
+    it.select("state", "3")
+    it.key(Qt.Key.Key_F9)
+    assert not [hand.text() for hand in hands if hand.isVisible() or hand.isEnabled()]
+    # The robot is as it was, and is led again where it is what is seen.
+    actions["rehearse.end"].trigger()
+    it.settle()
+    assert not kinds(link, "pause")
+    assert not link.log.now.breakpoints
+    it.click(button(it, "operate.pause"))
+    until(link.moment_changed, lambda: link.log.now.applications["converse"].paused)
+    window.disconnect_robot()
+
+
 @pytest.mark.parametrize(
     ("text", "value"),
     [("", None), (" 40", 40), ("true", True), ("hello you", "hello you"), ('["a"]', ["a"])],
