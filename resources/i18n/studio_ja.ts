@@ -328,10 +328,6 @@
         <translation>トレース</translation>
     </message>
     <message>
-        <source>When it happened, since the robot started.</source>
-        <translation>起きた時刻。ロボットの起動から。</translation>
-    </message>
-    <message>
         <source>What happened, with its number.</source>
         <translation>起きたことと、その番号。</translation>
     </message>
@@ -2717,6 +2713,10 @@
     <message>
         <source>start</source>
         <translation>始まり</translation>
+    </message>
+    <message>
+        <source>{0} can not be read: {1}</source>
+        <translation>{0} を読み取れません: {1}</translation>
     </message>
     <message>
         <source>{0} is no application.</source>
@@ -8681,6 +8681,10 @@ A right click or the down key gives other values.</source>
         <translation>表示を日本語にします。</translation>
     </message>
     <message>
+        <source>The tutorial, docs/tutorial.md, draws a robot that measures the blood pressure from nothing in a quarter of an hour.</source>
+        <translation>チュートリアル docs/tutorial.md では、血圧を測るロボットを何もないところから 15 分で描きます。</translation>
+    </message>
+    <message>
         <source>The upper edges come to stand at one height.</source>
         <translation>上端を同じ高さに揃えます。</translation>
     </message>
@@ -11753,10 +11757,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>state {0}</source>
         <translation>状態 {0}</translation>
-    </message>
-    <message>
-        <source>state {0} {1}</source>
-        <translation>状態 {0} {1}</translation>
     </message>
     <message>
         <source>state {0}: now in {1}, as {2}</source>
