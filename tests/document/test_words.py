@@ -7,7 +7,7 @@ import pytest
 from situ.document import words
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Single
-from situ.document.rbd import Message, Param, Robot, Speech
+from situ.document.rbd import Message, Param, Robot, Speech, State
 
 
 @pytest.mark.parametrize(
@@ -46,6 +46,13 @@ def test_a_group_is_in_brackets_where_it_could_be_read_otherwise() -> None:
     assert (
         words.condition(Condition((Group("none", (one,)), two))) == "(none of: a is 1) and b is 2"
     )
+
+
+def test_a_state_called_by_its_number_is_named_once() -> None:
+    assert words.state(State(no="2", name="state 2")) == "2"
+    assert words.state(State(no="2")) == "2"
+    assert words.state(State(no="2", name="state 3")) == "2 state 3"
+    assert words.state(State(no="6", name="show names")) == "6 show names"
 
 
 def test_an_action_is_told_by_what_it_does() -> None:

@@ -18,7 +18,7 @@ from collections.abc import Collection, Iterator
 
 from msgspec.structs import replace
 
-from situ.document import codec, drawing
+from situ.document import codec, drawing, words
 from situ.document.aside import NOTHING
 from situ.document.project import Project
 from situ.document.rbd import (
@@ -204,7 +204,7 @@ def _targets(value: State | Always) -> list[str]:
 
 def called(state: State | None) -> str:
     assert state is not None
-    return f"state {state.no} {state.name}".rstrip()
+    return f"state {words.state(state)}"
 
 
 # -- taking it out -------------------------------------------------------------------

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from msgspec import Struct
 
-from situ.document import names
+from situ.document import names, words
 from situ.document.aside import Aside
 from situ.document.finding import Place
 from situ.document.rbd import Application, Button, Event, List, Screen, Speech, Text
@@ -49,7 +49,7 @@ def shown_texts(application: Application) -> Iterator[ShownText]:
         yield from _screen(always.screen, "always", ("always",))
         yield from _phrases(always.events, "always", ("always",))
     for state in application.states:
-        where, place = " ".join(f"state {state.no} {state.name or ''}".split()), ("state", state.no)
+        where, place = " ".join(f"state {words.state(state)}".split()), ("state", state.no)
         yield from _screen(state.screen, where, place)
         for index, action in enumerate(state.actions):
             if isinstance(action, Speech):

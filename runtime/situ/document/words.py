@@ -110,8 +110,9 @@ def _inner(value: Test | Group, among: tuple[Test | Group, ...], say: Say) -> st
 
 
 def state(value: rbd.State) -> str:
-    """``6 show names``, or the number alone."""
-    return f"{value.no} {value.name}".strip()
+    """``6 show names``, or the number alone, also where the name says no more than it: ``state 6``,
+    as new states are called."""
+    return value.no if value.name == f"state {value.no}" else f"{value.no} {value.name}".strip()
 
 
 def leads(application: rbd.Application, target: str | None) -> str:
