@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QPoint, Qt
-from PySide6.QtGui import QAccessible
+from PySide6.QtGui import QAccessible, QInputMethodEvent
 from PySide6.QtTest import QAbstractItemModelTester, QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication
 
 from situ.document import catalogue, folder
 from situ.document.catalogue import Catalogue
 from situ_studio.texts.listening import Listening
-from situ_studio.texts.model import CELL, STATE, WRITTEN, language_name
+from situ_studio.texts.model import CELL, STATE, WHAT, WRITTEN, language_name
 from situ_studio.texts.sheet import Sheet, Typed, changed
 from situ_studio.texts.table import TextsTable
 
@@ -85,6 +85,33 @@ def test_typing_translates_enter_goes_on_and_undo_takes_it_back(used: Any) -> No
     assert at(used, "Home").data() == "最初へ"
     assert used.window.tabs.chosen_file == "texts"
     assert used.session.dirty == []
+
+
+def test_an_input_method_begins_a_cell_as_a_letter_does(used: Any) -> None:
+    go(used, at(used, "Home"))
+    # Composed first, as on most systems; the focus stays until something is written.
+    written = QInputMethodEvent()
+    written.setCommitString("玄関")
+    for event in (QInputMethodEvent("げんかん", []), written):
+        QApplication.sendEvent(QApplication.focusWidget(), event)
+        used.settle()
+    used.key(Qt.Key.Key_Return)
+    assert said(used, "Home") == "玄関"
+    # Written at once, and what is typed then goes on after it.
+    assert table(used).currentIndex() == at(used, "Repeat")
+    written.setCommitString("再")
+    QApplication.sendEvent(QApplication.focusWidget(), written)
+    used.settle()
+    used.type("X")
+    used.key(Qt.Key.Key_Return)
+    assert said(used, "Repeat") == "再X"
+    # A place is not written into.
+    go(used, at(used, "Home", WHAT))
+    before = used.session.project
+    QApplication.sendEvent(QApplication.focusWidget(), written)
+    used.settle()
+    assert used.session.project is before
+    assert QApplication.focusWidget() is table(used)
 
 
 def test_the_first_language_changes_the_document_and_takes_translations_along(used: Any) -> None:

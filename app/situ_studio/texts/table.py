@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from PySide6.QtCore import QEvent, QModelIndex, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
+from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, Qt, QTimer, Signal
+from PySide6.QtGui import QInputMethodEvent, QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
 
 from situ_studio.letters import px
@@ -188,6 +188,16 @@ class TextsTable(QTableView):
                 self.go()
             return
         super().keyPressEvent(event)
+
+    def inputMethodEvent(self, event: QInputMethodEvent) -> None:
+        # What is written without being composed first begins a cell too: Qt would drop it.
+        index = self.currentIndex()
+        begins = bool(event.commitString()) and self.state() == self.State.NoState
+        if not begins or not index.flags() & Qt.ItemFlag.ItemIsEditable:
+            super().inputMethodEvent(event)
+            return
+        self.edit(index)
+        QCoreApplication.sendEvent(self.indexWidget(index), event)
 
     def _went(self, key: Qt.Key, shift: bool) -> None:
         """Enter goes down, Tab to the right, with Shift back."""
