@@ -450,6 +450,29 @@ def test_names_are_written_in_japanese(studio: Start, tmp_path: Path) -> None:
     assert "挨拶" in (tmp_path / "p" / "p.rbd.xml").read_text(encoding="utf-8")
 
 
+def test_a_state_drawn_on_empty_ground_is_named_by_typing(studio: Start, tmp_path: Path) -> None:
+    used = studio()
+    used.answers.put("name", "p")
+    used.answers.put("new_folder", str(tmp_path))
+    used.click(used.window.welcome.new)
+    me = Newcomer(used)
+    me.click_card("1")
+    port = me.canvas.viewer.viewport()
+    start = me.canvas.viewer.mapFromScene(
+        me.canvas.graph.nodes["1"].port("out", "new").view.centre()
+    )
+    QTest.mousePress(port, LEFT, pos=start)
+    for part in range(1, 6):
+        QTest.mouseMove(port, start + QPoint(80, 30) * (part / 5))
+    QTest.mouseRelease(port, LEFT, pos=start + QPoint(80, 30))
+    used.settle()
+    used.type("state")
+    used.key(Qt.Key.Key_Return)
+    me.write("measuring")
+    assert me.application.state("2").name == "measuring"
+    assert me.application.state("1").events[-1].next == "2"
+
+
 def test_searching_for_nothing_says_so(studio: Start) -> None:
     used = studio()
     used.key(Qt.Key.Key_K, CONTROL)

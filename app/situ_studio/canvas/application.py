@@ -54,6 +54,8 @@ class ApplicationCanvas(CommandedCanvas, Copying):
 
     work_begun = Signal(str, object)
     """Something goes on beside the window: what, and the job, as ``working.follow`` takes it."""
+    filled_in = Signal(tuple)
+    """The place of a new state that is to be named."""
     screen_asked = Signal(tuple)
     """The state whose screen is to be drawn."""
     part_asked = Signal(object, tuple)
@@ -297,6 +299,8 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             self.edited.emit(after, text)
         if no is not None and ("state", no) in self._picture.uids:
             self.select([("state", no)])
+            if not name:
+                self.filled_in.emit(("state", no))
 
     # -- commands ---------------------------------------------------------------------------
 
