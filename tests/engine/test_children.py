@@ -29,6 +29,15 @@ def test_one_that_ignores_being_told_to_end_is_killed() -> None:
     assert asyncio.run(scene()) == -9
 
 
+def test_what_no_argument_can_hold_is_told_as_all_that_can_not_start() -> None:
+    async def start() -> None:
+        async with Children() as children:
+            await children.start([sys.executable, "-c", "", "sip:\0"])
+
+    with pytest.raises(OSError, match="null byte"):
+        asyncio.run(start())
+
+
 def test_what_it_started_itself_ends_with_it() -> None:
     grandchild = (
         f"import subprocess, sys; subprocess.run([sys.executable, '-c', {STUBBORN + FOREVER!r}])"

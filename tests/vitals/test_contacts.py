@@ -36,6 +36,8 @@ def test_each_resident_has_contacts_of_her_own(store: Store, jack: Resident) -> 
         ("family", "Eve", ""),
         ("family", "Eve", "--help"),
         ("family", "Eve", "two words"),
+        ("family", "Eve", "sip:eve\0"),
+        ("family", "Eve", "sip:\u202eeve"),
         ("family", "Eve", "e" * 201),
     ],
 )

@@ -47,8 +47,8 @@ class Contacts:
         """Raises Unknown, and Unfit where it is no name, no group, or nothing to call."""
         self._store.resident(resident)
         must_be_named(name)
-        # As an argument of a program it must not look like an option.
-        if not re.fullmatch(r"[A-Za-z0-9+]\S{0,199}", address):
+        # As an argument of a program it must not look like an option, nor hold what no one sees.
+        if not (re.fullmatch(r"[A-Za-z0-9+]\S{0,199}", address) and address.isprintable()):
             raise Unfit("an address has no blanks and begins with a letter, a digit or +")
         if group not in GROUPS:
             raise Unfit("family or friends")

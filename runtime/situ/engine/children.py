@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import errno
 import os
 import signal
 from collections.abc import Sequence
@@ -44,9 +45,13 @@ class Children:
         Raises OSError where it can not start.
         """
         options.setdefault("stdin", asyncio.subprocess.DEVNULL)
-        started = await asyncio.create_subprocess_exec(
-            *argv, start_new_session=True, preexec_fn=ending_with_us(signal.SIGTERM), **options
-        )
+        try:
+            started = await asyncio.create_subprocess_exec(
+                *argv, start_new_session=True, preexec_fn=ending_with_us(signal.SIGTERM), **options
+            )
+        except ValueError as error:
+            # What was filled in has a sign that no argument can have.
+            raise OSError(errno.EINVAL, str(error)) from None
         self._running.append(started)
         return started
 
