@@ -31,7 +31,12 @@ class Blackboard(RowsTable):
 
     def show_moment(self, moment: Moment, t: float, private: Sequence[str] = ()) -> None:
         """The board at ``t`` seconds. private: patterns of tags whose values are not shown."""
-        self.rows.show([_row(tag, moment, t, private) for tag in sorted(moment.board)])
+        self.rows.show([_row(tag, moment, t, private) for tag in sorted(moment.board, key=_order)])
+
+
+def _order(tag: str) -> tuple[bool, str]:
+    """The project's own data first, then what the runtime keeps of applications and the robot."""
+    return tag.startswith(names.RESERVED_ROOTS), tag
 
 
 def _row(tag: str, moment: Moment, t: float, private: Sequence[str]) -> Row:
