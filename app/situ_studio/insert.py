@@ -13,6 +13,7 @@ from situ_studio.canvas.script_conditions import test_of
 from situ_studio.edit import Document, Place
 from situ_studio.kinds import Kind
 from situ_studio.language import tr, translated
+from situ_studio.screens import placing
 
 ABOVE = 176.0
 """How far above the others the card *In every state* is put."""
@@ -77,6 +78,10 @@ def _into_application(
         new = kind.make(name)
         if isinstance(new, rbd.Button):
             new = replace(new, event=words.sent_next(part) or new.event)
+        above = document.always_in(part) if isinstance(part, rbd.State) else None
+        there = (one.screen for one in (part, above) if one is not None and one.screen is not None)
+        taken = [placing.box_of(one) for shown in there for one in shown.components]
+        new = replace(new, **placing.in_free_room(placing.box_of(new), taken)._asdict())
         screen = replace(screen, components=(*screen.components, new))
         return places.change(document, root, screen=screen), (*root, "screen", name), text
     made = kind.make("")
@@ -125,7 +130,10 @@ def _into_script(document: spds.Spds, kind: Kind, at: Place) -> tuple[Document, 
         return after, ("data", tag), tr("Add data {0}").format(tag)
     if kind is kinds.MODULE:
         name = _free("module", {m.name for m in document.modules})
-        after = places.change(document, (), modules=(*document.modules, kind.make(name)))
+        # What it may move is not known, but of a resource that is selected it is.
+        chosen = (at[1],) if at[:1] == ("resource",) and len(at) == 2 else ()
+        declared = replace(kind.make(name), resources=chosen)
+        after = places.change(document, (), modules=(*document.modules, declared))
         return after, ("module", name), tr("Add module {0}").format(name)
     if kind is kinds.CONDITION:
         owner = places.get(document, at[:2])

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QContextMenuEvent, QKeySequence, QShortcut
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
@@ -329,6 +329,23 @@ def test_what_follows_in_a_script_is_what_its_pipes_lead_to(studio: Start, proje
     used.select(*place, "entry", "0")
     used.key(Qt.Key.Key_Right, CONTROL | SHIFT)
     assert ("module", situation.entries[0].module) in view.selected
+
+
+def test_a_new_module_asks_for_nothing_but_the_resource_that_is_selected(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file("conversation.spds.xml")
+    used.settle()
+    viewer = used.window.current_view.canvas.viewer
+    for card, wanted in (("situation called", ()), ("resource base", ("base",))):
+        area = used.window.current_view.canvas.card_area(card)
+        viewer.reveal(area)
+        used.click(viewer.viewport(), viewer.mapFromScene(area.topLeft() + QPointF(20, 10)))
+        used.click(used.window.palette_.item("module"))
+        made = used.session.document("conversation.spds.xml").modules[-1]
+        assert made.resources == wanted
+        assert used.window.inspector.place == ("module", made.name)
 
 
 def test_a_state_is_marked_as_the_start(studio: Start, project: Copy) -> None:

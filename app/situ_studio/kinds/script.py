@@ -106,7 +106,7 @@ MODULE = Kind(
             placeholder="none",
         ),
     ),
-    make=lambda name: spds.Declaration(name=name, resources=("head",)),
+    make=lambda name: spds.Declaration(name=name),
     summary=lambda v: " ".join(v.resources),
     palette="script",
 )

@@ -133,8 +133,8 @@ class Designer(QWidget):
         self.sampling.changed.connect(self._show_values)
 
     def _on_pressed(self, name: str) -> None:
-        """A component in the middle; what it says is typed at once, as from the palette."""
-        place = self.shown.add(name, 50, 50)
+        """A component in free room; what it says is typed at once, as from the palette."""
+        place = self.shown.add(name)
         if place is not None:
             self.filled_in.emit(place)
 
@@ -311,19 +311,21 @@ class Designer(QWidget):
     def write_tag(self, tag: str) -> None:
         """Puts a reference at the end of the selected text, or makes a text of it."""
         chosen = self.sheet.selected
-        self._write_tag(tag, chosen if len(chosen) == 1 else (), 50, 50)
+        self._write_tag(tag, chosen if len(chosen) == 1 else ())
 
     def _on_tag_dropped(self, tag: str, x: float, y: float) -> None:
-        self._write_tag(tag, self.sheet.under(self.sheet.scale.point(x, y)), x, y)
+        self._write_tag(tag, self.sheet.under(self.sheet.scale.point(x, y)), (x, y))
 
-    def _write_tag(self, tag: str, ids: Sequence[str], x: float, y: float) -> None:
-        """Into the first of these that has a text, else as a new text there."""
+    def _write_tag(
+        self, tag: str, ids: Sequence[str], at: tuple[float, float] | None = None
+    ) -> None:
+        """Into the first of these that has a text, else as a new text there, or in free room."""
         if self.shown.application is None:
             return
         every = (self.sheet.component(id) for id in ids)
         component = next((one for one in every if isinstance(one, rbd.Text | rbd.Button)), None)
         if component is None:
-            self.shown.add("text", x, y, text=f"{{{tag}}}")
+            self.shown.add("text", at, text=f"{{{tag}}}")
             return
         id = component.id
         gap = "" if not component.text or component.text[-1].isspace() else " "
@@ -366,7 +368,7 @@ class Designer(QWidget):
         except UsageError as error:
             self.status.emit(str(error))
             return
-        self.shown.add(kind, x, y, src=src)
+        self.shown.add(kind, (x, y), src=src)
 
 
 class _BareCrumbs(Breadcrumbs):

@@ -6,7 +6,7 @@ What comes out of here lies on the screen, whatever went in.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -15,6 +15,8 @@ from situ.document import rbd
 
 LEAST = 2.0
 """A component is resized no smaller than this, either way."""
+MOST = 5000.0
+"""Half of the screen, in square percent."""
 HANDLES = ("nw", "n", "ne", "e", "se", "s", "sw", "w")
 
 
@@ -53,6 +55,45 @@ def inside(box: Box) -> Box:
     x = round(min(max(box.x, 0.0), 100.0 - width), 2)
     y = round(min(max(box.y, 0.0), 100.0 - height), 2)
     return Box(x, y, width, height)
+
+
+GAP = 2.0
+"""What is put into free room stays so far from others."""
+
+
+def in_free_room(box: Box, taken: Iterable[Box]) -> Box:
+    """The box where it lies on none of these, above or below its own place sooner than beside it,
+    with GAP between where that can be; its own place where no room is free.
+
+    What covers half of the screen is the ground that others lie on, and takes no room.
+    """
+    box = inside(box)
+    others = [one for one in taken if one.width * one.height < MOST]
+    free = (spot for gap in (GAP, 0.0) for spot in _spots(box, others, gap))
+    return next(free, box)
+
+
+def _spots(box: Box, others: Sequence[Box], gap: float) -> Iterator[Box]:
+    """Where the box is free at its own place or flush with others, the nearest first."""
+    across = {box.x, *(one.x for one in others), *(one.right + gap for one in others)}
+    down = {box.y, *(one.bottom + gap for one in others)}
+    down |= {one.y - gap - box.height for one in others}
+    every = [box._replace(x=round(x, 2), y=round(y, 2)) for x in across for y in down]
+    every.sort(key=lambda one: (abs(one.x - box.x), abs(one.y - box.y), -one.y, one.x))
+    for spot in every:
+        if spot == inside(spot) and not any(_near(spot, one, gap) for one in others):
+            yield spot
+
+
+def _near(one: Box, other: Box, gap: float) -> bool:
+    """Whether there is less than the gap between them; a rounding is none."""
+    gap -= 0.02
+    return (
+        one.x < other.right + gap
+        and other.x < one.right + gap
+        and one.y < other.bottom + gap
+        and other.y < one.bottom + gap
+    )
 
 
 def moved(boxes: Mapping[str, Box], dx: float, dy: float) -> dict[str, Box]:

@@ -136,10 +136,12 @@ class StateScreen(QObject):
             return False
         return True
 
-    def add(self, name: str, x: float, y: float, **fields: object) -> Place | None:
+    def add(
+        self, name: str, at: tuple[float, float] | None = None, **fields: object
+    ) -> Place | None:
         """Puts a new component of a kind there with its middle, as one step, and selects it.
 
-        Its place; None where it can not be there.
+        at: None: into free room, as ``insert`` does. Its place; None where it can not be there.
         """
         if self.application is None:
             return None
@@ -149,7 +151,9 @@ class StateScreen(QObject):
             self.status.emit(str(refused))
             return None
         box = placing.box_of(places.get(after, place))
-        box = box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2))
+        if at is not None:
+            x, y = at
+            box = box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2))
         after = places.change(after, place, **placing.inside(box)._asdict(), **fields)
         self.edited.emit(after, text)
         self.selection_changed.emit((place,))
@@ -168,4 +172,4 @@ class StateScreen(QObject):
             self.edited.emit(after, text)
 
     def _on_dropped(self, name: str, x: float, y: float) -> None:
-        self.add(name, x, y)
+        self.add(name, (x, y))

@@ -167,8 +167,7 @@ def test_the_conversation_is_drawn_by_hand(
     for name in MODULES:
         me.click("Module", QAbstractButton)
         me.type(name)
-        if name == "transfer":
-            me.write_into("Resources", "base head")
+        me.write_into("Resources", "base head" if name == "transfer" else "head")
     # By hand: one resource is pulled off, two are new.
     me.click_card("converse")
     me.key(Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)

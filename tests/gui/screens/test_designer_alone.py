@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QLineEdit, QWidget
 
 from situ.document import folder
 from situ_studio import places
+from situ_studio.screens import placing
 from situ_studio.screens.designer import Designer
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.own_device import OwnDevice
@@ -310,13 +311,22 @@ def test_a_screen_of_one_s_own_size_is_asked_for(desk: Desk) -> None:
     assert desk.sheet.height() > desk.sheet.width()
 
 
-def test_a_component_that_is_pressed_stands_in_the_middle_and_is_selected(desk: Desk) -> None:
-    desk.go_to("2")
-    desk.click(desk.designer.side.components.items["button"])
-    made = desk.components("2")[-1]
-    assert made.element == "button"
-    assert desk.selected == (("state", "2", "screen", made.id),)
-    assert abs(made.x + made.width / 2 - 50) <= 1
+def test_a_component_that_is_pressed_stands_in_free_room_and_is_selected(desk: Desk) -> None:
+    desk.go_to("7")
+    desk.document = places.change(desk.document, ("state", "7"), screen=None)
+    desk.designer.show_document(desk.document, [])
+    desk.designer.select((("state", "7"),))
+    desk.settle()
+    above = [placing.box_of(one) for one in desk.designer.shown.above]
+    for kind in ("text", "button", "button", "text"):
+        desk.click(desk.designer.side.components.items[kind])
+        made = desk.components("7")[-1]
+        assert made.element == kind
+        assert desk.selected == (("state", "7", "screen", made.id),)
+        new = placing.box_of(made)
+        for one in (*above, *map(placing.box_of, desk.components("7")[:-1])):
+            apart = new.x >= one.right or one.x >= new.right
+            assert apart or new.y >= one.bottom or one.y >= new.bottom, (made, one)
 
 
 def row_at(view: Any, row: int) -> QPoint:

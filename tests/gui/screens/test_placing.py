@@ -49,6 +49,32 @@ def test_whatever_is_done_components_stay_on_the_screen(
         assert all(on_screen(box) and box.width > 0 and box.height > 0 for box in now.values())
 
 
+def _apart(a: Box, b: Box) -> bool:
+    across = a.x >= b.right - 0.03 or b.x >= a.right - 0.03
+    return across or a.y >= b.bottom - 0.03 or b.y >= a.bottom - 0.03
+
+
+@given(st.lists(BOXES, max_size=5), BOXES)
+@settings(max_examples=80, deadline=None)
+def test_what_is_new_lies_on_nothing_or_where_it_would_be_anyway(
+    others: list[Box], box: Box
+) -> None:
+    new = placing.in_free_room(box, others)
+    assert on_screen(new)
+    small = [one for one in others if one.width * one.height < placing.MOST]
+    assert new == placing.inside(box) or all(_apart(new, one) for one in small)
+
+
+def test_free_room_is_below_what_is_there_and_a_picture_of_the_ground_takes_none() -> None:
+    ground, there = Box(0, 0, 100, 100), Box(10, 10, 80, 20)
+    assert placing.in_free_room(there, [ground]) == there
+    assert placing.in_free_room(there, [ground, there]) == Box(10, 32, 80, 20)
+    low = Box(35, 75, 30, 15)
+    assert placing.in_free_room(low, [low]) == Box(35, 58, 30, 15)
+    full = [Box(0, y, 100, 24) for y in (0, 25, 50, 75)]
+    assert placing.in_free_room(there, full) == there
+
+
 @given(st.lists(BOXES, min_size=2, max_size=5), WAYS, WAYS)
 @settings(max_examples=60, deadline=None)
 def test_what_is_moved_together_keeps_its_distances(boxes: list[Box], dx: float, dy: float) -> None:
