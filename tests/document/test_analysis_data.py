@@ -342,6 +342,26 @@ def test_a_service_asks_a_module_that_is_declared() -> None:
     assert told(project(both)) == [("unprovided-module", "state", "1", "action", "1")]
 
 
+def test_a_module_that_nobody_declares_is_declared_where_modules_are() -> None:
+    asks = does('<service name="s" url="board:cuff/measure"/>')
+    nobody = Modules((Module("eyes", ("head",)),))
+    for source, file in (
+        (project(asks, observe=()), SCRIPT),
+        (project(asks, modules=nobody), INFORMATION),
+        (project(asks, modules=nobody, observe=()), INFORMATION),
+    ):
+        (one,) = found(source)
+        assert one.mend is not None
+        assert (one.mend.file, one.mend.words) == (file, "Declare “cuff”")
+        ((_, document),) = mend.mends(source, one)
+        after = mend.put(source, file, document)
+        assert found(after) == []
+        assert after.resources("cuff") == ()
+        assert codec.read(codec.write(document), "x") == (document, [])
+    (one,) = found(project(asks))
+    assert one.mend is None
+
+
 # -- words and mends -----------------------------------------------------------------------
 
 

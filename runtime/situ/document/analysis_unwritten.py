@@ -21,12 +21,12 @@ from situ.document.analysis_data import BOARD, Use, placed_actions, tested, uses
 from situ.document.analysis_search import Search
 from situ.document.finding import Place
 from situ.document.mend import of, written
-from situ.document.modules import Modules
+from situ.document.modules import Module, Modules
 from situ.document.place import follow
 from situ.document.problem import Change, Mend
 from situ.document.project import Project
 from situ.document.rbd import Application, Service
-from situ.document.spds import Observed, Spds
+from situ.document.spds import Declaration, Observed, Spds
 
 MOST = 300
 """Names among which one that is nearly right is looked for."""
@@ -143,6 +143,23 @@ def _known(project: Project) -> set[str]:
     return {*project.declared(), *(one.name for one in project.applications.values())}
 
 
+def _declare(search: Search, name: str) -> Mend | None:
+    """A module that asks for no resource: in the module information, else in the script.
+
+    What it moves is not known; for a service to be answered it need not move anything.
+    """
+    project, said = search.project, f"Declare {words.quoted(name)}"
+    if project.modules is not None and project.modules_file is not None:
+        at = ("modules", len(project.modules.modules))
+        made = Change(at, "insert", written(Module(name)))
+        return search.mend(project.modules_file, said, made)
+    if project.spds is not None and project.spds_file is not None:
+        at = ("modules", len(project.spds.modules))
+        made = Change(at, "insert", written(Declaration(name)))
+        return search.mend(project.spds_file, said, made)
+    return None
+
+
 def _services(search: Search, file: str, application: Application) -> None:
     known = _known(search.project)
     for action, place in placed_actions(application):
@@ -152,7 +169,9 @@ def _services(search: Search, file: str, application: Application) -> None:
         if not name or "{" in name or name in known:
             continue
         near = _near(name, known)
-        do, mend = "declare it in the module information", None
+        do, mend = "declare it in the module information", _declare(search, name)
+        if search.project.modules is None:
+            do = "declare it in the script, or in the module information"
         if near is not None:
             do = f"did you mean {words.quoted(near)}?"
             change = search.put(file, place, "url", f"{action.url[: len(BOARD)]}{near}/{request}")

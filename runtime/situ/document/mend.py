@@ -12,7 +12,7 @@ from typing import Any, cast
 
 from msgspec import Struct, structs
 
-from situ.document import condition, rbd, spds
+from situ.document import condition, modules, rbd, spds
 from situ.document.codec import Document
 from situ.document.place import Path
 from situ.document.problem import Change, Mend, Problem
@@ -24,6 +24,7 @@ STRUCTS: dict[str, type[Struct]] = {
         condition.Condition,
         condition.Group,
         condition.Test,
+        modules.Module,
         rbd.Always,
         rbd.Button,
         rbd.Event,
