@@ -123,7 +123,7 @@ def test_the_way_into_a_part_and_back_in_it(shop: Project) -> None:
     ]
     recording = _trace(("enter", {"state": "1"}), *_go("1", "5/ask", "go"))
     answer = why_not(shop, recording, {"kind": "enter", "state": "5"}, 9)
-    assert answer.reasons[0].text == "shop was in 5 already, since 5 s"
+    assert answer.reasons[0].text == "shop was in 5 register already, since 5 s"
 
 
 def test_back_goes_by_the_run_of_its_part(shop: Project) -> None:

@@ -297,7 +297,7 @@ def test_the_suspension_that_stood_in_the_way_and_who_held_the_resource(
 def test_what_was_there_already(door: Project, record: Record) -> None:
     answer = why_not(door, record(door), {"kind": "enter", "state": "1"}, 3)
     assert [(r.code, r.text, r.seq) for r in answer.reasons] == [
-        ("already", "door was in 1 already, since 0 s", 1)
+        ("already", "door was in 1 shut already, since 0 s", 1)
     ]
 
 
@@ -871,7 +871,7 @@ def test_what_stood_in_the_way_is_printed(
     assert main(["why", files["trace"], *asked, "3"]) == 0
     assert capsys.readouterr().out.splitlines()[1:] == [
         "By 3 s it had happened:",
-        "- door was in 4 already, since 2 s  (#13)",
+        "- door was in 4 inside already, since 2 s  (#13)",
     ]
     assert main(["why", files["trace"], *asked, "1.5", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
@@ -1001,7 +1001,9 @@ def test_the_nearest_way_to_an_end_is_told_from_afar(visit: Project, visited: Re
 def test_a_state_that_holds_a_part_is_one_to_be_in_and_to_go_to(
     visit: Project, visited: Recording
 ) -> None:
-    assert _ask(visit, visited, 5.5, "enter", state="2") == ("- visit was in 2 already, since 5 s")
+    assert _ask(visit, visited, 5.5, "enter", state="2") == (
+        "- visit was in 2 desk already, since 5 s"
+    )
     told = _ask(visit, visited, 4.5, "transition", **{"from": "2", "to": "3"})
     assert told.startswith("- visit was in 1 hall since 4 s\n  - event in did not come")
     told = _ask(visit, visited, 4.5, "enter", state="2/b")

@@ -5,6 +5,7 @@ A long log is looked through in slices; the window stays in use.
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
@@ -19,6 +20,7 @@ from situ.rehearse.telling import Teller
 from situ_studio import places
 from situ_studio.edit import Document, Place
 from situ_studio.language import said
+from situ_studio.live.viewing import Viewing
 from situ_studio.live.why import Thing, latest, place_of, trail
 from situ_studio.live.why_menus import WhyMenus
 from situ_studio.live.why_not import Question, Wanted, events_until, wanted_at
@@ -36,6 +38,8 @@ PANEL = "why"
 INDENT = "    "
 SLICE = 0.012
 """Seconds of looking at a time."""
+MOMENT = re.compile(r"“[^“”]*”|\b(?P<word>since|at) (?P<t>\d+(?:\.\d+)?) s\b")
+"""A moment in a sentence of the runtime's; or what a person wrote, which may read like one."""
 
 
 class WhySide(QObject):
@@ -322,7 +326,8 @@ class WhySide(QObject):
             t, about = log.time(place), where(project, log[place])
         values = ", ".join(f"{tag} {in_text(value)}" for tag, value in reason.values.items())
         at = self._viewing.written(t)
-        return Link(t, at, INDENT * depth + said(reason.text), values, about)
+        text = by_clock(reason.text, self._viewing)
+        return Link(t, at, INDENT * depth + said(text), values, about)
 
     # -- going there ---------------------------------------------------------------------
 
@@ -332,6 +337,21 @@ class WhySide(QObject):
         if link.where is not None and self._window.session.document(link.where[0]) is not None:
             self._window.go_to(*link.where)
         self.panel.table.setFocus()
+
+
+def by_clock(text: str, viewing: Viewing) -> str:
+    """The runtime's sentence with its moments as all other times here are written: the runtime
+    knows seconds of the trace alone. What a person wrote stays.
+    """
+    if viewing.wall() is None:
+        return text
+
+    def written(found: re.Match[str]) -> str:
+        if found["t"] is None:
+            return found[0]
+        return f"{found['word']} {viewing.written(float(found['t']))}"
+
+    return MOMENT.sub(written, text)
 
 
 def _flat(reasons: Iterable[Reason], depth: int = 0) -> Iterator[tuple[Reason, int]]:

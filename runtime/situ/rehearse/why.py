@@ -18,7 +18,7 @@ from situ.rehearse.reason import Answer, Reason
 from situ.rehearse.recording import Fields, Recording
 from situ.rehearse.stays import stays
 from situ.rehearse.telling import moment
-from situ.rehearse.ways import frames, leads_to, ways
+from situ.rehearse.ways import frames, leads_to, name_of_state, ways
 from situ.rehearse.why_action import why_not_begun
 from situ.rehearse.why_held import why_not_held, why_not_moved
 from situ.rehearse.why_situation import why_not_current
@@ -121,8 +121,8 @@ def _enter(asked: _Question) -> list[Reason]:
     _, stuck, application = asked.stuck()
     here = [stay for stay in stuck.now() if stay.is_in(state)]
     if here:
-        since = moment(here[-1].entered["t"])
-        said = f"{application} was in {state} already, since {since}"
+        named, since = name_of_state(asked.project, application, state), here[-1].entered["t"]
+        said = f"{application} was in {named} already, since {moment(since)}"
         return [Reason(code="already", text=said, seq=here[-1].entered["seq"])]
     return stuck.why_not_entered(state)
 

@@ -15,8 +15,10 @@ from tests.gui.live.test_why import FLOW, SCRIPT, Clicks, replayed, seen
 
 import situ
 from situ_studio.live.log import TraceLog
+from situ_studio.live.viewing import Viewing
 from situ_studio.live.why_not import Question, answered, events_until, wanted_at
 from situ_studio.live.why_not_asking import AskingWhyNot
+from situ_studio.live.why_side import by_clock
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 HEAD = {"kind": "authority", "to": "nod", "resource": "head"}
@@ -86,7 +88,7 @@ def test_what_kept_a_module_a_situation_and_a_state(replayed: Any) -> None:
     assert panel.title.text() == "Why does nod not hold head?"
     assert panel.more.text() == f"at {viewing.written(slap['t'])}"
     (gave,) = [e for e in events if e["kind"] == "abandon" and e["module"] == "nod"]
-    assert seen(it)[0].startswith("nod gave head back at 5.3 s")
+    assert seen(it)[0].startswith(f"nod gave head back at {viewing.written(gave['t'])}")
     # The third click goes to the moment of it.
     it.click_row(panel.table, panel.table.rows.index(0, 1))
     assert viewing.t == gave["t"]
@@ -150,7 +152,46 @@ def test_a_long_trace_of_a_running_robot_is_asked_beside_the_window(
         assert hand.count == 2
         until(side._asking.answered, lambda: bool(side.panel.links))
         assert seen(it) == ["nod has no priority in situation conversation"]
+    # Where the robot is already: the state by its name, the moment by the clock of all the others.
+    now = link.log.now.applications["converse"]
+    window.open_file(FLOW)
+    it.select("state", now.state)
+    window.views[FLOW].current_view().setFocus()
+    it.key(Qt.Key.Key_F7, SHIFT)
+    until(side._asking.answered, lambda: "already" in " ".join(seen(it)))
+    state = window.robot.state_name("converse", now.state)
+    assert state != now.state
+    (link_,) = side.panel.links
+    assert link_.words == f"converse was in {state} already, since {link_.at}"
+    assert link_.at == window.robot.follower.viewing.written(now.since)
     it.window.disconnect_robot()
+
+
+def test_moments_in_a_sentence_are_written_by_the_clock_but_not_what_a_person_wrote() -> None:
+    log = TraceLog()
+    log.add(
+        [
+            {
+                "kind": "data",
+                "seq": 1,
+                "t": 0.0,
+                "cause": None,
+                "tag": "a",
+                "value": 1,
+                "writer": "a",
+                "time": "2026-03-02T10:00:00+00:00",
+            }
+        ]
+    )
+    viewing = Viewing(log)
+    text = "heard at 2.5 s as “open at 5 s”; its timeout of 10 s, since 3 s: not at 4 seconds"
+    first, second = viewing.written(2.5), viewing.written(3)
+    assert first.endswith(":02.500")
+    assert by_clock(text, viewing) == (
+        f"heard at {first} as “open at 5 s”; its timeout of 10 s, since {second}: not at 4 seconds"
+    )
+    # Without a clock they are seconds of the trace, as the runtime wrote them.
+    assert by_clock(text, Viewing(TraceLog())) == text
 
 
 def test_a_process_that_ends_without_an_answer_is_told(qt: Any, until: Any) -> None:
