@@ -68,7 +68,7 @@ class Follower(QObject):
         self._blackboard = blackboard
         self._authority = authority
         self._trace = trace
-        self._at = 0.0
+        self._at = self._reached = 0.0
         self.viewing = Viewing(link.log, self)
         self.viewing.show(link.log, self._end)
         self.viewing.moved.connect(self.refresh)
@@ -199,9 +199,12 @@ class Follower(QObject):
         return self._link.state.kind != "none" or looked_at
 
     def _end(self) -> float:
-        """The robot's time now: while nothing comes it goes on all the same."""
+        """The robot's time now: while nothing comes it goes on all the same, until it is lost."""
         t = self._link.log.now.t
-        return t + max(self._link.clock() - self._at, 0.0) if self._link.connected else t
+        if not self._link.connected:
+            return max(t, self._reached)
+        self._reached = t + max(self._link.clock() - self._at, 0.0)
+        return self._reached
 
     def _on_moment(self) -> None:
         self._at = self._link.clock()
@@ -210,6 +213,7 @@ class Follower(QObject):
 
     def _on_began_anew(self) -> None:
         """No moment of the run before is kept: neither cursor nor bookmarks can stay there."""
+        self._reached = 0.0
         if self.viewing.log is self._link.log:
             self.viewing.show(self._link.log, self._end)
 
@@ -225,6 +229,18 @@ class Follower(QObject):
         elif self._recording is None and not self._tick.isActive():
             self._tick.start()
         self._tell()
+
+    def _beside(self) -> str:
+        """The robot that a link leads to while something else is looked at."""
+        state, paused = self._link.state, self._link.log.now.applications
+        words = state.words(self._link.clock())
+        if not self._link.connected:
+            return self.tr("robot: {0}").format(words)
+        project = state.project or state.endpoint
+        names = [name for name, one in paused.items() if one.paused]
+        if names:
+            return self.tr("{0} of {1} is paused").format(", ".join(names), project)
+        return self.tr("{0} is connected").format(project)
 
     def _lacking(self) -> str:
         """What is not known of the run that is looked at."""
@@ -247,6 +263,8 @@ class Follower(QObject):
         elif self._rehearses:
             kind = "rehearsing"
             words = self.tr("rehearsing, {0:.1f} s").format(viewing.t)
+            if state.kind != "none":
+                words = self.tr("{0}; {1}").format(words, self._beside())
         elif not viewing.follows and kind != "none":
             kind, words = "replaying", self.tr("replaying {0}").format(viewing.clock())
         words += self._lacking()

@@ -12,6 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QToolButton
 
+from situ_studio.live.link import NOT_ASKED
 from situ_studio.live.operating import read
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -174,6 +175,9 @@ def test_nobody_who_rehearses_pauses_or_leads_the_robot_by_mistake(
     it.key(Qt.Key.Key_F5)
     assert link.connected
     assert not button(it, "operate.pause").isVisible()
+    # That a robot is connected is told all the same.
+    follower, status = window.robot.follower, window.status.link
+    assert status.text() == f"rehearsing, 0.0 s; {link.state.project} is connected"
     it.select("state", "3")
     it.key(Qt.Key.Key_F9)
     assert not [hand.text() for hand in hands if hand.isVisible() or hand.isEnabled()]
@@ -184,7 +188,14 @@ def test_nobody_who_rehearses_pauses_or_leads_the_robot_by_mistake(
     assert not link.log.now.breakpoints
     it.click(button(it, "operate.pause"))
     until(link.moment_changed, lambda: link.log.now.applications["converse"].paused)
+    # So is that it waits for somebody, while other things are looked at.
+    it.key(Qt.Key.Key_F5)
+    follower.refresh()
+    assert status.text() == f"rehearsing, 0.0 s; converse of {link.state.project} is paused"
     window.disconnect_robot()
+    follower.refresh()
+    assert status.text() == "rehearsing, 0.0 s"
+    actions["rehearse.end"].trigger()
 
 
 @pytest.mark.parametrize(
@@ -193,3 +204,90 @@ def test_nobody_who_rehearses_pauses_or_leads_the_robot_by_mistake(
 )
 def test_a_typed_value_is_what_it_looks_like(text: str, value: object) -> None:
     assert read(text) == value
+
+
+def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_back(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    window, actions, operating = it.window, it.window.actions_.actions, it.window.operating
+    refusals: list[str] = []
+    operating.refused.connect(refusals.append)
+    operating.pause()
+    until(link.moment_changed, lambda: operating.is_paused)
+    # It is dead, and nobody has noticed: each hand is still there.
+    there.kill()
+    assert link.connected
+    it.select("state", "3")
+    actions["operate.goto"].trigger()
+    actions["operate.step"].trigger()
+    it.answers.put("name", "clickYes")
+    actions["operate.raise"].trigger()
+    it.answers.put("name", "spo2 = 97")
+    actions["operate.set"].trigger()
+    again = robot(there.project, there.endpoint, "another")
+    until(operating.refused, lambda: len(refusals) == 4)
+    assert all("robot was lost" in said or "connection was lost" in said for said in refusals)
+    assert window.status.said.text() == refusals[-1]
+    until(link.state_changed, lambda: link.connected)
+    until(link.moment_changed, lambda: "converse" in link.log.now.applications)
+    # A request that is answered comes after all that were sent before it.
+    asked: list[Any] = []
+    link.ask_modules(asked.append)
+    link.set({"last": 1}, refusals.append)
+    until(link.moment_changed, lambda: "last" in link.log.now.board and bool(asked))
+    assert "spo2" not in link.log.now.board
+    assert not kinds(link, "goto") + kinds(link, "step")
+    assert link.log.now.applications["converse"].state == "1"
+    assert len(refusals) == 4
+    # What a question was about when the robot died is none of the next one's either.
+    names = window.dialogs.name
+
+    def meanwhile(*asked: str) -> str:
+        again.kill()
+        until(link.state_changed, lambda: not link.connected)
+        robot(there.project, there.endpoint, "a third")
+        until(link.state_changed, lambda: link.connected)
+        return names(*asked)
+
+    window.dialogs.name = meanwhile
+    it.answers.put("name", "spo2 = 97")
+    operating.set_value()
+    assert len(refusals) == 5
+    assert refusals[-1] == window.status.said.text() == NOT_ASKED
+    link.set({"last": 2}, refusals.append)
+    until(link.moment_changed, lambda: "last" in link.log.now.board)
+    assert "spo2" not in link.log.now.board
+    window.disconnect_robot()
+
+
+def test_the_cursor_of_a_lost_robot_stays_where_its_time_had_come_to(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    viewing = it.window.robot.follower.viewing
+    # It is quiet for a minute.
+    clock = link.clock
+    link.clock = lambda: clock() + 59.0
+    before = viewing.t
+    assert before > link.log.now.t + 58.0
+    there.kill()
+    until(link.state_changed, lambda: link.state.kind == "lost")
+    stood = viewing.t
+    assert viewing.follows
+    assert stood >= before
+    assert viewing.span[1] == stood
+    it.settle()
+    assert viewing.t == stood
+    # Nor does it go when nobody looks for the robot any more; the next one's time is its own.
+    it.window.disconnect_robot()
+    assert viewing.t == stood
+    robot(there.project, there.endpoint, "another")
+    link.clock = clock
+    connect(it, there.endpoint, until)
+    assert viewing.t < 58.0
+    it.window.disconnect_robot()
