@@ -15,7 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
-from situ.errors import BlackboardError
+from situ.errors import BlackboardError, Unreachable
 from situ_studio.language import tr
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from situ.blackboard.protocol import ModuleState
 
 T = TypeVar("T")
+
+NOT_ASKED = "the robot was lost meanwhile and is not asked again: see how it is now, and ask anew"
 
 
 class LinkState(Struct, frozen=True):
@@ -90,6 +92,9 @@ class RobotLink(QObject):
         self._link: Link | None = None
         self._notifiers: list[QSocketNotifier] = []
         self._restarts = self._backlog = 0
+        self._hands: list[Call[Any]] = []
+        self.found = 0
+        """How often a robot was found: what was meant for one is none of the next one's."""
         self._runtime: str | None = None
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -160,11 +165,32 @@ class RobotLink(QObject):
 
     def set(self, tags: Mapping[str, Any], told: Callable[[str], None]) -> None:
         """Sets tags; ``told`` gets one line where the robot refuses."""
-        self.ask(lambda dialog: dialog.set(tags), lambda _: None, told)
+        self.act(lambda dialog: dialog.set(tags), lambda _: None, told)
 
     def publish(self, event: str, application: str | None, told: Callable[[str], None]) -> None:
         """Raises an event; ``told`` gets one line where the robot refuses."""
-        self.ask(lambda dialog: dialog.publish(event, application), lambda _: None, told)
+        self.act(lambda dialog: dialog.publish(event, application), lambda _: None, told)
+
+    def act(
+        self,
+        begin: Callable[[Dialog], Call[T]],
+        answered: Callable[[T], None],
+        refused: Callable[[str], None],
+    ) -> None:
+        """A hand's request, as ``ask``, but of the robot as it is now alone: where that is lost
+        before it has answered, ``refused`` is told, and the one that comes back does nothing of it.
+        """
+        if not self.connected:
+            refused(self.tr("No robot is connected."))
+            return
+        self._hands = [call for call in self._hands if not call.finished]
+
+        def kept(dialog: Dialog) -> Call[T]:
+            call = begin(dialog)
+            self._hands.append(call)
+            return call
+
+        self.ask(kept, answered, refused)
 
     def ask_modules(self, told: Callable[[tuple[ModuleState, ...]], None]) -> None:
         """Tells the modules that the robot knows; nothing where there is no answer."""
@@ -239,10 +265,13 @@ class RobotLink(QObject):
             return
         dialog = link.dialog
         at = self.state.endpoint
+        if not dialog.connected:
+            self._drop_hands(dialog)
         if dialog.connected and dialog.welcome is not None:
             if self.state.kind != "live":
                 # What had happened before is no measure of how far behind we are.
                 self._backlog = dialog.welcome.seq
+                self.found += 1
                 self._greeted(dialog.welcome.runtime)
                 project = dialog.welcome.project
                 looks_only = dialog.person.role == "viewer"
@@ -252,6 +281,14 @@ class RobotLink(QObject):
             self._become(LinkState("refused", at, since=link.clock(), why=str(dialog.problem)))
         elif self.state.kind == "live":
             self._become(LinkState("lost", at, self.state.project, link.clock()))
+
+    def _drop_hands(self, dialog: Dialog) -> None:
+        """What the dialog would ask the next robot for, as it does for a program's writes."""
+        hands, self._hands = self._hands, []
+        for call in hands:
+            if not call.finished:
+                call.fail(Unreachable(NOT_ASKED))
+                dialog.forget(call)
 
     def _greeted(self, runtime: str) -> None:
         """A session began: what stands there, and the robot's own documents."""

@@ -20,6 +20,7 @@ from situ_studio.edit import Place
 from situ_studio.language import said
 from situ_studio.live.breaking import KeptBreakpoints, Point, everywhere, point_of, points_at
 from situ_studio.live.breakpoints import Breakpoints
+from situ_studio.live.link import NOT_ASKED
 from situ_studio.live.moment import ApplicationMoment
 from situ_studio.live.views import runs_of
 from situ_studio.reasons import reasons
@@ -154,7 +155,7 @@ class OperatingSide(QObject):
             return
         self._window.bottom.set_shown("breakpoints", True)
         self._window.bottom.choose("breakpoints")
-        self.panel.add_test(points[0])
+        self.panel.add_test(points)
         standing = [point_of(one) for one in self._standing]
         lacking = [point for point in points if point not in standing]
         for point in lacking:
@@ -239,16 +240,17 @@ class OperatingSide(QObject):
         usual = ""
         if isinstance(document, Application) and context_of((place,) if place else ()) == "exit":
             usual = getattr(places.get(document, place), "name", None) or ""
-        dialogs = self._window.dialogs
+        dialogs, found = self._window.dialogs, self._link.found
         event = dialogs.name(self.tr("Raise an event"), self.tr("Event"), usual)
-        if event is not None:
+        if event is not None and self._is_still(found):
             self._link.publish(event, self.application, self._refused)
 
     def set_value(self) -> None:
         """Asks which one, and what."""
         title, label = self.tr("Set a value"), self.tr("Tag = value; nothing behind = removes it")
+        found = self._link.found
         given = self._window.dialogs.name(title, label, "")
-        if given is None:
+        if given is None or not self._is_still(found):
             return
         tag, sign, text = given.partition("=")
         if not sign:
@@ -306,7 +308,14 @@ class OperatingSide(QObject):
             self._refused(why)
             self._show()
 
-        self._link.ask(lambda dialog: dialog.debug(verb, **fields), answered, refused)
+        self._link.act(lambda dialog: dialog.debug(verb, **fields), answered, refused)
+
+    def _is_still(self, found: int) -> bool:
+        """Whether the robot is the one that a question was about; if not, that is said."""
+        still = self._link.connected and self._link.found == found
+        if not still:
+            self._refused(NOT_ASKED)
+        return still
 
     def _go_to_breakpoint(self, key: str) -> None:
         """Shows what it stands on."""

@@ -145,10 +145,14 @@ class Dialog:
 
     def lost(self, call: Call[Any]) -> None:
         """Its user waits no longer: the call fails, a later answer is passed over."""
+        self.forget(call)
+        call.fail(self.unreachable())
+
+    def forget(self, call: Call[Any]) -> None:
+        """It is not sent any more, and its answer is passed over."""
         self._calls.pop(call.request.id, None)
         if call in self._waiting:
             self._waiting.remove(call)
-        call.fail(self.unreachable())
 
     def unreachable(self) -> Unreachable:
         """Why nothing is answered, in one line; who knows the address puts it before."""
