@@ -250,7 +250,7 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
         until(link.state_changed, lambda: not link.connected)
         robot(there.project, there.endpoint, "a third")
         until(link.state_changed, lambda: link.connected)
-        return names(*asked)
+        return str(names(*asked))
 
     window.dialogs.name = meanwhile
     it.answers.put("name", "spo2 = 97")
