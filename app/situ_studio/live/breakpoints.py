@@ -46,7 +46,9 @@ class Breakpoints(QWidget):
         self._state_name = state_name
         self._points: dict[str, Point] = {}
         self._vocabulary = Vocabulary()
-        self._adds: Point | None = None
+        self._adds: tuple[Point, ...] = ()
+        self._chosen: Point | None = None
+        self._shows = False
         self._may_change = True
         self.setProperty("role", "panel")
         titles = (tr("No."), tr("The robot pauses"), tr("Application"), tr("Set by"))
@@ -58,7 +60,7 @@ class Breakpoints(QWidget):
             tr("The operator who set it"),
         )
         self.table.removed.connect(self.removed)
-        self.table.selectionModel().currentChanged.connect(lambda *_: self._show_condition())
+        self.table.selectionModel().currentChanged.connect(lambda *_: self._on_chosen())
         self.again = ThemedButton(theme, "breakpoint", "", "link", "error", 14)
         self.again.clicked.connect(self.wanted_again)
         self.again.hide()
@@ -123,22 +125,27 @@ class Breakpoints(QWidget):
         whether the robot takes others from us.
         """
         self._vocabulary, self._may_change = vocabulary, may_change
-        before = self.current
         self._points = {str(one["id"]): one for one in every}
         self._points |= {f"{EARLIER}{n}": one for n, one in enumerate(earlier)}
+        self._shows = True
         self.table.rows.show(
             [self._row(key, one, one.get("id") in stopped) for key, one in self._points.items()]
         )
         self.again.setVisible(bool(earlier) and may_change)
         self.again.setText(tr("Set {0} from before on this robot, too").format(len(earlier)))
-        wanted = self._adds or (point_of(before) if before is not None else None)
-        same = [key for key, one in self._points.items() if point_of(one) == wanted]
-        if same:
-            row = list(self._points).index(same[0])
+        # One whose condition changes is gone and comes again as another, maybe in another turn:
+        # what was chosen stays so, and is the newer of both while both stand.
+        if self._adds:
+            self._chosen = self._adds[0]
+        standing = [point_of(one) for one in self._points.values()]
+        if self._chosen in standing:
+            row = max(n for n, one in enumerate(standing) if one == self._chosen)
             self.table.setCurrentIndex(self.table.rows.index(row, 0))
+        self._shows = False
         self._show_condition()
-        if self._adds is not None and same:
-            self._adds = None
+        there = standing[: len(every)]
+        if self._adds and all(one in there for one in self._adds):
+            self._adds = ()
             self.condition.add("test")
 
     @property
@@ -151,9 +158,9 @@ class Breakpoints(QWidget):
         """The breakpoint of a row."""
         return self._points.get(key)
 
-    def add_test(self, point: Point) -> None:
-        """The breakpoint that stands there gets a condition, at once or when it is there."""
-        self._adds = point
+    def add_test(self, points: Sequence[Point]) -> None:
+        """The first gets a condition, at once or when all stand on the robot: they may share it."""
+        self._adds = tuple(points)
 
     def _row(self, key: str, one: Point, stopped: bool) -> Row:
         writer = str(one.get("writer", "")).removeprefix("operator:")
@@ -186,6 +193,12 @@ class Breakpoints(QWidget):
         return said
 
     # -- its condition -----------------------------------------------------------------
+
+    def _on_chosen(self) -> None:
+        """By a person, not because the rows are others now."""
+        if not self._shows:
+            self._chosen = None if self.current is None else point_of(self.current)
+            self._show_condition()
 
     def _show_condition(self) -> None:
         one = self.current
