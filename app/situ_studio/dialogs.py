@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from PySide6.QtCore import QObject, QRectF
 from PySide6.QtPrintSupport import QPrintDialog, QPrinter, QPrintPreviewDialog
@@ -26,6 +26,9 @@ from situ_studio.export_dialog import Export, ExportDialog, What
 from situ_studio.letters import px
 from situ_studio.live.connecting_dialog import Chosen, ConnectDialog
 from situ_studio.live.nearby import NearbyRobots
+from situ_studio.live.raising_dialog import Offer, RaisingDialog
+from situ_studio.live.setting_dialog import Setting, SettingDialog
+from situ_studio.vocabulary import Vocabulary
 
 if TYPE_CHECKING:
     from situ_studio.frame import Frame
@@ -69,6 +72,24 @@ class Dialogs(QObject):
         make_room(dialog)
         try:
             return dialog.chosen if dialog.exec() else None
+        finally:
+            dialog.deleteLater()
+
+    def raising(self, offered: list[Offer], usual: str, known: tuple[str, ...]) -> str | None:
+        """Which event to raise at the robot; None: none."""
+        dialog = RaisingDialog(offered, usual, known, self._window)
+        make_room(dialog)
+        try:
+            return dialog.event_name if dialog.exec() else None
+        finally:
+            dialog.deleteLater()
+
+    def setting(self, vocabulary: Vocabulary, now: Mapping[str, Any]) -> Setting | None:
+        """Which value to set on the robot's blackboard; None: none."""
+        dialog = SettingDialog(vocabulary, now, self._window)
+        make_room(dialog)
+        try:
+            return dialog.setting if dialog.exec() else None
         finally:
             dialog.deleteLater()
 

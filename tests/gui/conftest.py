@@ -119,6 +119,12 @@ class Answers:
         endpoint = self._take("robot")
         return Chosen(endpoint) if isinstance(endpoint, str) else endpoint
 
+    def raising(self, offered: Any, usual: str, known: Any) -> Any:
+        return self._take("raising")
+
+    def setting(self, vocabulary: Any, now: Any) -> Any:
+        return self._take("setting")
+
     def part(self, known: list[str]) -> Any:
         return self._take("part")
 

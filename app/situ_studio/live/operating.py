@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QLabel
 
+from situ.decide.expected import Expectation
 from situ.document import when_text
 from situ.document.condition import Condition
 from situ.document.rbd import Application
+from situ.rehearse.telling import kept_by_runtime
 from situ.rehearse.ways import frames
 from situ_studio import places
 from situ_studio.context_menus import context_of
@@ -22,9 +23,11 @@ from situ_studio.live.breaking import KeptBreakpoints, Point, everywhere, point_
 from situ_studio.live.breakpoints import Breakpoints
 from situ_studio.live.link import NOT_ASKED
 from situ_studio.live.moment import ApplicationMoment
+from situ_studio.live.raising_dialog import offers
 from situ_studio.live.views import runs_of
 from situ_studio.reasons import reasons
 from situ_studio.theme import Theme
+from situ_studio.vocabulary import Vocabulary
 
 if TYPE_CHECKING:
     from situ.blackboard.protocol import DebugVerb
@@ -235,28 +238,35 @@ class OperatingSide(QObject):
             self._break(point)
 
     def raise_event(self) -> None:
-        """Asks which one; the selected transition's unless another is named."""
-        document, place = self._window.current_document, self._selected
-        usual = ""
+        """Asks which one, once the robot has told what it expects now; the selected transition's
+        is offered first.
+        """
+        ask = partial(self._ask_event, self._link.found)
+        self._link.ask(lambda dialog: dialog.expected(), ask, self._refused)
+
+    def _ask_event(self, found: int, expected: Mapping[str, Expectation]) -> None:
+        """found: as ``RobotLink.found`` was when somebody wanted to raise one."""
+        if not self._is_still(found):
+            return
+        document, place, usual = self._window.current_document, self._selected, ""
         if isinstance(document, Application) and context_of((place,) if place else ()) == "exit":
             usual = getattr(places.get(document, place), "name", None) or ""
-        dialogs, found = self._window.dialogs, self._link.found
-        event = dialogs.name(self.tr("Raise an event"), self.tr("Event"), usual)
+        offered, known = offers(expected, self.application), self._vocabulary.events
+        event = self._window.dialogs.raising(offered, usual, known)
         if event is not None and self._is_still(found):
             self._link.publish(event, self.application, self._refused)
 
     def set_value(self) -> None:
         """Asks which one, and what."""
-        title, label = self.tr("Set a value"), self.tr("Tag = value; nothing behind = removes it")
-        found = self._link.found
-        given = self._window.dialogs.name(title, label, "")
-        if given is None or not self._is_still(found):
-            return
-        tag, sign, text = given.partition("=")
-        if not sign:
-            self._window.say(self.tr("Write it as tag = value, like volume = 40."))
-            return
-        self._link.set({tag.strip(): read(text)}, self._refused)
+        board, found = self._link.log.now.board, self._link.found
+        now = {
+            tag: one.value
+            for tag, one in board.items()
+            if one.value is not None and not kept_by_runtime(tag)
+        }
+        given = self._window.dialogs.setting(self._vocabulary, now)
+        if given is not None and self._is_still(found):
+            self._link.set({given.tag: given.value}, self._refused)
 
     # -- inside ----------------------------------------------------------------
 
@@ -282,6 +292,13 @@ class OperatingSide(QObject):
         if project is None or document is None or file is None:
             return []
         return points_at(project, file, document, self._selected)
+
+    @property
+    def _vocabulary(self) -> Vocabulary:
+        """The words of the whole project."""
+        window, project = self._window, self._window.session.project
+        document = project.spds if project is not None else None
+        return window.vocabulary(document or window.current_document)
 
     @property
     def _standing(self) -> tuple[Point, ...]:
@@ -357,11 +374,8 @@ class OperatingSide(QObject):
         every = self._link.log.now.applications.values()
         stopped = frozenset(one.stopped for one in every if one.paused and one.stopped is not None)
         earlier, window = self._earlier, self._window
-        project = window.session.project
-        document = project.spds if project is not None else None
-        vocabulary = window.vocabulary(document or window.current_document)
         self.panel.show_breakpoints(
-            self._standing, stopped, earlier, vocabulary, not self._link.looks_only
+            self._standing, stopped, earlier, self._vocabulary, not self._link.looks_only
         )
         window.bottom.set_shown("breakpoints", bool(self._standing or earlier))
 
@@ -370,15 +384,3 @@ class OperatingSide(QObject):
         if stopped is None:
             return self.tr("{0} is paused at {1}").format(name, where)
         return self.tr("{0} is paused at {1}, at breakpoint {2}").format(name, where, stopped)
-
-
-def read(text: str) -> Any:
-    """A value as a person types it: numbers, ``true``, lists, objects as JSON has them; all else
-    is text. None where nothing is typed."""
-    text = text.strip()
-    if not text:
-        return None
-    try:
-        return json.loads(text)
-    except ValueError:
-        return text

@@ -15,6 +15,7 @@ from situ.document.condition import Condition, Group
 from situ.document.condition import Test as One
 from situ.document.ready import load_ready
 from situ_studio.live.breaking import MOST, KeptBreakpoints, everywhere, points_at
+from situ_studio.live.setting_dialog import Setting
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 FLOW, PART = "reception.rbd.xml", "register.rbd.xml"
@@ -162,7 +163,7 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     go()
     until(link.moment_changed, lambda: now.state == "16/2")
     assert not now.paused
-    it.answers.put("name", "robot.stop = false")
+    it.answers.put("setting", Setting("robot.stop", False))
     window.actions_.actions["operate.set"].trigger()
     until(link.moment_changed, lambda: "robot.stop" in link.log.now.board)
     go()

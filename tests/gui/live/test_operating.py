@@ -7,13 +7,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QToolButton
 
 from situ_studio.live.link import NOT_ASKED
-from situ_studio.live.operating import read
+from situ_studio.live.setting_dialog import Setting
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -92,9 +91,10 @@ def test_breakpoints_pause_the_robot_where_they_are_shown_and_hands_lead_it_on(
     # A step with something that waits.
     it.select("state", "2", "event", "0")
     event = it.session.document(window.current_file).state("2").events[0]
-    it.answers.put("name", event.name)
+    it.answers.put("raising", event.name)
     window.actions_.actions["operate.raise"].trigger()
-    it.answers.put("name", "spo2 = 97")
+    until(link.moment_changed, lambda: not it.answers.waiting["raising"])
+    it.answers.put("setting", Setting("spo2", 97))
     window.actions_.actions["operate.set"].trigger()
     until(link.moment_changed, lambda: "spo2" in link.log.now.board)
     assert link.log.now.board["spo2"].value == 97
@@ -146,13 +146,9 @@ def test_what_the_robot_refuses_is_said_in_words(
     it = studio(there.project)
     connect(it, there.endpoint, until)
     operating, said = it.window.operating, it.window.status.said
-    it.answers.put("name", "situation = 3")
+    it.answers.put("setting", Setting("situation", 3))
     operating.set_value()
     until(operating.refused, lambda: "situation" in said.text())
-    # What is no tag and value is not even asked.
-    it.answers.put("name", "louder")
-    operating.set_value()
-    assert said.text() == "Write it as tag = value, like volume = 40."
     # There is nothing to be judged next.
     operating.pause()
     until(it.window.robot.link.moment_changed, lambda: operating.is_paused)
@@ -198,14 +194,6 @@ def test_nobody_who_rehearses_pauses_or_leads_the_robot_by_mistake(
     actions["rehearse.end"].trigger()
 
 
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [("", None), (" 40", 40), ("true", True), ("hello you", "hello you"), ('["a"]', ["a"])],
-)
-def test_a_typed_value_is_what_it_looks_like(text: str, value: object) -> None:
-    assert read(text) == value
-
-
 def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_back(
     studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
 ) -> None:
@@ -223,9 +211,8 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     it.select("state", "3")
     actions["operate.goto"].trigger()
     actions["operate.step"].trigger()
-    it.answers.put("name", "clickYes")
     actions["operate.raise"].trigger()
-    it.answers.put("name", "spo2 = 97")
+    it.answers.put("setting", Setting("spo2", 97))
     actions["operate.set"].trigger()
     again = robot(there.project, there.endpoint, "another")
     until(operating.refused, lambda: len(refusals) == 4)
@@ -243,17 +230,17 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     assert link.log.now.applications["converse"].state == "1"
     assert len(refusals) == 4
     # What a question was about when the robot died is none of the next one's either.
-    names = window.dialogs.name
+    answer = window.dialogs.setting
 
-    def meanwhile(*asked: str) -> str:
+    def meanwhile(*asked: Any) -> Any:
         again.kill()
         until(link.state_changed, lambda: not link.connected)
         robot(there.project, there.endpoint, "a third")
         until(link.state_changed, lambda: link.connected)
-        return str(names(*asked))
+        return answer(*asked)
 
-    window.dialogs.name = meanwhile
-    it.answers.put("name", "spo2 = 97")
+    window.dialogs.setting = meanwhile
+    it.answers.put("setting", Setting("spo2", 97))
     operating.set_value()
     assert len(refusals) == 5
     assert refusals[-1] == window.status.said.text() == NOT_ASKED
