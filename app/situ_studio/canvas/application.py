@@ -132,6 +132,10 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         changed |= {
             no for no in {**old.counts, **new.counts} if _differ(old.counts, new.counts, no)
         }
+        ways = {**old.transitions, **new.transitions}
+        counted_anew = {way for way in ways if _differ(old.transitions, new.transitions, way)}
+        # That none of them was taken stands beside the exits, on the card.
+        changed |= {no for no, _ in counted_anew}
         for uid, card in self._picture.cards.items():
             if switched or card.no in changed:
                 node = self.graph.nodes.get(uid)
@@ -139,8 +143,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
                     node.view.setToolTip(self._hint(card, live))
                     node.view.update()
         exits = {(t.state, t.exit) for t in (*old.taken, *new.taken)}
-        ways = {**old.transitions, **new.transitions}
-        exits |= {way for way in ways if _differ(old.transitions, new.transitions, way)}
+        exits |= counted_anew
         for id in self.graph.links:
             if switched or (id[0], id[1]) in exits:
                 pipe = self.graph.pipe(id)

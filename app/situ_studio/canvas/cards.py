@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
-from situ_studio.canvas import counted, operated, thumbnails
+from situ_studio.canvas import counted, operated, thumbnails, untaken
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.projection import FIRST, HEADER, NEW, PITCH, TIMEOUT, WIDTH, Card, Exit
@@ -156,8 +156,10 @@ class CardItem(NodeFace):
         level = look.level
         if level == "tiny":
             self._paint_tiny(painter, look)
+            self._paint_untaken(painter, look)
         elif level == "quarter":
             self._paint_quarter(painter, look)
+            self._paint_untaken(painter, look)
         elif widget is None or self._live(look):
             # A picture for print keeps its lines; where the robot is, it is so for a moment only.
             self._paint_near(painter)
@@ -187,8 +189,23 @@ class CardItem(NodeFace):
     def _paint_deeds(self, painter: QPainter, look: Look) -> None:
         """What a robot has done here, and an operator."""
         if isinstance(look.live, LiveView):
+            self._paint_untaken(painter, look)
             counted.paint(painter, look, look.live, self.face.no, self.face.width - 10)
             operated.paint(painter, look, look.live, self.face.no)
+
+    def _paint_untaken(self, painter: QPainter, look: Look) -> None:
+        if isinstance(look.live, LiveView) and look.live.counts.get(self.face.no) == 0:
+            area = QRectF(0, 0, self.face.width, self.face.height)
+            untaken.paint_card(painter, look, area, RADIUS)
+            if look.level == "full":
+                self._paint_chips(painter, look)
+        if look.level == "full":
+            # Here, not with the pipes: none of them may lie on it.
+            for spot in self.outputs:
+                for at in (pipe.untaken_at_exit() for pipe in spot.connected_pipes):
+                    if at is not None:
+                        here = self.mapFromScene(at)
+                        untaken.paint_at_exit(painter, look, here.x(), here.y())
 
     def _live(self, look: Look) -> bool:
         return isinstance(look.live, LiveView) and self.face.no in look.live.active

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPainterPathStroker, Q
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
+from situ_studio.canvas import untaken
 from situ_studio.canvas.cards import STUB, arrow, chip_width, paint_chip
 from situ_studio.canvas.library import PipeItem
 from situ_studio.canvas.live import LiveView, strength
@@ -25,6 +26,8 @@ UNDER, SIGNED, ABOVE = -1.0, -0.75, -0.5
 """Pipes lie under the cards; those with a sign above the others, the selection's above these."""
 SIGN = 16.0
 """How large the sign of a problem is."""
+PALE = 0.85
+"""Of what nobody went along."""
 HIT = 12.0
 """How wide a pipe is for the mouse."""
 
@@ -120,6 +123,8 @@ class RoutedPipe(PipeItem):
             area = QRectF(left, top, max(xs) + SIGN - left, max(ys) + SIGN - top)
             if self._label is not None:
                 area = area.united(self._label.reach().adjusted(-2 * SIGN, -SIGN, 2, SIGN))
+            reach = untaken.REACH - SIGN
+            area.adjust(-reach, -reach, reach, reach)
         self._rect = area
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, area.isEmpty())
         self.update()
@@ -212,6 +217,28 @@ class RoutedPipe(PipeItem):
         self._hit = self._wrong = None
         self.refresh()
 
+    def untaken_area(self) -> QRectF:
+        """Where it stands on the line that nobody went along it, in the scene; else empty."""
+        route = self.route
+        if route.folded or route.trunk is not None or len(route.points) < 2 or self._count() != 0:
+            return QRectF()
+        if self._label is not None:
+            return self._label.area
+        (ax, ay), (bx, by) = max(pairwise(route.points), key=_long)
+        return QRectF((ax + bx) / 2 - 13, (ay + by) / 2 - 8, 26, 16)
+
+    def untaken_at_exit(self) -> QPointF | None:
+        """Where it stands beside the exit, from there to the right, in the scene: behind the chip
+        of a folded one, and where the line is another exit's too that was taken; else None.
+        """
+        if self._own_count() != 0 or self.look.level != "full":
+            return None
+        x, y = self.output_port.centre().toTuple()
+        if self.route.folded:
+            chip = STUB + chip_width(self._chip) + 2
+            return QPointF(x + chip + (0 if self.sign_area().isEmpty() else SIGN), y)
+        return QPointF(x + 16, y) if self._count() else None
+
     def label_area(self) -> QRectF | None:
         """Where the label is painted at 100 %, in the scene; None without one."""
         return self._label.area if self._label is not None else None
@@ -246,6 +273,10 @@ class RoutedPipe(PipeItem):
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
     ) -> None:
         self._paint_way(painter)
+        zero = self.untaken_area()
+        # A label has its count already.
+        if not zero.isEmpty() and zero != self.label_area():
+            untaken.paint_sign(painter, self.look, zero.center().x(), zero.center().y())
         look, area = self.look, self.sign_area()
         if area.isEmpty() or look.level in ("quarter", "tiny"):
             return
@@ -277,8 +308,11 @@ class RoutedPipe(PipeItem):
         named = self._label is not None and count is None and look.level == "full"
         path = self._gapped() if named else self.path()
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        pen = QPen(color, width)
-        if self.link is not None and self.link.exit == "timeout":
+        never = self._is_untaken()
+        if never and not strong:
+            color = look.faint("pipe", PALE)
+        pen = untaken.pen(look, color, width, path.length()) if never else QPen(color, width)
+        if not never and self.link is not None and self.link.exit == "timeout":
             unit = max(1.0, 1 / look.zoom) / width
             pen.setDashPattern([4 * unit, 3 * unit])
         painter.setPen(pen)
@@ -292,8 +326,11 @@ class RoutedPipe(PipeItem):
             painter.drawPath(path)
         if route.trunk is None:
             (ax, ay), (bx, by) = route.points[-2], route.points[-1]
-            scale = 1.0 if look.level == "full" else 1.5
-            arrow(painter, color, bx, by, ax == bx and by < ay, scale)
+            upwards = ax == bx and by < ay
+            if never:
+                untaken.paint_tip(painter, look, color, QPointF(bx, by), upwards)
+            else:
+                arrow(painter, color, bx, by, upwards, 1.0 if look.level == "full" else 1.5)
         if route.joint is not None:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(color)
@@ -337,6 +374,17 @@ class RoutedPipe(PipeItem):
             if taken.state == link.source and taken.exit == link.exit:
                 return strength(rank, taken.age)
         return 0.0
+
+    def _own_count(self) -> int | None:
+        """How often this exit's own way was taken; None where nobody has counted."""
+        live, link = self.look.live, self.link
+        if not isinstance(live, LiveView) or link is None:
+            return None
+        return live.transitions.get((link.source, link.exit))
+
+    def _is_untaken(self) -> bool:
+        """Whether nobody came along the line that is drawn here."""
+        return (self._count() if self.route.trunk is None else self._own_count()) == 0
 
     def _count(self) -> int | None:
         """How often; None where nobody has counted: 0 is what somebody looks for."""

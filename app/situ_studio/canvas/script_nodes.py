@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
-from situ_studio.canvas import counted, operated
+from situ_studio.canvas import counted, operated, untaken
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.script_faces import INDENT, LINE, OUT, STRIP, ScriptNode
@@ -167,6 +167,8 @@ class ScriptItem(NodeFace):
         if node.kind == "situation" and node.name in stops:
             operated.breakpoint_sign(painter, look, node.height / 2)
         if node.kind == "situation" and isinstance(live, LiveScript):
+            if live.counts.get(node.name) == 0:
+                untaken.paint_card(painter, look, area, RADIUS)
             counted.paint_situation(painter, look, live, node.name, node.width - 10)
         if look.level == "half":
             label = self._texts["short"]

@@ -29,5 +29,6 @@ def painted(project: Project, coverage: Coverage) -> dict[str, LiveView | LiveSc
     }
     if project.spds_file is not None:
         came = [name for name, seen in coverage.situations.items() if seen.covered]
-        found[project.spds_file] = LiveScript(holds=frozenset(came))
+        times = {name: seen.times for name, seen in coverage.situations.items()}
+        found[project.spds_file] = LiveScript(holds=frozenset(came), counts=times)
     return found
