@@ -2591,6 +2591,22 @@
         <source>Do not announce the robot</source>
         <translation>ロボットを知らせない</translation>
     </message>
+    <message>
+        <source>not now: {0}</source>
+        <translation>今は不可: {0}</translation>
+    </message>
+    <message>
+        <source>Write a list, like [1, 2].</source>
+        <translation>[1, 2] のようにリストを入力してください。</translation>
+    </message>
+    <message>
+        <source>Write an object, like {&quot;x&quot;: 1}.</source>
+        <translation>{&quot;x&quot;: 1} のようにオブジェクトを入力してください。</translation>
+    </message>
+    <message>
+        <source>Write a number.</source>
+        <translation>数を入力してください。</translation>
+    </message>
 </context>
 <context>
     <name>AddTest</name>
@@ -3944,6 +3960,18 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>Follower</name>
     <message>
+        <source>robot: {0}</source>
+        <translation>ロボット: {0}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} is paused</source>
+        <translation>{1} の {0} は一時停止中です</translation>
+    </message>
+    <message>
+        <source>{0} is connected</source>
+        <translation>{0} に接続しています</translation>
+    </message>
+    <message>
         <source>, known since {0}</source>
         <translation>、{0} から分かっています</translation>
     </message>
@@ -3958,6 +3986,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>rehearsing, {0:.1f} s</source>
         <translation>リハーサル中、{0:.1f} 秒</translation>
+    </message>
+    <message>
+        <source>{0}; {1}</source>
+        <translation>{0}、{1}</translation>
     </message>
     <message>
         <source>replaying {0}</source>
@@ -4540,26 +4572,6 @@ Draw what a robot says, shows and does.</source>
         <translation>ブレークポイント</translation>
     </message>
     <message>
-        <source>Raise an event</source>
-        <translation>イベントを起こす</translation>
-    </message>
-    <message>
-        <source>Event</source>
-        <translation>イベント</translation>
-    </message>
-    <message>
-        <source>Set a value</source>
-        <translation>値を設定</translation>
-    </message>
-    <message>
-        <source>Tag = value; nothing behind = removes it</source>
-        <translation>タグ = 値。= の後が空なら取り除きます</translation>
-    </message>
-    <message>
-        <source>Write it as tag = value, like volume = 40.</source>
-        <translation>volume = 40 のように、タグ = 値 と書いてください。</translation>
-    </message>
-    <message>
         <source>{0} is paused at {1}</source>
         <translation>{0} は {1} で止まっています</translation>
     </message>
@@ -5018,6 +5030,33 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>scenarios</source>
         <translation>シナリオ</translation>
+    </message>
+</context>
+<context>
+    <name>RaisingDialog</name>
+    <message>
+        <source>Raise an event</source>
+        <translation>イベントを起こす</translation>
+    </message>
+    <message>
+        <source>Expected now</source>
+        <translation>今待たれているもの</translation>
+    </message>
+    <message>
+        <source>Nothing is expected now</source>
+        <translation>今待たれているものはありません</translation>
+    </message>
+    <message>
+        <source>Events that are expected now</source>
+        <translation>今待たれているイベント</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>起こす</translation>
     </message>
 </context>
 <context>
@@ -5563,6 +5602,45 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Join {0} with disk</source>
         <translation>{0} をディスクと統合</translation>
+    </message>
+</context>
+<context>
+    <name>SettingDialog</name>
+    <message>
+        <source>Set a value</source>
+        <translation>値を設定</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>タグ</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>nothing: removes it</source>
+        <translation>空欄: 削除します</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>It is {0} now.</source>
+        <translation>現在は {0} です。</translation>
+    </message>
+    <message>
+        <source>It is not set now.</source>
+        <translation>現在は設定されていません。</translation>
     </message>
 </context>
 <context>
@@ -10979,6 +11057,10 @@ A right click or the down key gives other values.</source>
         <translation>名前のないイベントは条件が成り立つとすぐに起こります。行き先の状態を決めてください</translation>
     </message>
     <message>
+        <source>Declare {0}</source>
+        <translation>{0} を宣言する</translation>
+    </message>
+    <message>
         <source>From {0} nobody comes back to the start but by waiting for a timeout: add a button or a phrase that leads back, best a Home button in every state</source>
         <translation>{0} からは時間切れを待つほかに最初へ戻る方法がありません。戻るためのボタンか言葉を加えてください。すべての状態に「ホーム」ボタンを置くのが最善です</translation>
     </message>
@@ -11141,6 +11223,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>declare it in the module information</source>
         <translation>モジュール情報で宣言してください</translation>
+    </message>
+    <message>
+        <source>declare it in the script, or in the module information</source>
+        <translation>スクリプトかモジュール情報で宣言してください</translation>
     </message>
     <message>
         <source>did you mean {0}?</source>

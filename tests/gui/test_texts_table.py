@@ -87,20 +87,26 @@ def test_typing_translates_enter_goes_on_and_undo_takes_it_back(used: Any) -> No
     assert used.session.dirty == []
 
 
+def _send(event: QInputMethodEvent) -> None:
+    focus = QApplication.focusWidget()
+    assert focus is not None
+    QApplication.sendEvent(focus, event)
+
+
 def test_an_input_method_begins_a_cell_as_a_letter_does(used: Any) -> None:
     go(used, at(used, "Home"))
     # Composed first, as on most systems; the focus stays until something is written.
     written = QInputMethodEvent()
     written.setCommitString("玄関")
     for event in (QInputMethodEvent("げんかん", []), written):
-        QApplication.sendEvent(QApplication.focusWidget(), event)
+        _send(event)
         used.settle()
     used.key(Qt.Key.Key_Return)
     assert said(used, "Home") == "玄関"
     # Written at once, and what is typed then goes on after it.
     assert table(used).currentIndex() == at(used, "Repeat")
     written.setCommitString("再")
-    QApplication.sendEvent(QApplication.focusWidget(), written)
+    _send(written)
     used.settle()
     used.type("X")
     used.key(Qt.Key.Key_Return)
@@ -108,7 +114,7 @@ def test_an_input_method_begins_a_cell_as_a_letter_does(used: Any) -> None:
     # A place is not written into.
     go(used, at(used, "Home", WHAT))
     before = used.session.project
-    QApplication.sendEvent(QApplication.focusWidget(), written)
+    _send(written)
     used.settle()
     assert used.session.project is before
     assert QApplication.focusWidget() is table(used)
