@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -11,6 +13,7 @@ from situ.document import beside, catalogue, folder, texts
 from situ.document.beside import Toml
 from situ.document.catalogue import Catalogue, Translation
 from situ.document.join import join_texts
+from situ.document.project import Project
 from situ.document.texts_update import update
 from situ.resources import example, examples
 
@@ -284,6 +287,62 @@ def test_what_is_wrong_in_a_file_by_itself_is_told() -> None:
     assert [p.code for p in found] == ["unknown-key", "missing-file", "missing-file"]
     assert beside.problems(project, "texts/ja.po", _of()) == []
     assert beside.applications(wrong) == ["b.rbd.xml", "a.rbd.xml"]
+
+
+def _ward(*applications: str) -> Project:
+    """A project of these; ``a`` calls ``b``, which calls ``c``."""
+    state = '<state no="1" final="true">{}</state>'
+    calls = {"a": '<flow src="b.rbd.xml"/>', "b": '<flow src="c.rbd.xml"/>', "c": ""}
+    files = {
+        f"{name}.rbd.xml": f'<application name="{name}">{state.format(call)}</application>'
+        for name, call in calls.items()
+    }
+    project, _ = folder.load_texts({"situ.toml": _naming(*applications).text, **files}, "ward")
+    assert project is not None
+    return project
+
+
+def _naming(*applications: str) -> Toml:
+    files = ", ".join(f'"{name}.rbd.xml"' for name in applications)
+    return Toml(f'[project]\nname = "p"\napplications = [{files}]\n')
+
+
+def _named(files: Mapping[str, object]) -> str:
+    return "".join(file.partition(".")[0] for file in files)
+
+
+def test_an_application_that_stands_twice_is_told_and_one_that_is_there_is_not() -> None:
+    found = beside.problems(_ward("a"), "situ.toml", _naming("a", "a"))
+    assert [(p.code, p.line) for p in found] == [("duplicate-file", 3)]
+
+
+@pytest.mark.parametrize(
+    ("named", "applications", "parts", "gone"),
+    [
+        ("cab", "cab", "", ""),  # in the order of the file
+        ("ab", "ab", "c", ""),  # c is called by b
+        ("a", "a", "bc", ""),  # and what a part calls stays too
+        ("c", "c", "", "ab"),  # nobody calls a and b
+        ("ax", "a", "bc", ""),  # x is not there
+    ],
+)
+def test_what_is_named_no_more_stays_where_a_flow_leads_to_it(
+    named: str, applications: str, parts: str, gone: str
+) -> None:
+    project, left = beside.grouped(_ward("a", "b", "c"), _naming(*named), {})
+    found = (_named(project.applications), _named(project.parts), _named(left))
+    assert found == (applications, parts, gone)
+
+
+def test_what_is_named_again_is_what_it_was() -> None:
+    ward = _ward("a", "b", "c")
+    without, gone = beside.grouped(ward, _naming("c"), {})
+    assert beside.grouped(without, _naming("a", "b", "c"), gone) == (ward, {})
+
+
+def test_a_part_that_is_named_becomes_an_application() -> None:
+    project, gone = beside.grouped(_ward("a"), _naming("a", "b"), {})
+    assert (_named(project.applications), _named(project.parts), gone) == ("ab", "c", {})
 
 
 def test_what_changes_nothing_of_the_robot_is_told_as_such() -> None:
