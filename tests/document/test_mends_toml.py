@@ -50,6 +50,7 @@ TABLE = (
         '[[setting]]\ntag = "a"\nchoices = ["x", "y", "x"]',
         '[[setting]]\ntag = "a"\nchoices = ["x", "y"]\ntype = "choice"',
     ),
+    ("bad-value", '[[setting]]\ntag = "a"\nchoices = ["x"]', '[[setting]]\ntag = "a"'),
     ("bad-value", '[mqtt]\nin = { "a/b" = "fall" }', '[mqtt]\nin = { "a/b" = "event:fall" }'),
     ("bad-tag", '[tags]\n"User Name" = 1', "[tags]\nuser-name = 1"),
     ("bad-tag", '[privacy]\nprivate = ["User.**", "a"]', '[privacy]\nprivate = ["user.**", "a"]'),
@@ -88,6 +89,16 @@ def test_a_mend_of_situ_toml_changes_what_is_wrong_and_nothing_else(
     assert after.text.rstrip() == f"# Ours\n{begin}{right}".rstrip()
     (ward / "situ.toml").write_text(after.text)
     assert [one for one in found(ward) if one.code == code] == []
+
+
+@pytest.mark.parametrize("target", ['"evnt:fall"', '"tag:Not A Tag"', '" "', "3"])
+def test_what_a_message_means_is_mended_only_where_a_plain_name_says_which_event(
+    ward: Path, target: str
+) -> None:
+    (ward / "situ.toml").write_text(f'{BEGIN}[mqtt]\nin = {{ "a/b" = {target} }}\n')
+    (problem,) = found(ward)
+    assert (problem.code, problem.place) == ("bad-value", ("mqtt", "in", "a/b"))
+    assert problem.mend is None
 
 
 def test_a_mend_for_another_text_than_stands_there_is_stale(ward: Path) -> None:
@@ -134,6 +145,16 @@ def test_a_language_that_a_button_chooses_is_added_to_the_project(ward: Path) ->
     assert problem.mend is not None
     after = apply(Toml((ward / "situ.toml").read_text()), problem.mend)
     assert 'languages = ["en", "ja"]' in after.text
+
+
+def test_a_word_that_is_no_code_of_a_language_is_told_but_not_added(ward: Path) -> None:
+    (ward / "situ.toml").write_text(f'{BEGIN}applications = ["a.rbd.xml"]\nlanguages = ["en"]\n')
+    (ward / "a.rbd.xml").write_text(
+        '<application name="a"><state no="1" final="true"><backgroundactions>'
+        '<set tag="language">Japanese</set></backgroundactions></state></application>'
+    )
+    (problem,) = [one for one in found(ward) if one.code == "language-without-texts"]
+    assert problem.mend is None
 
 
 def test_a_setting_and_its_problem_have_the_same_place(ward: Path) -> None:
