@@ -106,6 +106,22 @@ def test_settings_are_added_changed_and_removed() -> None:
     assert tomllib.loads(again.text)["setting"] == [{"tag": "e"}]
 
 
+def test_taking_out_what_is_not_there_leaves_the_file_as_it_is() -> None:
+    assert writing.put_in(Toml(TEXT), "mqtt", "in", "b/#", None) == Toml(TEXT)
+    assert writing.put_setting(Toml(TEXT), 1, "choices", None) == Toml(TEXT)
+
+
+@pytest.mark.parametrize(
+    ("text", "between"),
+    [("", ""), ("a = 1\n", "\n"), ("a = 1\n\n", "")],
+)
+def test_one_empty_line_stands_before_the_first_setting_and_none_in_an_empty_file(
+    text: str, between: str
+) -> None:
+    after = writing.add_setting(Toml(text), {"tag": "a"})
+    assert after == Toml(f'{text}{between}[[setting]]\ntag = "a"\n')
+
+
 _KEYS = st.sampled_from(("visits", "services.records", "new", "user.name", "x-y"))
 _VALUES = st.one_of(
     st.booleans(),
@@ -182,6 +198,18 @@ def test_another_name_is_given_also_in_a_table_in_pieces_or_of_dotted_keys(
         "tags": {("new" if key == name else key): v for key, v in before["tags"].items()}
     }
     assert after.text.count("# one") == text.count("# one")
+
+
+def test_a_topic_is_given_another_name_also_where_its_table_stands_apart_from_the_broker() -> None:
+    text = """[mqtt]
+url = "mqtt://x" # at home
+[robot]
+adapter = "sim"
+[mqtt.in]
+"a/b" = "event:x" # the door
+"""
+    after = writing.rename_in(Toml(text), "mqtt", "in", "a/b", "c/d")
+    assert after == Toml(text.replace("a/b", "c/d"))
 
 
 def test_a_table_itself_is_given_another_name_where_it_stands() -> None:
