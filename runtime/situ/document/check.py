@@ -260,29 +260,28 @@ def _project(
     """
     if project.toml is None:
         return []
-    told: list[tuple[Severity, str, str, Path, Mend | None]] = [
-        ("warning", code, message, _listed(project, *where), None)
-        for code, message, *where in settings
+    told: list[tuple[Severity, str, str, Path]] = [
+        ("warning", code, message, _listed(project, *where)) for code, message, *where in settings
     ]
     if len(project.applications) > 1 and project.spds_file is None:
         said = (
             "Several applications need a script that says which of them comes first: begin one, "
             "and name it in the project"
         )
-        told.append(("error", "spds-needed", said, ("project", "applications"), None))
+        told.append(("error", "spds-needed", said, ("project", "applications")))
     for at, language in enumerate(project.languages):
         if at and language not in project.texts:
             said = (
                 f"There are no texts in {language} yet (texts/{language}.po), so all stay as they "
                 "are written: begin them, or take the language out"
             )
-            told.append(("warning", "missing-texts", said, ("project", "languages", at), None))
+            told.append(("warning", "missing-texts", said, ("project", "languages", at)))
     if not told:
         return []
     text = (files.read(project.toml) or b"").decode(errors="replace")
     file = called(project.root, project.toml)
     made = []
-    for severity, code, message, path, mend in told:
+    for severity, code, message, path in told:
         line, column = projectfile.place(text, *_written_at(project, path))
         made.append(
             Problem(
@@ -293,7 +292,6 @@ def _project(
                 code=code,
                 message=message,
                 place=tuple(map(str, path)),
-                mend=mend,
             )
         )
     return made
@@ -308,8 +306,6 @@ def _listed(project: Project, table: str, key: str, value: str) -> Path:
 def _written_at(project: Project, path: Path) -> tuple[str, str, str]:
     """The table, the key and the value that stand at a path."""
     match path:
-        case ("setting", int(at), str(key)):
-            return "setting", key, project.settings[at].tag
         case (str(table), str(key), int(at)):
             return table, key, project.languages[at]
         case _:
