@@ -81,19 +81,22 @@ def fix(path: str | Path) -> Fixed:
 
 
 def _mend_settings(project: Project, found: list[Problem], refused: list[str]) -> list[Problem]:
-    """What was mended in the files of the settings; ``refused`` gets why nothing could be."""
+    """What was mended in the files of the settings; ``refused`` gets why a file could not be."""
     wanted = [p for p in found if p.mend is not None and p.mend.safe and p.mend.file in SETTINGS]
     files = {p.mend.file for p in wanted if p.mend is not None}
     names = {file: folder.called(project.root, file) for file in sorted(files)}
     before = {file: Toml(Path(name).read_text("utf-8")) for file, name in names.items()}
     after, mended = mend_toml.every(before, wanted)
-    try:
-        for file, toml in after.items():
+    kept: set[str] = set()
+    for file, toml in after.items():
+        try:
             folder.write(names[file], beside.write(toml))
-    except UsageError as error:
-        refused.append(str(error))
-        return []
-    return mended
+        except UsageError as error:
+            kept.add(file)
+            # It is tried anew in every round.
+            if str(error) not in refused:
+                refused.append(str(error))
+    return [p for p in mended if p.mend is not None and p.mend.file not in kept]
 
 
 def _write(before: Project, after: Project, file: str) -> None:
