@@ -1,14 +1,14 @@
 """Mends of ``situ.toml`` and ``robot.local.toml``: its text changed, everything else as it stands.
 
 The path of a change leads through tables, keys and positions: ``("setting", 1, "type")``. ``set``
-takes out what it gives null; a list that is not there yet is begun by ``insert``.
+takes out what it gives null.
 """
 
 from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from situ.document import toml_writing as writing
@@ -62,9 +62,7 @@ def _changed(toml: Toml, change: Change) -> Toml:
         for step in way:
             holder = holder[step]
     except (KeyError, IndexError, TypeError) as error:
-        if change.do != "insert" or not isinstance(error, KeyError):
-            raise Stale(f"{step} is not there any more") from error
-        holder = []
+        raise Stale(f"{step} is not there any more") from error
     if change.do == "insert":
         if not isinstance(holder, list) or not isinstance(last, int) or last > len(holder):
             raise Stale("there is no such position any more")
@@ -92,14 +90,12 @@ def _has(holder: Any, last: str | int) -> bool:
     return isinstance(holder, dict) and last in holder
 
 
-def _put(toml: Toml, way: Any, value: Any) -> Toml:
-    match tuple(way):
-        case (str(table),) if value is None:
-            return writing.take_out(toml, table)
-        case (str(table), str(key)):
-            return writing.put(toml, table, key, value)
-        case (writing.SETTING, int(at), str(key)):
-            return writing.put_setting(toml, at, key, value)
-        case (str(table), str(key), str(inner)):
-            return writing.put_in(toml, table, key, inner, value)
-    raise Stale("there is nothing of that kind")
+def _put(toml: Toml, way: Sequence[Any], value: Any) -> Toml:
+    if len(way) == 1:
+        return writing.take_out(toml, way[0])
+    if len(way) == 2:
+        return writing.put(toml, way[0], way[1], value)
+    table, key, inner = way
+    if table == writing.SETTING:
+        return writing.put_setting(toml, key, inner, value)
+    return writing.put_in(toml, table, key, inner, value)
