@@ -317,19 +317,20 @@ def test_an_application_that_stands_twice_is_told_and_one_that_is_there_is_not()
 
 
 @pytest.mark.parametrize(
-    ("named", "applications", "parts", "gone"),
+    ("before", "named", "applications", "parts", "gone"),
     [
-        ("cab", "cab", "", ""),  # in the order of the file
-        ("ab", "ab", "c", ""),  # c is called by b
-        ("a", "a", "bc", ""),  # and what a part calls stays too
-        ("c", "c", "", "ab"),  # nobody calls a and b
-        ("ax", "a", "bc", ""),  # x is not there
+        ("abc", "cab", "cab", "", ""),  # in the order of the file
+        ("abc", "ab", "ab", "c", ""),  # c is called by b
+        ("abc", "a", "a", "bc", ""),  # and what a part calls stays too
+        ("ac", "a", "a", "bc", ""),  # where it was a part before as well
+        ("abc", "c", "c", "", "ab"),  # nobody calls a and b
+        ("abc", "ax", "a", "bc", ""),  # x is not there
     ],
 )
 def test_what_is_named_no_more_stays_where_a_flow_leads_to_it(
-    named: str, applications: str, parts: str, gone: str
+    before: str, named: str, applications: str, parts: str, gone: str
 ) -> None:
-    project, left = beside.grouped(_ward("a", "b", "c"), _naming(*named), {})
+    project, left = beside.grouped(_ward(*before), _naming(*named), {})
     found = (_named(project.applications), _named(project.parts), _named(left))
     assert found == (applications, parts, gone)
 
