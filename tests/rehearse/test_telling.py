@@ -80,6 +80,14 @@ def test_the_steps_of_a_trace_begin_with_outside_input_or_later() -> None:
         (trace.Mapping(1, 0, None, "r", "m", None), "r stops and holds"),
         (trace.Event(1, 0, None, "a", "e"), "event e comes to a"),
         (trace.Ignored(1, 0, None, "a", "e", "suspended"), "a ignores e: it is suspended"),
+        (
+            trace.Ignored(1, 0, None, "a", "e", "guard"),
+            "a ignores e: it has no guard for it that holds",
+        ),
+        (
+            trace.Ignored(1, 0, None, "a", "e", "unexpected"),
+            "a ignores e: it does not expect it here",
+        ),
         (trace.Ignored(1, 0, None, "a", "e", "later"), "a ignores e: it later"),
         (trace.Exit(1, 0, None, "a", "1"), "a leaves 1"),
         (
