@@ -31,7 +31,8 @@ from situ.errors import UsageError
 from situ.rehearse import recorded, scenario
 from situ.rehearse.expect import Expect
 from situ.rehearse.recorded import Difference, Document, Heading, Line, Piece, Snapshot, Taken, Torn
-from situ.rehearse.recording import read_trace
+from situ.rehearse.recording import Recording, read_trace
+from situ.rehearse.recording import read as read_run
 
 SCENARIOS = sorted(ROOT.glob("examples/*/scenarios/*.jsonl"))
 
@@ -218,6 +219,27 @@ def test_why_reads_a_recording(file: Path, capsys: pytest.CaptureFixture[str]) -
     assert cli.main(["why", str(file), "1"]) == 0
     assert "#1" in capsys.readouterr().out
     assert [json.loads(line) for line in run.trace.splitlines()] == read_trace(file)
+
+
+def _lines(*events: tuple[int, float, int | None]) -> list[Line]:
+    return [
+        Line(msgspec.json.encode({"kind": "x", "seq": seq, "t": t, "cause": cause}), 0)
+        for seq, t, cause in events
+    ]
+
+
+def test_the_steps_of_a_recording_without_inputs_are_guessed_from_its_trace(file: Path) -> None:
+    lines = _lines((1, 1, None), (2, 1, 1), (3, 2, None))
+    run = read_run(made(file, *lines, masked=True))
+    assert [[event["seq"] for event in step.events] for step in run.steps] == [[1, 2], [3]]
+    assert run == Recording.of(read_trace(file))
+
+
+def test_an_input_that_nothing_came_of_begins_no_step(file: Path) -> None:
+    first, second = _lines((1, 0, None), (2, 2, None))
+    ticked = Taken(1, 1.0, None)
+    run = read_run(made(file, START, first, ticked, Taken(2, 2.0, None), second))
+    assert [[event["seq"] for event in step.events] for step in run.steps] == [[1], [2]]
 
 
 def test_a_length_that_nothing_has_is_damage() -> None:
