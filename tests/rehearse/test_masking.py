@@ -20,7 +20,7 @@ from situ.document.folder import sources
 from situ.document.ready import load_ready
 from situ.engine.record import OneFile, Recorder
 from situ.rehearse.masking import masked
-from situ.rehearse.recorded import Document, Heading, Line, Snapshot, Taken, read
+from situ.rehearse.recorded import Document, Heading, Line, Piece, Snapshot, Taken, read
 
 WARD = """<application name="ward">
   <state no="1">
@@ -353,6 +353,17 @@ def test_a_recording_knows_the_texts_of_its_project(
     events = trace(capfd.readouterr().out)
     screen = next(e for e in events if e["kind"] == "screen" and e["state"] == "2")
     assert [c["text"] for c in screen["components"]] == [HIDDEN, "Good morning"]
+
+
+def test_private_values_stay_hidden_where_the_project_in_a_recording_is_damaged() -> None:
+    told = [data("user.name", "Ann Lee"), data("ward", "B")]
+    pieces: list[Piece] = [
+        Heading(private=("user.**",)),
+        Document("situ.toml", b"["),
+        *(Line(json.dumps({"t": 0.0, **event}).encode(), 0) for event in told),
+    ]
+    shown = [json.loads(piece.text) for piece in masked(pieces) if isinstance(piece, Line)]
+    assert [event["value"] for event in shown] == [HIDDEN, "B"]
 
 
 def test_only_so_many_are_known_and_the_last_seen_stay(monkeypatch: pytest.MonkeyPatch) -> None:
