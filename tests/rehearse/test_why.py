@@ -342,6 +342,17 @@ def test_a_situation_that_was_ended_by_its_limit_or_until(lab: Project, record: 
     )
 
 
+def test_a_situation_that_ended_before_the_trace_begins_is_told_without_its_end(
+    lab: Project, record: Record
+) -> None:
+    recording = record(lab, {"at": 1, "set": {"heat": 50}}, {"at": 9, "set": {"heat": 60}})
+    late = [event for event in recording.events if event["t"] >= 9]
+    assert _ask(lab, Recording.of(late), 10, "situation", to="hot") == (
+        "- hot has ended by until or limit and begins again only after its condition has once "
+        "been false"
+    )
+
+
 # -- authority and mapping ---------------------------------------------------------
 
 
@@ -576,6 +587,17 @@ def test_an_event_that_another_took_without_leaving(make: Make, record: Record) 
             "from every touch"
         ),
     ]
+
+
+def test_an_event_that_led_back_before_this_one_could_take_it(make: Make, record: Record) -> None:
+    project = make(
+        '<application name="a"><state no="1"><expectedevents><event name="on" next="2"/>'
+        '</expectedevents></state><state no="2"><expectedevents><event name="go" next="#back"/>'
+        '<event name="go" next="3"/></expectedevents></state><state no="3"/></application>'
+    )
+    recording = record(project, {"at": 1, "event": "on"}, {"at": 2, "event": "go"})
+    told = _ask(project, recording, 2, "enter", state="3")
+    assert ("go came at 2 s, and an event before this one took it: event go leads to back") in told
 
 
 def test_an_action_of_an_event_that_was_taken(make: Make, record: Record) -> None:
