@@ -204,7 +204,14 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     refusals: list[str] = []
     operating.refused.connect(refusals.append)
     operating.pause()
-    until(link.moment_changed, lambda: operating.is_paused)
+    # What is answered comes after all that was asked before it: the pause is, too.
+    answered: list[Any] = []
+    link.ask_modules(answered.append)
+    link.set({"first": 1}, refusals.append)
+    until(
+        link.moment_changed,
+        lambda: operating.is_paused and "first" in link.log.now.board and bool(answered),
+    )
     # It is dead, and nobody has noticed: each hand is still there.
     there.kill()
     assert link.connected
