@@ -11977,10 +11977,6 @@ A right click or the down key gives other values.</source>
         <translation>状況 {0} はありません。あるのは {1} です</translation>
     </message>
     <message>
-        <source>there is nothing of that kind</source>
-        <translation>その種類のものはありません</translation>
-    </message>
-    <message>
         <source>this must not hold, and did: {0}</source>
         <translation>成り立ってはならないのに成り立っていました：{0}</translation>
     </message>
