@@ -1,0 +1,87 @@
+"""Projects and windows: the File menu."""
+
+from __future__ import annotations
+
+from situ_studio.actions.command import Command, row
+
+FILE: tuple[Command, ...] = (
+    row("new", "New project…", "new_project", icon="new", shortcut="Ctrl+N", menu="File"),
+    row(
+        "new_window",
+        "New window",
+        "new_window",
+        icon="new_window",
+        shortcut="Ctrl+Shift+N",
+        menu="File",
+    ),
+    row("open", "Open a project…", "open_project", icon="folder", shortcut="Ctrl+O", menu="File"),
+    row("welcome", "Welcome page", "show_welcome", icon="home", menu="File"),
+    row(
+        "save",
+        "Save",
+        "save",
+        icon="save",
+        shortcut="Ctrl+S",
+        menu="File",
+        toolbar="left",
+        when="has_project",
+        rule=True,
+    ),
+    row(
+        "save_copy",
+        "Save a copy…",
+        "save_copy",
+        icon="copy",
+        shortcut="Ctrl+Shift+S",
+        menu="File",
+        when="has_project",
+        tip="The project goes into another folder as it is here, and you go on there.",
+    ),
+    row(
+        "export",
+        "Export picture…",
+        "export_picture",
+        icon="export",
+        menu="File",
+        when="has_graph",
+        rule=True,
+        tip="The drawing, or a part of it, as SVG, PDF or PNG.",
+    ),
+    row(
+        "print",
+        "Print…",
+        "print_drawing",
+        icon="print",
+        shortcut="Ctrl+P",
+        menu="File",
+        when="has_graph",
+    ),
+    row(
+        "close_tab",
+        "Close tab",
+        "close_tab",
+        icon="close",
+        shortcut="Ctrl+W",
+        menu="File",
+        when="has_tabs",
+        rule=True,
+    ),
+    row(
+        "reopen_tab",
+        "Reopen closed tab",
+        "reopen_tab",
+        icon="history",
+        shortcut="Ctrl+Shift+T",
+        menu="File",
+        when="can_reopen_tab",
+    ),
+    row(
+        "close_window",
+        "Close window",
+        "close_window",
+        icon="close_window",
+        shortcut="Ctrl+Shift+W",
+        menu="File",
+    ),
+    row("quit", "Quit", "quit", icon="quit", shortcut="Ctrl+Q", menu="File", rule=True),
+)

@@ -1,0 +1,86 @@
+"""The project rehearsed in the window, and its scenarios: the Robot menu begins with it."""
+
+from __future__ import annotations
+
+from situ_studio.actions.command import Command, row
+
+REHEARSAL: tuple[Command, ...] = (
+    row(
+        "rehearse",
+        "Rehearse",
+        "rehearse",
+        icon="play",
+        shortcut="F5",
+        menu="Robot",
+        toolbar="left",
+        outlined=True,
+        when="has_project",
+        tip="The project runs here, without a robot, from its start.",
+    ),
+    row(
+        "rehearse.pause",
+        "Pause the rehearsal, or go on",
+        "pause_rehearsal",
+        icon="pause",
+        shortcut="Ctrl+F5",
+        menu="Robot",
+        when="is_rehearsing",
+        tip="Its time stands still, or goes on.",
+    ),
+    row(
+        "rehearse.step",
+        "Step in the rehearsal",
+        "step_rehearsal",
+        icon="step",
+        shortcut="F10",
+        menu="Robot",
+        when="is_rehearsing",
+        tip="To what happens next if nobody does anything.",
+    ),
+    row(
+        "rehearse.take",
+        "Take the changes into the rehearsal",
+        "take_into_rehearsal",
+        icon="deploy",
+        shortcut="Ctrl+Shift+F5",
+        menu="Robot",
+        when="can_take_in",
+        tip="What runs goes on as it is drawn now, from a moment at which no action runs.",
+    ),
+    row(
+        "rehearse.back",
+        "Go back to before the changes",
+        "take_back_in_rehearsal",
+        icon="undo",
+        menu="Robot",
+        when="can_go_back",
+        tip="What ran in the rehearsal before the last changes runs again, at once.",
+    ),
+    row(
+        "rehearse.save",
+        "Save the rehearsal as a scenario…",
+        "save_rehearsal",
+        icon="scenarios",
+        menu="Robot",
+        when="is_rehearsing",
+        tip="What was done can be done again, and what happened is expected then.",
+    ),
+    row(
+        "rehearse.end",
+        "End the rehearsal",
+        "end_rehearsal",
+        shortcut="Shift+F5",
+        menu="Robot",
+        when="is_rehearsing",
+        tip="The drawing is shown as it is drawn again.",
+    ),
+    row(
+        "scenarios.run",
+        "Run all scenarios",
+        "run_scenarios",
+        icon="check",
+        menu="Robot",
+        when="has_project",
+        tip="Each is done from the start, and what shall happen is looked for.",
+    ),
+)

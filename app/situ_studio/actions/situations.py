@@ -1,0 +1,157 @@
+"""The script of situations: begin one, and what its things have beside their names."""
+
+from __future__ import annotations
+
+from situ_studio.actions.command import Command, row
+
+SITUATIONS: tuple[Command, ...] = (
+    row(
+        "begin_script",
+        "Script of situations",
+        "begin_script",
+        icon="situation",
+        menu="Insert",
+        when="can_begin_script",
+        shown="can_begin_script",
+        rule=True,
+        tip="When which module may move the robot. The project has no script yet.",
+    ),
+    *(
+        row(
+            f"situation.{id}",
+            text,
+            "on_view",
+            icon=icon,
+            argument=method,
+            menu="Insert/Situation",
+            when=when,
+            shown="is_script",
+            rule=rule,
+            tip=tip,
+            contexts="thing",
+        )
+        for id, text, icon, method, when, rule, tip in (
+            (
+                "condition",
+                "Holds when…",
+                "condition",
+                "ask_condition",
+                "has_situation",
+                False,
+                "One more test of data for the selected situation.",
+            ),
+            (
+                "until",
+                "Until…",
+                "condition",
+                "ask_until",
+                "has_situation",
+                False,
+                "Once current, the situation holds until this does.",
+            ),
+            (
+                "extends",
+                "Take over from…",
+                "situation",
+                "ask_extends",
+                "has_situation",
+                False,
+                "The situation whose priorities count in the selected one too.",
+            ),
+            (
+                "dwell",
+                "Stay at least…",
+                "timeout",
+                "edit_dwell",
+                "has_situation",
+                False,
+                "Seconds that the situation stays once it is current.",
+            ),
+            (
+                "limit",
+                "End after…",
+                "timeout",
+                "edit_limit",
+                "has_situation",
+                False,
+                "Seconds after which the situation ends at the latest.",
+            ),
+            (
+                "priority",
+                "Priority…",
+                "module",
+                "ask_priority",
+                "has_situation",
+                True,
+                "Of a module in the selected situation, also one that is taken over.",
+            ),
+            (
+                "no_priority",
+                "Take the priority away here",
+                "close",
+                "take_priority_away",
+                "has_priority",
+                False,
+                "The module can not move the robot in this situation, whatever it takes over.",
+            ),
+            (
+                "type",
+                "Kind of value…",
+                "data",
+                "ask_type",
+                "has_data",
+                True,
+                "Whether the data is a number, a text, yes or no.",
+            ),
+            (
+                "unit",
+                "Unit…",
+                "data",
+                "edit_unit",
+                "has_data",
+                False,
+                "In which unit the data is, such as deg or m.",
+            ),
+            (
+                "note",
+                "Note…",
+                "note",
+                "edit_note",
+                "on_script",
+                True,
+                "What is to be remembered about what is selected; of nothing, about the script.",
+            ),
+        )
+    ),
+    *(
+        row(
+            f"group.{kind}",
+            text,
+            "group",
+            argument=kind,
+            icon="condition",
+            menu="Insert/Tests",
+            when="has_tests",
+            shown="is_script",
+            tip=tip,
+            contexts="thing",
+        )
+        for kind, text, tip in (
+            ("all", "All of these", "The selected tests hold together when all of them do."),
+            ("any", "Any of these", "The selected tests hold together when one of them does."),
+            ("none", "None of these", "The selected tests hold together when none of them does."),
+        )
+    ),
+    row(
+        "group.away",
+        "Take the group away",
+        "on_view",
+        argument="ungroup",
+        icon="close",
+        menu="Insert/Tests",
+        when="has_group",
+        shown="is_script",
+        tip="The tests in the selected group stay.",
+        contexts="thing",
+    ),
+)
