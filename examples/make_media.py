@@ -14,7 +14,7 @@ import struct
 import sys
 import wave
 from array import array
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QPointF, QRectF, Qt
@@ -451,7 +451,7 @@ def finger_clip() -> bytes:
 def chime(path: Path) -> None:
     """Two soft bell tones, 1.1 s: 16 bit, mono, 22,050 Hz."""
     rate, seconds = 22_050, 1.1
-    samples = array("h")
+    samples = []
     for i in range(int(rate * seconds)):
         t, value = i / rate, 0.0
         for start, pitch in ((0.0, 659.26), (0.22, 880.0)):
@@ -464,45 +464,65 @@ def chime(path: Path) -> None:
                     )
         end = min(1.0, (seconds - t) / 0.05)
         samples.append(round(9000 * value * end))
+    write_sound(path, rate, samples)
+
+
+def write_sound(path: Path, rate: int, samples: Iterable[int]) -> None:
+    """As WAV, mono, 16 bit. rate: samples a second."""
+    kept = array("h", samples)
     if sys.byteorder == "big":
-        samples.byteswap()
+        kept.byteswap()
     with wave.open(str(path), "wb") as out:
         out.setnchannels(1)
         out.setsampwidth(2)
         out.setframerate(rate)
-        out.writeframes(samples.tobytes())
+        out.writeframes(kept.tobytes())
 
 
 # -- all of it ---------------------------------------------------------------
 
 
-PICTURES: dict[str, tuple[int, int, Draw]] = {
-    "lobby.png": (1280, 800, lobby),
-    "robot.png": (600, 600, lambda p: robot_on_tile(p, smile=1, waving=True)),
-    "sorry.png": (600, 600, lambda p: robot_on_tile(p, smile=-0.6, waving=False)),
-    "ask.png": (600, 600, ask),
-    "search.png": (600, 600, search),
-    "write.png": (600, 600, write),
-    "measure.png": (600, 600, measure),
+ROBOTS: dict[str, Draw] = {
+    "robot.png": lambda p: robot_on_tile(p, smile=1, waving=True),
+    "sorry.png": lambda p: robot_on_tile(p, smile=-0.6, waving=False),
+}
+"""As each example shows it."""
+
+PICTURES: dict[str, Draw] = {
+    **ROBOTS,
+    "ask.png": ask,
+    "search.png": search,
+    "write.png": write,
+    "measure.png": measure,
 }
 
 
 def make(folder: Path) -> list[Path]:
     """Writes every picture, the movie and the sound into ``folder``; the files written."""
     folder.mkdir(parents=True, exist_ok=True)
-    for name, (width, height, draw) in PICTURES.items():
-        if not picture(width, height, draw).save(str(folder / name)):
-            raise SystemExit(f"can not write {folder / name}")
+    write_picture(folder / "lobby.png", picture(1280, 800, lobby))
+    write_squares(folder, PICTURES)
     (folder / "clip.webm").write_bytes(finger_clip())
     chime(folder / "chime.wav")
-    return [folder / name for name in (*PICTURES, "clip.webm", "chime.wav")]
+    return [folder / name for name in ("lobby.png", *PICTURES, "clip.webm", "chime.wav")]
 
 
-def main() -> int:
-    for path in make(HERE / "reception" / "media"):
+def write_squares(folder: Path, pictures: Mapping[str, Draw]) -> None:
+    """Each in a square of 600, by file name."""
+    for name, draw in pictures.items():
+        write_picture(folder / name, picture(600, 600, draw))
+
+
+def write_picture(path: Path, image: QImage) -> None:
+    """Raises SystemExit."""
+    if not image.save(str(path)):
+        raise SystemExit(f"can not write {path}")
+
+
+def tell(written: Iterable[Path]) -> None:
+    for path in written:
         print(f"{path.relative_to(HERE.parent)}  {path.stat().st_size:,} bytes")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    tell(make(HERE / "reception" / "media"))

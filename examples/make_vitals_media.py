@@ -7,7 +7,6 @@ The tunes are old enough to belong to everybody; they are played note by note in
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -18,6 +17,7 @@ from make_media import (
     PALE,
     PAPER,
     RED,
+    ROBOTS,
     SKIN,
     SKIN_LINE,
     SOFT,
@@ -29,12 +29,14 @@ from make_media import (
     heart,
     line,
     picture,
-    robot_on_tile,
+    tell,
     tile,
     vp8,
     webm,
+    write_sound,
+    write_squares,
 )
-from music_box import JOY, LULLABY, SAKURA, tune, write_tune
+from music_box import JOY, LULLABY, RATE, SAKURA, tune
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPainterPath
 
@@ -358,13 +360,12 @@ def _small(scene: Scene, part: float, p: QPainter) -> None:
 
 
 PICTURES: dict[str, Draw] = {
+    **ROBOTS,
     "cuff.png": cuff,
     "clip.png": lambda p: clip(p, 1.0, 1.0, 0.8),
     "strip.png": lambda p: strip(p, blood=False),
     "blood.png": lambda p: strip(p, blood=True),
     "nurse.png": nurse,
-    "robot.png": lambda p: robot_on_tile(p, smile=1, waving=True),
-    "sorry.png": lambda p: robot_on_tile(p, smile=-0.6, waving=False),
     "telephone.png": telephone,
     "quiz.png": quiz,
     "music.png": notes,
@@ -378,21 +379,13 @@ TUNES = {"joy.wav": (JOY, 0.5), "lullaby.wav": (LULLABY, 0.42), "sakura.wav": (S
 def make(folder: Path) -> list[Path]:
     """Writes every picture, film and tune into ``folder``; the files written."""
     folder.mkdir(parents=True, exist_ok=True)
-    for name, draw in PICTURES.items():
-        if not picture(600, 600, draw).save(str(folder / name)):
-            raise SystemExit(f"can not write {folder / name}")
+    write_squares(folder, PICTURES)
     for name, (scene, seconds) in FILMS.items():
         (folder / name).write_bytes(film(scene, seconds))
     for name, (score, beat) in TUNES.items():
-        write_tune(folder / name, tune(score, beat))
+        write_sound(folder / name, RATE, tune(score, beat))
     return [folder / name for name in (*PICTURES, *FILMS, *TUNES)]
 
 
-def main() -> int:
-    for path in make(HERE / "vitals" / "media"):
-        print(f"{path.relative_to(HERE.parent)}  {path.stat().st_size:,} bytes")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    tell(make(HERE / "vitals" / "media"))

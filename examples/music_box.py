@@ -1,14 +1,11 @@
-"""Tunes of a music box: scores that belong to everybody, and who plays them."""
+"""Tunes of a music box: scores that belong to everybody, and what plays them."""
 
 from __future__ import annotations
 
 import math
-import sys
-import wave
-from array import array
-from pathlib import Path
 
 RATE = 11_025
+"""Samples a second."""
 NOTES = {name: 2 ** (place / 12) for place, name in enumerate("C_D_EF_G_A_B")}
 
 JOY = (
@@ -32,8 +29,8 @@ SAKURA = (
 """Sakura, sakura: a song of the Edo period whose maker nobody knows."""
 
 
-def tune(score: str, beat: float) -> bytes:
-    """A music box plays it: 16 bit, mono, samples as WAV has them. beat: in seconds."""
+def tune(score: str, beat: float) -> list[int]:
+    """A music box plays it: samples of 16 bit, mono. beat: in seconds."""
     heard: list[tuple[float, float]] = []
     at = 0.0
     for note in score.split():
@@ -47,10 +44,7 @@ def tune(score: str, beat: float) -> bytes:
         for i, value in enumerate(tones[pitch][: len(mixed) - first], first):
             mixed[i] += value
     loudest = max(abs(value) for value in mixed)
-    samples = array("h", (round(15_000 * value / loudest) for value in mixed))
-    if sys.byteorder == "big":
-        samples.byteswap()
-    return samples.tobytes()
+    return [round(15_000 * value / loudest) for value in mixed]
 
 
 def _tone(pitch: float) -> list[float]:
@@ -62,11 +56,3 @@ def _tone(pitch: float) -> list[float]:
         ring = math.exp(-3.2 * t) * math.sin(turn) + 0.3 * math.exp(-6 * t) * math.sin(3 * turn)
         found.append(min(1.0, t / 0.006) * ring * min(1.0, (1.4 - t) / 0.05))
     return found
-
-
-def write_tune(path: Path, samples: bytes) -> None:
-    with wave.open(str(path), "wb") as out:
-        out.setnchannels(1)
-        out.setsampwidth(2)
-        out.setframerate(RATE)
-        out.writeframes(samples)
