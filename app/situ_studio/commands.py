@@ -11,15 +11,13 @@ import situ
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.document.words import listed
-from situ_studio import kinds, places, recent
+from situ_studio import recent
 from situ_studio.actions import command
 from situ_studio.component_commands import ComponentCommands
-from situ_studio.file_commands import FileCommands
 from situ_studio.find import Find, places_of
-from situ_studio.insert import NotHere, insert
+from situ_studio.insert_commands import InsertCommands
 from situ_studio.lacking import lacking
 from situ_studio.menus import told
-from situ_studio.panels.palette import offered
 from situ_studio.panels.project_tree import stem
 from situ_studio.preferences import Preferences
 from situ_studio.screens import ordering
@@ -30,7 +28,7 @@ if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
 
-class Commands(FileCommands):
+class Commands(InsertCommands):
     """The handlers of one window."""
 
     def __init__(self, window: MainWindow) -> None:
@@ -144,52 +142,6 @@ class Commands(FileCommands):
 
     def can_leave_part(self) -> bool:
         return self._window.parts.can_leave()
-
-    def _can_insert(self, part: str) -> bool:
-        document = self._window.current_document
-        return any(kind.palette == part for kind in offered(document))
-
-    def offers_application(self) -> bool:
-        return self._can_insert("application")
-
-    def offers_action(self) -> bool:
-        return self._can_insert("action")
-
-    def offers_screen(self) -> bool:
-        return self._can_insert("screen")
-
-    def offers_drawing(self) -> bool:
-        return self._can_insert("drawing")
-
-    def offers_script(self) -> bool:
-        return self._can_insert("script")
-
-    def offers_modules(self) -> bool:
-        return self._can_insert("modules")
-
-    def can_insert_application(self) -> bool:
-        return self._can_insert("application")
-
-    def can_insert_action(self) -> bool:
-        return self._can_insert("action") and self.has_selection()
-
-    def can_insert_screen(self) -> bool:
-        return self._can_insert("screen") and self.has_selection()
-
-    def can_insert_drawing(self) -> bool:
-        return self._can_insert("drawing")
-
-    def can_insert_script(self) -> bool:
-        return self._can_insert("script")
-
-    def can_insert_modules(self) -> bool:
-        return self._can_insert("modules")
-
-    def can_connect(self) -> bool:
-        return self._window.can_connect and not self.is_connected()
-
-    def is_connected(self) -> bool:
-        return self._window.is_connected
 
     def shows_view(self, mode: str) -> bool:
         view = self._window.current_view
@@ -313,32 +265,6 @@ class Commands(FileCommands):
 
     def leave_part(self) -> None:
         self._window.parts.leave()
-
-    def insert(self, name: str) -> None:
-        """Puts a new thing where the selection is, and selects it."""
-        view, document = self._window.current_view, self._window.current_document
-        if view is None or document is None:
-            return
-        if name == "part":
-            self._window.parts.insert()
-            return
-        if name in places.DRAWN and view.can("add_drawn"):
-            view.call("add_drawn", name)
-            return
-        if name == "state" and view.can("add_state"):
-            view.call("add_state")
-            if len(view.selected) == 1:
-                self._window.fill_in(view.selected[0])
-            return
-        at = view.selected[0] if view.selected else ()
-        try:
-            after, place, text = insert(document, kinds.kind(name), at)
-        except NotHere as refused:
-            self._window.say(str(refused))
-            return
-        if text:
-            self._window.commit(after, text)
-        self._window.fill_in(place, "timeout" if name == "timeout" else "")
 
     # -- looking -----------------------------------------------------------------------
 
@@ -468,121 +394,6 @@ class Commands(FileCommands):
         windows = self._window.windows
         if windows is not None:
             Preferences(windows, self._window).show()
-
-    # -- robot -------------------------------------------------------------------------
-
-    def connect_robot(self) -> None:
-        self._window.ask_to_connect()
-
-    def disconnect_robot(self) -> None:
-        self._window.disconnect_robot()
-
-    def open_recording(self) -> None:
-        path = self._window.dialogs.recording()
-        if path is not None:
-            self._window.robot.open_recording(path)
-
-    def close_recording(self) -> None:
-        self._window.robot.close_recording()
-
-    def compare_recording(self) -> None:
-        self._window.robot.comparing.compare()
-
-    def can_compare(self) -> bool:
-        return self._window.robot.comparing.can_compare()
-
-    def next_difference(self, by: int) -> None:
-        self._window.robot.comparing.next(by)
-
-    def compares(self) -> bool:
-        return self._window.robot.comparing.comparing.goes
-
-    def count_recordings(self) -> None:
-        self._window.field.choose_files()
-
-    def has_recording(self) -> bool:
-        return self._window.robot.recording is not None
-
-    def follow_robot(self) -> None:
-        self._window.robot.following.toggle()
-
-    def follows_robot(self, _: object) -> bool:
-        return self._window.robot.following.on
-
-    def ask_why(self) -> None:
-        self._window.why.ask()
-
-    def ask_why_not(self) -> None:
-        self._window.why.ask_not()
-
-    def can_ask_why(self) -> bool:
-        return self._window.why.can_ask()
-
-    def rehearse(self) -> None:
-        self._window.rehearsing.rehearse()
-
-    def pause_rehearsal(self) -> None:
-        self._window.rehearsing.pause()
-
-    def step_rehearsal(self) -> None:
-        self._window.rehearsing.step()
-
-    def end_rehearsal(self) -> None:
-        self._window.rehearsing.end()
-
-    def save_rehearsal(self) -> None:
-        self._window.rehearsing.save()
-
-    def run_scenarios(self) -> None:
-        self._window.scenarios.run()
-
-    def take_into_rehearsal(self) -> None:
-        self._window.rehearsing.take_in()
-
-    def can_take_in(self) -> bool:
-        return self._window.rehearsing.can_take_in
-
-    def take_back_in_rehearsal(self) -> None:
-        self._window.rehearsing.go_back()
-
-    def can_go_back(self) -> bool:
-        return self._window.rehearsing.can_go_back
-
-    def is_rehearsing(self) -> bool:
-        return self._window.rehearsing.running is not None
-
-    def deploy(self) -> None:
-        self._window.deploying.ask()
-
-    def can_deploy(self) -> bool:
-        return self._window.deploying.can_deploy
-
-    def differs_from_robot(self) -> bool:
-        return self._window.deploying.differs
-
-    def may_operate(self) -> bool:
-        return not self._window.robot.link.looks_only
-
-    def can_operate(self) -> bool:
-        return self._window.operating.can_operate
-
-    def is_paused(self) -> bool:
-        return self._window.operating.is_paused
-
-    def can_pause(self) -> bool:
-        return self._window.operating.can_pause
-
-    def can_break(self) -> bool:
-        return self._window.operating.can_break
-
-    def can_go_to(self) -> bool:
-        return self._window.operating.can_go_to
-
-    def has_breakpoints(self) -> bool:
-        return self._window.operating.has_breakpoints
-
-    def operate(self, method: str) -> None:
-        getattr(self._window.operating, method)()
 
     def about(self) -> None:
         self._window.dialogs.tell(
