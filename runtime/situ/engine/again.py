@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from situ.engine.announcing import Announcement, Announcing
 from situ.engine.parts import supervise
 from situ.engine.readiness import ANNOUNCEMENT, say_ready
+
+if TYPE_CHECKING:
+    from situ.engine.announcing import Announcing
 
 HANDED_ON = (
     *("endpoint", "notify", "http", "keys", "insecure", "services", "adapter", "state", "sync"),
@@ -25,7 +27,7 @@ def keep_running(options: Mapping[str, Any]) -> int:
     apart: bool = options["apart"]
     parts = services if apart else services[:1]
     begun: set[str] = set()
-    announcing = Announcing()
+    announcing: Announcing | None = None
 
     def command(part: str, fresh: bool, told: Mapping[str, str]) -> list[str]:
         known = {name: msgspec.json.decode(line) for name, line in told.items()}
@@ -43,18 +45,23 @@ def keep_running(options: Mapping[str, Any]) -> int:
         return arguments(given)
 
     def ready(told: Mapping[str, str]) -> None:
+        nonlocal announcing
         lines = [msgspec.json.decode(line) for line in told.values()]
         http = next((line["http"] for line in lines if line["http"] is not None), None)
         announcement = lines[0].pop(ANNOUNCEMENT, None)
         line = msgspec.json.encode({**lines[0], "http": http}).decode()
         say_ready(line, as_json=options["json"], aside=options["trace"] == "-")
         if announcement is not None:
+            from situ.engine.announcing import Announcement, Announcing
+
+            announcing = announcing or Announcing()
             announcing.begin(msgspec.convert(announcement, Announcement))
 
     try:
         return supervise(parts, command, ready)
     finally:
-        announcing.close()
+        if announcing is not None:
+            announcing.close()
 
 
 def arguments(given: Mapping[str, Any]) -> list[str]:

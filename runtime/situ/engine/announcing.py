@@ -11,14 +11,16 @@ import contextlib
 import socket
 import subprocess
 import sys
+from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
 import msgspec
 from msgspec import Struct
 
 from situ.blackboard.announced import Announced, fingerprint
-from situ.blackboard.server import is_local
-from situ.document.project import Project
+
+if TYPE_CHECKING:
+    from situ.document.project import Project
 
 PATIENCE = 2.0
 """Seconds that it has to say goodbye."""
@@ -36,6 +38,9 @@ def announcement(project: Project, requests: str, public: bytes | None) -> Annou
     own machine reaches it, or by IPv6 only, or where its owner does not want it. public: its
     public key; None: everybody may come in.
     """
+    # Only the core asks this; the supervisor, and who announces, need no ZeroMQ.
+    from situ.blackboard.server import is_local
+
     if not project.announce or is_local(requests):
         return None
     parts = urlsplit(requests)

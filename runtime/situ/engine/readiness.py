@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from situ.blackboard.protocol import Addresses
 from situ.engine.notify import ADDRESSES, READY, WATCHDOG, Notifier
 
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop
 
+    from situ.blackboard.protocol import Addresses
     from situ.engine.announcing import Announcement, Announcing
 
 ANNOUNCEMENT = "announcement"
