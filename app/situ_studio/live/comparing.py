@@ -6,6 +6,7 @@ import logging
 import time
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
+from enum import Enum, auto
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -30,10 +31,19 @@ PIECE = 200
 AT_ONCE = 600
 """Deeds of two runs that are put beside one another in less than a person notices."""
 COMMAND = module("situ_studio.live.comparing_process")
-START, COMMON, AGREED = "start", "common", "agreed"
-"""Ways to line up: at the start, at the first thing that both did, where they last agreed."""
-
 _log = logging.getLogger("situ.studio")
+
+
+class Way(Enum):
+    """Ways to line up that are no bookmark, whatever one is called: at the start, at the first
+    thing that both did, where they last agreed."""
+
+    START = auto()
+    COMMON = auto()
+    AGREED = auto()
+
+
+START, COMMON, AGREED = Way
 
 
 class Compared(Struct, frozen=True):
@@ -98,7 +108,7 @@ class Comparing(QObject):
         self.own: Compared | None = None
         self.others: list[Compared] = []
         self.shifts: list[float] = []
-        self.way = COMMON
+        self.way: Way | str = COMMON
         self.marks: list[tuple[int, Difference]] = []
         self.chosen: tuple[int, Difference] | None = None
         self._at = 0.0
@@ -159,14 +169,22 @@ class Comparing(QObject):
 
     # -- lining up -----------------------------------------------------------------------
 
-    def line_up(self, way: str) -> None:
+    def line_up(self, way: Way | str) -> None:
         """START, COMMON, AGREED, or the name of a bookmark that the runs have."""
         self.way = way
         self._line_up()
         self.changed.emit()
 
-    def bookmarks(self, own: Sequence[Bookmark]) -> list[str]:
+    def mark(self, bookmarks: Sequence[Bookmark]) -> None:
+        """The run that is looked at has those bookmarks now."""
+        if self.own is not None:
+            self.own = replace(self.own, bookmarks=tuple(bookmarks))
+            self._line_up()
+            self.changed.emit()
+
+    def bookmarks(self) -> list[str]:
         """The names of those at which every run beside can be lined up."""
+        own = self.own.bookmarks if self.own is not None else ()
         names = [{mark.name for mark in other.bookmarks} for other in self.others]
         return [mark.name for mark in own if all(mark.name in one for one in names)]
 

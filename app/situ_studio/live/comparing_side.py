@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QMenu
 
@@ -40,11 +41,9 @@ class ComparingSide(QObject):
         super().__init__(window)
         self._window, self._robot = window, robot
         viewing, timeline = robot.follower.viewing, robot.timeline
-        self._chart = timeline.chart
+        self._chart, self._bookmarks = timeline.chart, timeline.bookmarks
         self.comparing = Comparing(viewing, self)
-        self.strip = ComparingStrip(
-            window.theme, self.comparing, timeline.bookmarks, self._chart.clock
-        )
+        self.strip = ComparingStrip(window.theme, self.comparing, self._chart.clock)
         self.menu = QMenu(window)
         self.menu.aboutToShow.connect(self._fill)
         timeline.add_strip(
@@ -72,6 +71,7 @@ class ComparingSide(QObject):
         comparing.ended.connect(self._on_ended)
         comparing.failed.connect(self._on_failed)
         viewing.exchanged.connect(self.end)
+        self._bookmarks.changed.connect(lambda: comparing.mark(self._bookmarks.every))
         self._remember()
 
     def set_theme(self, theme: Theme) -> None:
@@ -144,6 +144,8 @@ class ComparingSide(QObject):
                     self._compared(log, name, recording), recording
                 )
             )
+        for action in menu.actions():
+            action.setEnabled(self.can_compare())
         if self.comparing.goes:
             menu.addSeparator()
             menu.addAction(self.tr("Compare no more")).triggered.connect(self.end)
@@ -164,7 +166,7 @@ class ComparingSide(QObject):
         if not self.comparing.goes:
             self._recording = recording
         own = self._compared(*self._seen[0])
-        self.comparing.add(own, other)
+        self.comparing.add(replace(own, bookmarks=tuple(self._bookmarks.every)), other)
         self._window.bottom.choose(PANEL)
         self._make_room()
         self._chart.show_all()

@@ -10,9 +10,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayo
 from situ_studio.icon_widgets import Elided, IconButton, retheme
 from situ_studio.language import said, tr
 from situ_studio.letters import px
-from situ_studio.live.comparing import AGREED, COMMON, START, Comparing
+from situ_studio.live.comparing import AGREED, COMMON, START, Comparing, Way
 from situ_studio.live.timeline.beside import LETTERS
-from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.panel import opens
 from situ_studio.theme import Theme
 
@@ -24,15 +23,9 @@ class ComparingStrip(QWidget):
     """The second run shall be the one whose moment all views show."""
     end_asked = Signal()
 
-    def __init__(
-        self,
-        theme: Theme,
-        comparing: Comparing,
-        bookmarks: Bookmarks,
-        clock: Callable[[float], str],
-    ) -> None:
+    def __init__(self, theme: Theme, comparing: Comparing, clock: Callable[[float], str]) -> None:
         super().__init__()
-        self._comparing, self._bookmarks, self._clock = comparing, bookmarks, clock
+        self._comparing, self._clock = comparing, clock
         self.runs = Elided()
         self.count = QLabel()
         self.count.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -112,12 +105,12 @@ class ComparingStrip(QWidget):
     def _fill(self) -> None:
         menu, comparing = self.menu, self._comparing
         menu.clear()
-        ways = {
+        ways: dict[Way | str, str] = {
             START: tr("At the start"),
             COMMON: tr("At the first thing that both did"),
             AGREED: tr("Where they last did the same, at each difference"),
         }
-        named = comparing.bookmarks(self._bookmarks.every)
+        named = comparing.bookmarks()
         # An & would be taken for the key of the entry.
         ways |= {name: tr("At the bookmark “{0}”").format(name) for name in named}
         for way, words in ways.items():

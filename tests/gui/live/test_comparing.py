@@ -16,6 +16,7 @@ from tests.gui.live.test_recordings import PATIENCE, recording, until_shown
 
 from situ_studio.live.comparing import AGREED, COMMAND, COMMON, START, Compared, Comparing
 from situ_studio.live.log import TraceLog
+from situ_studio.live.timeline.beside import LETTERS
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
 from situ_studio.live.timeline.painting import GUTTER
 from situ_studio.live.viewing import Viewing
@@ -120,15 +121,21 @@ def test_runs_are_lined_up_at_the_start_what_both_did_a_bookmark_or_where_they_a
     other.add([fields])
     _, _, events = played("reception", "second-thoughts.jsonl")
     other.add([{**event, "seq": event["seq"] + 1, "t": event["t"] + 100.0} for event in events])
-    marks = ((Bookmark(5.0, "door"), Bookmark(6.0, "mine")), (Bookmark(9.0, "door"),))
+    marks = (
+        (Bookmark(5.0, "door"), Bookmark(6.0, "mine"), Bookmark(7.0, "start")),
+        (Bookmark(9.0, "door"), Bookmark(17.0, "start")),
+    )
     comparing = compared(one, other, marks)
     assert comparing.way == COMMON
     assert comparing.shifts == [97.0]
     comparing.line_up(START)
     assert comparing.shifts == [-3.0]
-    assert comparing.bookmarks(marks[0]) == ["door"]
+    assert comparing.bookmarks() == ["door", "start"]
     comparing.line_up("door")
     assert comparing.shifts == [4.0]
+    # Whatever it is called.
+    comparing.line_up("start")
+    assert comparing.shifts == [10.0]
     comparing.line_up(AGREED)
     comparing.viewing.seek(0.0)
     for _, difference in comparing.marks:
@@ -330,6 +337,54 @@ def test_three_runs_stand_below_one_another_and_differences_lead_through_all_of_
     QTest.mouseClick(side.strip.close_, LEFT)
     it.settle()
     assert {row.run for row in chart.rows} == {0}
+
+
+def test_runs_are_lined_up_at_a_bookmark_that_was_added_meanwhile(beneath: Any) -> None:
+    it, other = beneath
+    side = it.window.robot.comparing
+    comparing, marks = side.comparing, it.window.robot.timeline.bookmarks
+    side.compare_with(other)
+    until(comparing)
+    assert comparing.bookmarks() == []
+    marks.add(5.0, "door")
+    side.strip.menu.aboutToShow.emit()
+    next(one for one in side.strip.menu.actions() if "door" in one.text()).trigger()
+    assert comparing.shifts == [-3.0]
+
+
+def test_another_run_that_is_opened_is_seen_whole_whatever_was_beside_the_one_before(
+    beneath: Any,
+) -> None:
+    it, other = beneath
+    side, chart = it.window.robot.comparing, it.window.robot.timeline.chart
+    side.compare_with(other)
+    until(side.comparing)
+    # Lined up so that it ends long after ours.
+    it.window.robot.timeline.bookmarks.add(900.0, "door")
+    side.comparing.line_up("door")
+    chart.show_all()
+    assert chart.axis.end > 900.0
+    it.answers.put("recording", other)
+    it.window.commands.open_recording()
+    until_shown(it)
+    start, end = chart.viewing.span
+    assert chart.axis.start < start < end < chart.axis.end
+    assert chart.axis.seen < 1.1 * (end - start)
+
+
+def test_no_more_runs_are_offered_than_there_are_letters(beneath: Any) -> None:
+    it, other = beneath
+    side = it.window.robot.comparing
+    side.compare_with(other)
+    until(side.comparing)
+    side.menu.aboutToShow.emit()
+    assert side.menu.actions()[0].isEnabled()
+    (one,) = side.comparing.others
+    while len(side.comparing.others) + 1 < len(LETTERS):
+        side.comparing.add(side.comparing.own, one)
+    side.menu.aboutToShow.emit()
+    assert not side.menu.actions()[0].isEnabled()
+    assert side.menu.actions()[-1].isEnabled()
 
 
 def test_a_bookmark_of_the_other_run_is_drawn_in_its_own_rows_only(beneath: Any) -> None:

@@ -117,6 +117,8 @@ class TimelineDrawing(QAbstractScrollArea):
 
     def _on_exchanged(self) -> None:
         self._painter.forget()
+        # They stood beside the run that was looked at before.
+        self.show_beside((), ())
         if not self.viewing.grows:
             self.show_all()
         self._changed()
