@@ -33,6 +33,8 @@ def main() -> int:
     parser.add_argument("--seed", type=int, help="of who is there; else another each time")
     args = parser.parse_args()
     answer, seconds = called(random.Random(args.seed))
+    # The whole program stands in for the time that people talk: nothing else is to be done in it,
+    # and a robot that hangs up ends the process.
     time.sleep(seconds)
     return 0 if answer is Answer.TAKEN else 1
 

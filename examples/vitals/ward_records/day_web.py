@@ -7,7 +7,7 @@
 ``PUT /watch/ROOM`` a picture              {watched, ended}; 415: no picture
 ``GET /watch/ROOM``                        a nurse looks; ``/live`` and ``/picture`` are in it
 ``POST /watch/ROOM``                       help is there, from that page's button
-``GET /today``                              medicine and reminders of today, a page
+``GET /today``                             medicine and reminders of today, a page
 ``POST /reminders``, ``/reminders/ID``     something is to be told, or no more, from the page
 ``POST /residents/ID/medicine``            what somebody is given, from her page
 =========================================  ==================================================
@@ -32,8 +32,6 @@ _ROOM = "/watch/{room:[A-Za-z0-9-]{1,20}}"
 
 
 class DayWeb:
-    """wrong: what is wrong with what was given to a form of the ward's page."""
-
     def __init__(self, store: Store, day: Day, watching: Watching, tokens: Tokens) -> None:
         self._store = store
         self._day = day

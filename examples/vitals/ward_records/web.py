@@ -4,15 +4,14 @@
 ``POST /login`` {room, pin}             {user: {id, name, room, limits}}; 401: not this PIN, 429:
                                         too many wrong ones
 ``POST /readings`` {reading}            {kept: true}; 400: no such reading, 404: no such resident
-``GET /``                               the nurse's page; ``/today``: of today
+``GET /``                               the nurse's page
 ``GET /residents/ID``                   one resident: readings, limits
 ``POST /residents/ID``                  her limits, from that page's form
 ``POST /calls/ID``                      a nurse goes there, from the page's button
 ======================================  =====================================================
 
 What the robot does by itself is ``day_web.py``'s; who lives here and tables to take away,
-``residents_web.py``'s; whom they may call,
-``contacts_web.py``'s; who may do what, ``access.py``'s.
+``residents_web.py``'s; whom they may call, ``contacts_web.py``'s; who may do what, ``access.py``'s.
 """
 
 from __future__ import annotations
