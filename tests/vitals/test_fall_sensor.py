@@ -6,15 +6,13 @@ import asyncio
 import json
 import logging
 import runpy
-import socket
-import subprocess
 from collections.abc import AsyncIterator, Iterator
 from pathlib import Path
 from typing import Any
 
-import aiomqtt
 import pytest
 from msgspec.structs import replace
+from tests.engine.test_mqtt import DEADLINE, Broker
 
 from situ.decide.inputs import AnyInput, Set
 from situ.document.ready import load_ready
@@ -23,7 +21,6 @@ from situ.engine.secrets import Secrets
 
 VITALS = Path(__file__).resolve().parents[2] / "examples" / "vitals"
 SENSOR: dict[str, Any] = runpy.run_path(str(VITALS / "modules" / "fall_sensor.py"))
-DEADLINE = 20.0
 
 
 def told(seconds: float, **wearer: Any) -> list[float]:
@@ -58,21 +55,10 @@ def test_who_is_light_and_hit_but_walks_on_has_not_fallen() -> None:
 
 
 @pytest.fixture
-def broker(mosquitto: str, tmp_path: Path) -> Iterator[int]:
-    """The port of a broker of this test's own."""
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port: int = free.getsockname()[1]
-    config = tmp_path / "mosquitto.conf"
-    config.write_text(f"listener {port} 127.0.0.1\nuser root\nallow_anonymous true\n", "utf-8")
-    process = subprocess.Popen([mosquitto, "-c", str(config)], stderr=subprocess.PIPE, text=True)
-    assert process.stderr is not None
-    try:
-        assert any(line.rstrip().endswith("running") for line in process.stderr)
-        yield port
-    finally:
-        process.kill()
-        process.wait(DEADLINE)
-        process.stderr.close()
+def broker(mosquitto: str, tmp_path: Path) -> Iterator[Broker]:
+    made = Broker(mosquitto, tmp_path, "allow_anonymous true")
+    yield made
+    made.stop()
 
 
 async def walked(*falls: float) -> AsyncIterator[tuple[float, float]]:
@@ -105,19 +91,16 @@ class Robot:
 
 
 def test_a_robot_that_was_away_hears_of_a_fall_until_it_has_said_that_it_knows(
-    broker: int, tmp_path: Path
+    broker: Broker, tmp_path: Path
 ) -> None:
-    def client() -> aiomqtt.Client:
-        return aiomqtt.Client("127.0.0.1", broker, timeout=DEADLINE)
-
     async def run() -> list[AnyInput]:
-        async with asyncio.timeout(DEADLINE), client() as worn, client() as other:
+        async with asyncio.timeout(DEADLINE), broker.client() as worn, broker.client() as other:
             await other.subscribe("ward/7/fall")
             sensor = asyncio.ensure_future(SENSOR["fall_sensor"](worn, 7, walked(20)))
             message = await anext(aiter(other.messages))
             assert json.loads(message.payload) == {"room": 7}
             # Only now the robot is there: it hears of it, says so, and it is taken back.
-            robot = Robot(broker, tmp_path)
+            robot = Robot(broker.port, tmp_path)
             robot.bridge.start()
             await robot.until(1)
             robot.bridge.send("ward/7/fall/seen", "seen")
@@ -126,7 +109,7 @@ def test_a_robot_that_was_away_hears_of_a_fall_until_it_has_said_that_it_knows(
             await robot.bridge.close()
             # Who comes later hears only of what is new.
             await other.publish("ward/12/fall", '{"room": 12}', qos=1, retain=True)
-            later = Robot(broker, tmp_path)
+            later = Robot(broker.port, tmp_path)
             later.bridge.start()
             await later.until(1)
             await later.bridge.close()

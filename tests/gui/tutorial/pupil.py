@@ -38,6 +38,8 @@ class Pupil(Draughtsman):
     typed and each name that was pressed, in the current step; ``looked``: its pictures.
     """
 
+    window: Any
+
     def __init__(self, window: Any, pictures: Path | None) -> None:
         super().__init__(window)
         self.gestures = 0
@@ -204,14 +206,14 @@ class Pupil(Draughtsman):
 
     def wait(self, seconds: float) -> None:
         """The rehearsal goes on; nobody does anything."""
-        running = self.window.rehearsing.running  # type: ignore[attr-defined]
+        running = self.window.rehearsing.running
         for _ in range(round(seconds / 0.25)):
             self._seconds += 0.25
             running.catch_up()
         self.settle()
 
     def wait_for_scenarios(self) -> None:
-        run = self.window.scenarios.run_  # type: ignore[attr-defined]
+        run = self.window.scenarios.run_
         if len(run.ran) < len(run.files):
             assert QSignalSpy(run.ended).wait(PATIENCE)
         self.settle()
