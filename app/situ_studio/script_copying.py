@@ -16,7 +16,7 @@ from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.script_laws import Laws
 from situ_studio.copying import ORIGIN
 from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.language import said, tr
 
 MIME = "application/x-situ-situations+xml"
 """What was copied, as it stands in its script. The text beside it is a script by itself."""
@@ -118,7 +118,7 @@ class ScriptCopying:
         wrong = next((p for p in problems if p.severity == "error"), None)
         if isinstance(copied, Spds) and wrong is not None:
             told = tr("The text on the clipboard has errors. {0}")
-            self._say(told.format(wrong.message))
+            self._say(told.format(said(wrong.message)))
             return None
         if not isinstance(copied, Spds) or copies.is_empty(copied):
             self._say(tr("There are no situations, data or modules on the clipboard"))

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication
 
 from situ.document import codec
 from situ.document.condition import Condition
@@ -20,6 +21,7 @@ from situ.document.project import Project
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ_studio import script_copies as copies
 from situ_studio.canvas.script import ScriptCanvas
+from situ_studio.language import Speaking
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -179,6 +181,28 @@ def test_what_is_copied_is_a_script_in_any_text_editor_and_other_text_is_none(
     ward.canvas.paste()
     assert ward.said[-1] == "There are no situations, data or modules on the clipboard"
     assert len(ward.edits) == 1
+
+
+def test_what_is_wrong_with_a_script_on_the_clipboard_is_said_in_the_user_s_language(
+    desk: Callable[..., Any], qt: QApplication
+) -> None:
+    ward = desk_of(desk, WARD, "/ward")
+    wrong = (
+        '<spds name="a"><situation name="b"><module name="nod" priority="x"/></situation></spds>'
+    )
+    _, problems = codec.read(wrong.encode(), "clipboard")
+    english = next(one.message for one in problems if one.severity == "error")
+    QGuiApplication.clipboard().setText(wrong)
+    ward.canvas.paste()
+    assert english in ward.said[-1]
+    speaking = qt.findChild(Speaking) or Speaking(qt)
+    speaking.use("ja")
+    try:
+        ward.canvas.paste()
+    finally:
+        speaking.use("en")
+    assert english not in ward.said[-1]
+    assert ward.edits == []
 
 
 def test_modules_of_another_project_are_declared(desk: Callable[..., Any]) -> None:
