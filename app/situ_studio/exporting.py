@@ -44,6 +44,7 @@ class ExportingSide(QObject):
         self._large = LargeExport(self)
         self._large.written.connect(self._on_written)
         self._large.refused.connect(self._on_refused)
+        window.closed.connect(self._large.cancel)
 
     def export(self) -> None:
         """Asks for a file and what shall be in it, and writes it. UsageError where it can not."""

@@ -69,12 +69,14 @@ class LargeExport(QObject):
     def cancel(self) -> None:
         """Nothing more is written or printed, and nobody is told."""
         self._worker.end()
-        self._take_away()
+        self._end()
 
-    def _take_away(self) -> None:
-        """A file that was printed in part."""
-        if isinstance(self._wanted, Printing) and self._wanted.begun:
-            Path(self._wanted.begun).unlink(missing_ok=True)
+    def _end(self) -> Drawing | Printing | None:
+        """What was wanted; a file that was printed in part is gone."""
+        wanted, self._wanted = self._wanted, None
+        if isinstance(wanted, Printing) and wanted.begun:
+            Path(wanted.begun).unlink(missing_ok=True)
+        return wanted
 
     def _on_answer(self, refused: str) -> None:
         # Large drawings are rare: the process does not wait for another.
@@ -82,7 +84,7 @@ class LargeExport(QObject):
         if refused:
             self._refuse(refused)
         else:
-            self.written.emit(self._wanted)
+            self.written.emit(self._end())
 
     def _on_said(self, said: str) -> None:
         self._said = (said.splitlines() or [self._said])[-1]
@@ -91,12 +93,12 @@ class LargeExport(QObject):
         self._refuse(self._said or self.tr("its process ended early"))
 
     def _refuse(self, why: str) -> None:
-        self._take_away()
-        assert self._wanted is not None
-        printed = isinstance(self._wanted, Printing)
+        wanted = self._end()
+        assert wanted is not None
+        printed = isinstance(wanted, Printing)
         words = (
             self.tr("{0} can not be printed: {1}")
             if printed
             else self.tr("{0} can not be drawn: {1}")
         )
-        self.refused.emit(words.format(self._wanted.out, why))
+        self.refused.emit(words.format(wanted.out, why))

@@ -149,9 +149,9 @@ def test_on_a_full_disk_it_is_told_so_and_the_picture_that_was_there_stays(
     used.key(Qt.Key.Key_P, CONTROL)
     assert "here.pdf can not be printed" in used.answers.told[-1]
     monkeypatch.setattr(exporting, "MOST_CARDS", 3)
+    refused = QSignalSpy(used.window.exporting._large.refused)
     used.answers.put("printer", paper)
     used.key(Qt.Key.Key_P, CONTROL)
-    refused = QSignalSpy(used.window.exporting._large.refused)
     assert refused.count() or refused.wait(PATIENCE)
     assert "paper.pdf can not be printed" in used.answers.told[-1]
     assert len(used.answers.told) == 5
@@ -312,6 +312,21 @@ def test_a_large_drawing_is_printed_by_another_process_as_the_window_would(
     assert pages_of(out) == pages_of(alone) >= 1
     assert boxes_of(out) == boxes_of(alone)
     assert b"Inter-Medium" in out.read_bytes()
+
+
+def test_of_what_is_printed_while_the_window_is_closed_nothing_is_left(
+    studio: Start, project: Copy, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used, out = studio(project("reception")), tmp_path / "a.pdf"
+    monkeypatch.setattr(exporting, "MOST_CARDS", 3)
+    used.answers.put("printer", out)
+    used.key(Qt.Key.Key_P, CONTROL)
+    assert len(used.window.status.work.going) == 1
+    begun = Path(f"{out}.part")
+    begun.write_text("half")
+    used.window.close()
+    assert not begun.exists()
+    assert not out.exists()
 
 
 def test_a_printer_is_set_up_elsewhere_as_it_was_chosen(qt: QApplication) -> None:
