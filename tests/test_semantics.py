@@ -10,10 +10,10 @@ import pytest
 
 TESTS = Path(__file__).parent
 PAGE = TESTS.parent / "docs" / "semantics.md"
-FOLDERS = ("blackboard", "browser", "decide", "document", "engine", "faults", "rehearse")
-FILES = sorted(file for folder in FOLDERS for file in TESTS.glob(f"{folder}/test_*.py"))
+FOLDERS = ("blackboard", "browser", "decide", "document", "engine", "faults", "gui", "rehearse")
+FILES = sorted(file for folder in FOLDERS for file in TESTS.glob(f"{folder}/**/test_*.py"))
 CITED = set(
-    re.findall(rf"`((?:{'|'.join(FOLDERS)})/\w+\.py::\w+)`", PAGE.read_text(encoding="utf-8"))
+    re.findall(rf"`((?:{'|'.join(FOLDERS)})/[\w/]+\.py::\w+)`", PAGE.read_text(encoding="utf-8"))
 )
 OF_RULES = [file for file in FILES if file.parent.name == "decide"] + [
     TESTS / "rehearse" / "test_scenario.py",
@@ -24,7 +24,7 @@ OF_RULES = [file for file in FILES if file.parent.name == "decide"] + [
 def names_in(file: Path) -> set[str]:
     tree = ast.parse(file.read_text(encoding="utf-8"))
     return {
-        f"{file.parent.name}/{file.name}::{node.name}"
+        f"{file.relative_to(TESTS).as_posix()}::{node.name}"
         for node in tree.body
         if isinstance(node, ast.FunctionDef) and node.name.startswith("test_")
     }
