@@ -10,70 +10,17 @@ from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem
 from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas import counted, operated, thumbnails, untaken
+from situ_studio.canvas.card_texts import PICTURE, before_name, full_texts, large_texts
+from situ_studio.canvas.chips import paint_chip
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.nodes import NodeFace
-from situ_studio.canvas.projection import FIRST, HEADER, NEW, PITCH, TIMEOUT, WIDTH, Card, Exit
-from situ_studio.canvas.style import Label, Look, whole_label
+from situ_studio.canvas.projection import HEADER, NEW, PITCH, TIMEOUT, Card, Exit
+from situ_studio.canvas.style import Label, Look
 
 RADIUS = 8.0
-STUB = 15.0
-"""The line and arrow before a chip."""
-PICTURE = QRectF(8, 54, 48, 31)
-NAME_PIXELS = (14, 13, 12)
-"""Heights of a name's letters, the first that fits."""
 LARGE_PICTURE = QRectF(12, 46, 92, 58)
 LOWER_PICTURE = QRectF(12, 64, 70, 44)
 """Where the name takes two lines."""
-
-
-def chip_width(text: str, icon: bool = False) -> float:
-    return 18.0 if icon else max(18.0, 6.6 + 6.5 * len(text))
-
-
-def paint_chip(
-    painter: QPainter, look: Look, x: float, y: float, text: str, color: str, icon: str = ""
-) -> None:
-    """The short arrow that leaves an exit at x, y, and the chip that it ends in."""
-    red = color == "error"
-    painter.setPen(QPen(look[color if red or color == "accent" else "pipe"], 1.6))
-    painter.drawLine(QPointF(x + 4, y), QPointF(x + 10, y))
-    arrow(painter, look[color if red or color == "accent" else "pipe"], x + STUB, y)
-    width = chip_width(text, bool(icon))
-    painter.setPen(QPen(look["error"] if red else look["line_strong"], 1))
-    painter.setBrush(look["error_soft"] if red else look["panel"])
-    painter.drawRoundedRect(QRectF(x + STUB, y - 8, width, 16), 4, 4)
-    if icon:
-        look.icon(painter, icon, x + STUB + 3, y - 6, 12, look["text2"])
-        return
-    ink = look["error"] if red else look["accent"] if color == "accent" else look["text2"]
-    whole_label(text, 11, 600).draw_middle(painter, x + STUB + width / 2, y + 4, ink)
-
-
-def arrow(
-    painter: QPainter, color: QColor, x: float, y: float, upwards: bool = False, scale: float = 1.0
-) -> None:
-    """An arrow head 7 × 8 with its point at x, y, to the right or upwards."""
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(color)
-    long, half = 7 * scale, 4 * scale
-    path = QPainterPath(QPointF(x, y))
-    if upwards:
-        path.lineTo(x - half, y + long)
-        path.lineTo(x + half, y + long)
-    else:
-        path.lineTo(x - long, y - half)
-        path.lineTo(x - long, y + half)
-    path.closeSubpath()
-    painter.drawPath(path)
-
-
-def _name(name: str, room: float) -> Label:
-    """A state's name: a little smaller before it is cut, and then in its middle."""
-    for pixels in NAME_PIXELS:
-        label = Label(name, pixels, 600, room, Qt.TextElideMode.ElideMiddle)
-        if not label.cut:
-            break
-    return label
 
 
 class CardItem(NodeFace):
@@ -101,50 +48,9 @@ class CardItem(NodeFace):
         card, look = self.face, self.look
         assert look is not None
         key = (id(card), look.version)
-        if self._laid == key:
-            return
-        self._laid = key
-        number = Label(card.no, 12, 600)
-        left = 36.0 + max(0.0, number.width - 12) if card.no else 30.0
-        right = WIDTH - 10 - (18 if card.kind in ("start", "end", "part") else 0)
-        right -= 17 if card.mark else 0
-        texts = {
-            "no": number,
-            "name": _name(card.name, right - left),
-            "line": Label(card.line, 12, 400, WIDTH - 26 - 8),
-        }
-        room_icons = WIDTH - 16.0
-        for index, leaving in enumerate(card.exits):
-            room = WIDTH - 12 - 8 - self._lead(leaving)
-            y = FIRST + PITCH * index
-            if y < PICTURE.bottom() + 6 and card.screen is not None:
-                room -= PICTURE.width() + 2
-            label = Label(leaving.label, 12, 400 if leaving.timeout else 500, room)
-            texts[f"exit {leaving.id}"] = label
-            if 84 < y < 114:
-                room_icons = min(room_icons, WIDTH - 12 - label.width - self._lead(leaving) - 14)
-            spare = room - label.width
-            if leaving.phrase and not label.cut:
-                phrase = Label(f"“{leaving.phrase}”", 11, 400, max(0.0, spare - 8))
-                if not phrase.cut:
-                    texts[f"phrase {leaving.id}"] = phrase
-        count = max(0, int((room_icons + 5) / 19))
-        self._icons = card.icons[:count]
-        at = 0.0
-        for index, chip in enumerate(card.chips):
-            label = Label(chip, 10, 500, 64)
-            if at + label.width + 10 > 96:
-                label = Label(f"+{len(card.chips) - index}", 10, 500)
-                texts[f"chip {index}"] = label
-                break
-            texts[f"chip {index}"] = label
-            at += label.width + 14
-        self._texts = texts
-
-    @staticmethod
-    def _lead(leaving: Exit) -> float:
-        """Room for what stands before an exit's name: a clock or a shield, and a problem's sign."""
-        return 16.0 * bool(leaving.timeout or leaving.guard) + 16.0 * bool(leaving.mark.sign)
+        if self._laid != key:
+            self._laid = key
+            self._texts, self._icons = full_texts(card)
 
     # -- painting -------------------------------------------------------------------
 
@@ -264,7 +170,7 @@ class CardItem(NodeFace):
         painter.drawRoundedRect(area, RADIUS, RADIUS)
         pixels = max(15, min(28, int(11.5 / look.zoom)))
         if self._large is None or self._large[0] != pixels:
-            self._large = pixels, *self._lay_out_large(pixels)
+            self._large = pixels, *large_texts(card, pixels)
         _, number, first, second = self._large
         left = 10.0
         if card.no:
@@ -287,24 +193,6 @@ class CardItem(NodeFace):
             else:
                 painter.drawEllipse(QPointF(x, y), 5, 5)
         self._paint_bar(painter, look)
-
-    def _lay_out_large(self, pixels: int) -> tuple[Label, Label, Label | None]:
-        """Number and name; a name that has no room beside the number takes a second line."""
-        card = self.face
-        number = Label(card.no, pixels - 3, 600)
-        chip = max(30.0, number.width + 12) + 10 if card.no else 0.0
-        room = card.width - chip - 20 - (26 if card.mark else 0)
-        first = Label(card.name, pixels, 600, room)
-        if not first.cut:
-            return number, first, None
-        said = card.name.split()
-        count = len(said) - 1
-        while count > 0 and Label(" ".join(said[:count]), pixels, 600, room).cut:
-            count -= 1
-        if count == 0:
-            return number, first, None
-        rest = Label(" ".join(said[count:]), pixels, 600, card.width - 22)
-        return number, Label(" ".join(said[:count]), pixels, 600, room), rest
 
     def _paint_full(self, painter: QPainter, look: Look) -> None:
         self._lay_out()
@@ -440,7 +328,7 @@ class CardItem(NodeFace):
             painter.setBrush(look["accent_soft"])
             painter.drawRoundedRect(
                 QRectF(
-                    left - 4 - self._lead(leaving), y - 9, x - left - 2 + self._lead(leaving), 18
+                    left - 4 - before_name(leaving), y - 9, x - left - 2 + before_name(leaving), 18
                 ),
                 4,
                 4,
@@ -457,10 +345,10 @@ class CardItem(NodeFace):
             look.icon(painter, "guard", left - 15, y - 6.5, 13, look["condition"])
         sign = leaving.mark.sign
         if sign:
-            look.icon(painter, sign, left - self._lead(leaving), y - 7, 13, look[sign])
+            look.icon(painter, sign, left - before_name(leaving), y - 7, 13, look[sign])
         phrase = self._texts.get(f"phrase {leaving.id}")
         if phrase is not None:
-            phrase.draw_right(painter, left - 6 - self._lead(leaving), y + 4, look["text3"])
+            phrase.draw_right(painter, left - 6 - before_name(leaving), y + 4, look["text3"])
         color = self._port_color(look, leaving)
         hovered = self.hovered == leaving.id
         if self.isSelected() and not leaving.missing and not leaving.guard:

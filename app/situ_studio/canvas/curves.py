@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 from PySide6.QtWidgets import QWidget as Widget
 
-from situ_studio.canvas.cards import arrow
+from situ_studio.canvas.chips import arrow
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.pipe_labels import LEAST, PIXELS
 from situ_studio.canvas.pipes import ABOVE, HIT, RoutedPipe

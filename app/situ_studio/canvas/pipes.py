@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QStyleOptionGrap
 from PySide6.QtWidgets import QWidget as Widget
 
 from situ_studio.canvas import untaken
-from situ_studio.canvas.cards import STUB, arrow, chip_width, paint_chip
+from situ_studio.canvas.chips import STUB, arrow, chip_width, paint_chip
 from situ_studio.canvas.library import PipeItem
 from situ_studio.canvas.live import LiveView, strength
 from situ_studio.canvas.pipe_labels import PipeLabel
@@ -111,7 +111,7 @@ class RoutedPipe(PipeItem):
         self._shown = route, said, pill, chip
         self.route, self._chip = route, chip
         self._label = PipeLabel(route, said, pill) if route.label is not None else None
-        self._hit = self._way = self._gap = self._wrong = None
+        self._hit = self._way = self._gap = None
         if route.folded:
             x, y = self.output_port.centre().toTuple()
             area = QRectF(x, y - 10, STUB + chip_width(chip) + SIGN + 6, 20)
@@ -127,7 +127,7 @@ class RoutedPipe(PipeItem):
             area.adjust(-reach, -reach, reach, reach)
         self._rect = area
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents, area.isEmpty())
-        self.update()
+        self.refresh()
 
     def path(self) -> QPainterPath:
         """The line, made when it is first painted or hit."""
@@ -154,7 +154,13 @@ class RoutedPipe(PipeItem):
             return QPainterPath()
         if self._hit is None:
             self._hit = self._make_shape()
-        return self._hit
+        area = self.sign_area()
+        if area.isEmpty():
+            return self._hit
+        # At each zoom it is elsewhere, or as large as another.
+        both = QPainterPath(self._hit)
+        both.addRect(area)
+        return both
 
     def _make_shape(self) -> QPainterPath:
         route, hit = self.route, QPainterPath()
@@ -162,7 +168,6 @@ class RoutedPipe(PipeItem):
             if route.trunk is None:
                 x, y = self.output_port.centre().toTuple()
                 hit.addRect(QRectF(x + 5, y - 8, STUB - 4 + chip_width(self._chip), 16))
-                hit.addRect(self.sign_area())
             return hit
         if len(route.points) < 2:
             return hit
@@ -172,16 +177,19 @@ class RoutedPipe(PipeItem):
         hit = stroker.createStroke(self.path())
         if self._label is not None:
             hit.addRect(self._label.area)
-        hit.addRect(self.sign_area())
         return hit
+
+    def _is_signed(self) -> bool:
+        """Whether something is wrong with the transitions drawn here, and no other pipe tells it."""
+        return self.wrong() is not None and self.route.trunk is None
 
     def sign_area(self) -> QRectF:
         """Where the sign is of what is wrong with the transitions drawn here, in the scene: before
         their name, else in the middle of the longest stretch, or behind the chip; empty where
-        nothing is wrong, and for a pipe that joins another.
+        nothing is wrong, for a pipe that joins another, and in small drawings, which leave it.
         """
         route, side = self.route, SIGN * max(1.0, 0.8 / self.look.zoom)
-        if self.wrong() is None or route.trunk is not None:
+        if not self._is_signed() or self.look.level in ("quarter", "tiny"):
             return QRectF()
         if route.folded:
             x, y = self.output_port.centre().toTuple()
@@ -214,7 +222,7 @@ class RoutedPipe(PipeItem):
 
     def update_sign(self) -> None:
         """What is wrong with the transition may be other than before."""
-        self._hit = self._wrong = None
+        self._wrong = None
         self.refresh()
 
     def untaken_area(self) -> QRectF:
@@ -253,7 +261,7 @@ class RoutedPipe(PipeItem):
 
     def refresh(self) -> None:
         """Painted anew, above the others where it belongs to the selection."""
-        rest = UNDER if self.sign_area().isEmpty() else SIGNED
+        rest = SIGNED if self._is_signed() else UNDER
         self.setZValue(ABOVE if self.selected() or self.hovered else rest)
         self.update()
 
@@ -278,9 +286,7 @@ class RoutedPipe(PipeItem):
         if not zero.isEmpty() and zero != self.label_area():
             untaken.paint_sign(painter, self.look, zero.center().x(), zero.center().y())
         look, area = self.look, self.sign_area()
-        if area.isEmpty() or look.level in ("quarter", "tiny"):
-            return
-        if self._wrong is None or (self.route.folded and look.level != "full"):
+        if area.isEmpty() or self._wrong is None or (self.route.folded and look.level != "full"):
             return
         token, side = self._wrong[0], area.width()
         painter.setPen(QPen(look[token], max(1.0, 1 / look.zoom)))
@@ -308,7 +314,8 @@ class RoutedPipe(PipeItem):
         named = self._label is not None and count is None and look.level == "full"
         path = self._gapped() if named else self.path()
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        never = self._is_untaken()
+        # Whether nobody came along the line that is drawn here.
+        never = (count if route.trunk is None else self._own_count()) == 0
         if never and not strong:
             color = look.faint("pipe", PALE)
         pen = untaken.pen(look, color, width, path.length()) if never else QPen(color, width)
@@ -381,10 +388,6 @@ class RoutedPipe(PipeItem):
         if not isinstance(live, LiveView) or link is None:
             return None
         return live.transitions.get((link.source, link.exit))
-
-    def _is_untaken(self) -> bool:
-        """Whether nobody came along the line that is drawn here."""
-        return (self._count() if self.route.trunk is None else self._own_count()) == 0
 
     def _count(self) -> int | None:
         """How often; None where nobody has counted: 0 is what somebody looks for."""

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from PySide6.QtCore import QObject, QTimer
 
-from situ_studio.canvas.cards import chip_width
+from situ_studio.canvas.chips import chip_width
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.pipe_labels import GUARD_HEIGHT, LABEL_HEIGHT, LONGEST, PIXELS
 from situ_studio.canvas.projection import TIMEOUT, Card, Link, Picture
