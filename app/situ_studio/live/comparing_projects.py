@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Mapping, Sequence
+from weakref import WeakKeyDictionary
 
 from PySide6.QtCore import QObject, Signal
 
@@ -15,21 +16,19 @@ from situ_studio.worker import Worker, module
 
 COMMAND = module("situ_studio.live.comparing_process")
 PROJECT = "situ.toml"
-KEPT = 8
-"""Recordings of which it is remembered."""
 
 _log = logging.getLogger("situ.studio")
 
 
 class RecordedProjects(QObject):
-    """One recording after another, each once."""
+    """One recording after another, each once: it is remembered as long as somebody has its log."""
 
     read = Signal(object, object)
     """A ``TraceLog`` and the ``Project`` that ran, or None where it can not be read."""
 
     def __init__(self, parent: QObject, command: Sequence[str] = COMMAND) -> None:
         super().__init__(parent)
-        self._known: list[tuple[TraceLog, Project | None]] = []
+        self._known: WeakKeyDictionary[TraceLog, Project | None] = WeakKeyDictionary()
         self._waiting: list[Recording] = []
         self._worker = Worker(command, self)
         self._worker.answered.connect(self._on_answered)
@@ -38,9 +37,8 @@ class RecordedProjects(QObject):
 
     def of(self, recording: Recording) -> Project | None:
         """What ran; None where that is not known, or not yet: ``read`` tells it then."""
-        for log, project in self._known:
-            if log is recording.log:
-                return project
+        if recording.log in self._known:
+            return self._known[recording.log]
         if all(one.log is not recording.log for one in self._waiting):
             self._waiting.append(recording)
             if len(self._waiting) == 1:
@@ -60,7 +58,7 @@ class RecordedProjects(QObject):
 
     def _on_answered(self, project: Project | None) -> None:
         log = self._waiting.pop(0).log
-        self._known = [*self._known, (log, project)][-KEPT:]
+        self._known[log] = project
         self._ask()
         self.read.emit(log, project)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 from PySide6.QtWidgets import QApplication
 
@@ -25,7 +26,7 @@ class FollowMode:
     def __init__(self, window: MainWindow) -> None:
         self._window = window
         self.on = window.settings.value(KEPT, True, bool) is True
-        self._seen: dict[str, tuple[Place, ...]] = {}
+        self._seen: WeakKeyDictionary[DocumentView, tuple[Place, ...]] = WeakKeyDictionary()
 
     def toggle(self) -> None:
         self.on = not self.on
@@ -36,9 +37,9 @@ class FollowMode:
     def bring(self, view: DocumentView, live: LiveView | LiveScript | None) -> None:
         """To be told what a view shows of the robot."""
         places = _here(live)
-        if places == self._seen.get(view.file) or QApplication.mouseButtons().value:
+        if places == self._seen.get(view) or QApplication.mouseButtons().value:
             return
-        self._seen[view.file] = places
+        self._seen[view] = places
         if self.on and places and view.canvas is not None and view.canvas.isVisible():
             view.canvas.bring_into_view(places)
 

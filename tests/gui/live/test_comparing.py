@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import sys
+import weakref
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,7 +17,9 @@ from tests.gui.live.test_log import played
 from tests.gui.live.test_recordings import PATIENCE, recording, until_shown
 
 from situ_studio.live.comparing import AGREED, COMMAND, COMMON, START, Compared, Comparing
+from situ_studio.live.comparing_projects import RecordedProjects
 from situ_studio.live.log import TraceLog
+from situ_studio.live.recordings import Recording
 from situ_studio.live.timeline.beside import LETTERS
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
 from situ_studio.live.timeline.painting import GUTTER
@@ -109,6 +113,25 @@ def test_a_process_that_has_gone_is_no_run_without_differences(qt: Any) -> None:
     until(comparing, lambda: bool(failed))
     assert not comparing.ready
     comparing.end()
+
+
+def test_a_run_that_nobody_looks_at_is_not_kept_for_the_project_that_was_read_of_it(
+    qt: Any,
+) -> None:
+    owner, loop, late = QObject(), QEventLoop(), QTimer()
+    projects = RecordedProjects(owner, (sys.executable, "-c", "raise SystemExit(3)"))
+    projects.read.connect(loop.quit)
+    late.setSingleShot(True)
+    late.timeout.connect(loop.quit)
+    run = Recording(Path("a.mcap"), "reception", False, {}, TraceLog())
+    assert projects.of(run) is None
+    late.start(PATIENCE)
+    loop.exec()
+    assert late.isActive(), "it was never read"
+    kept = weakref.ref(run.log)
+    del run
+    gc.collect()
+    assert kept() is None
 
 
 def test_runs_are_lined_up_at_the_start_what_both_did_a_bookmark_or_where_they_agreed(

@@ -131,6 +131,31 @@ def test_the_drawing_moves_along_until_that_is_switched_off(
     assert seen("11")
 
 
+def test_of_two_drawings_of_one_application_both_move_along(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    where = project("reception")
+    _, _, events = played("reception", "new-user.jsonl")
+    it = studio(where)
+    window = it.window
+    it.answers.put("recording", recording(tmp_path / "run.mcap", events, where))
+    window.commands.open_recording()
+    until_shown(it)
+    it.key(Qt.Key.Key_Backslash, Qt.KeyboardModifier.ControlModifier)
+    it.settle()
+    canvases = [group.current_view.canvas for group in window.sides.groups]
+    assert len(canvases) == 2
+    for canvas in canvases:
+        canvas.set_zoom(1.0)
+    entered = {e["state"]: e["t"] for e in events if e["kind"] == "enter"}
+    for no in ("11", "2", "16"):
+        window.robot.follower.viewing.seek(entered[no])
+        it.settle()
+        for canvas in canvases:
+            uid, _ = canvas._find(("state", no))
+            assert canvas.viewer.seen().contains(canvas.card_area(uid)), no
+
+
 def test_a_row_that_is_pressed_twice_is_chosen_once(qt: Any) -> None:
     table = RowsTable("Things", ("Thing",), (), LIGHT)
     told: list[str] = []
