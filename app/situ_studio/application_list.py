@@ -160,9 +160,8 @@ class ApplicationList(QObject):
         if project.spds is None:
             if len(after.applications) < 2 or not new_script.can_begin(after):
                 return {}
-            root = Path(project.root)
-            taken = {one.name for one in root.iterdir()} if root.is_dir() else set()
-            return new_script.begun(after, toml, frozenset(taken))
+            there = new_script.taken(self._session.root, self._session.files)
+            return new_script.begun(after, toml, there)
         script, spds_file = project.spds, project.spds_file
         asked = any(
             entry.module == application.name for one in script.situations for entry in one.entries

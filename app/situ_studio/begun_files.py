@@ -28,8 +28,8 @@ def begun(session: Session, problem: Problem) -> Begun | None:
     if project is None or not isinstance(toml, Toml):
         return None
     if problem.code == "spds-needed" and new_script.can_begin(project):
-        there = {file.name for file in session.root.iterdir()} | set(session.files)
-        files = new_script.begun(project, toml, frozenset(there))
+        there = new_script.taken(session.root, session.files)
+        files = new_script.begun(project, toml, there)
         return Begun(tr("Begin a script of situations"), files)
     if problem.code == "missing-texts" and problem.place[-1:] and problem.place[-1].isdecimal():
         at = int(problem.place[-1])

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from pathlib import Path
 
 from situ.document.beside import Toml
 from situ.document.check_application import to_declare
@@ -23,15 +25,23 @@ def can_begin(project: Project) -> bool:
     return project.toml is not None and project.spds_file is None
 
 
-def begun(project: Project, toml: Toml, taken: frozenset[str]) -> dict[str, Written]:
+def taken(root: Path, files: Iterable[str]) -> frozenset[str]:
+    """Names that no new file may have: of what lies in the project's folder, and of ``files``, of
+    which some are not saved yet.
+    """
+    there = root.iterdir() if root.is_dir() else ()
+    return frozenset(files) | {file.name for file in there}
+
+
+def begun(project: Project, toml: Toml, there: frozenset[str]) -> dict[str, Written]:
     """The files that change, each with what is in it then: the script first, and ``situ.toml``.
 
     Every application is a module of the script, declared as ``to_declare`` says, and has in its
-    one situation the priority that it had without a script. taken: files that are there already.
+    one situation the priority that it had without a script. there: as ``taken`` gives it.
     """
     name = re.sub(r"[^a-z0-9-]+", "-", project.name.lower()).strip("-") or "script"
     file, number = f"{name}{END}", 2
-    while file in taken:
+    while file in there:
         file, number = f"{name}-{number}{END}", number + 1
     every = {a.name: a for a in project.applications.values()}
     modules = tuple(

@@ -80,8 +80,8 @@ class SituationCommands(StateCommands):
         toml = self._session.value(PROJECT_FILE)
         if project is None or not isinstance(toml, Toml) or not self.can_begin_script():
             return
-        there = frozenset(f.name for f in self._session.root.iterdir())
-        changed = new_script.begun(project, toml, there | frozenset(self._session.files))
+        there = new_script.taken(self._session.root, self._session.files)
+        changed = new_script.begun(project, toml, there)
         text = self.tr("Add a script of situations")
         if self._session.commit_all(changed, text):
             window.open_file(next(iter(changed)))
