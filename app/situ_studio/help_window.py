@@ -86,7 +86,7 @@ class HelpWindow(QWidget):
         if kept is None or not self.restoreGeometry(kept):
             self.resize(px(420), 560)
             right = parent.mapToGlobal(parent.rect().topRight())
-            self.move(right.x() - 420 - 24, right.y() + 96)
+            self.move(right.x() - self.width() - 24, right.y() + 96)
 
     def sizeHint(self) -> QSize:
         return QSize(px(420), px(560))
