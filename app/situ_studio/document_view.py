@@ -28,9 +28,9 @@ class DocumentView(QWidget):
     activated = Signal(tuple)
     status = Signal(str)
     menu_requested = Signal(tuple, QPoint)
+    """A context menu is wanted: of what, and where on the screen."""
     mends_asked = Signal()
     module_dropped = Signal(str, tuple)
-    """A context menu is wanted: of what, and where on the screen."""
     part_asked = Signal(object, tuple)
     """A part was dropped: where its card's corner shall be, and the exit into whose pipe."""
     screen_asked = Signal(tuple)

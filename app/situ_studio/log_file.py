@@ -50,7 +50,7 @@ class LogFile:
     def open(self) -> None:
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
-            handler = RotatingFileHandler(
+            handler = _Silent(
                 self.path, maxBytes=SIZE, backupCount=OLD, encoding="utf-8", delay=False
             )
             self._crash = (self.path.parent / "crash.log").open("w", encoding="utf-8")
@@ -58,8 +58,6 @@ class LogFile:
             return
         handler.setLevel(logging.INFO)
         handler.setFormatter(_WithoutTexts("%(asctime)s %(levelname)s %(name)s: %(message)s"))
-        # A disk that is full must not become a flood of words about it.
-        handler.handleError = lambda record: None  # type: ignore[method-assign]
         self._handler = handler
         logging.getLogger().addHandler(handler)
         faulthandler.enable(self._crash)
@@ -82,6 +80,13 @@ class LogFile:
             return ""
         text = data.decode(errors="replace")
         return text.partition("\n")[2] if len(data) == most else text
+
+
+class _Silent(RotatingFileHandler):
+    """A disk that is full does not become a flood of words about it."""
+
+    def handleError(self, record: logging.LogRecord) -> None:
+        pass
 
 
 class _WithoutTexts(logging.Formatter):

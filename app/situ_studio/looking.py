@@ -17,6 +17,7 @@ from situ_studio.mentions import Role
 from situ_studio.panels.finding import Finding
 
 if TYPE_CHECKING:
+    from situ_studio.theme import Theme
     from situ_studio.window import MainWindow
 
 _AROUND = (('"', '"'), ("{", "}"), ("{", "."), (":", '"'))
@@ -42,8 +43,8 @@ class FindingSide(QObject):
         window.session.changed.connect(self._again)
         window.session.opened.connect(self.panel.field.clear)
 
-    def set_theme(self, theme: object) -> None:
-        self.panel.set_theme(theme)  # type: ignore[arg-type]
+    def set_theme(self, theme: Theme) -> None:
+        self.panel.set_theme(theme)
 
     # -- finding ------------------------------------------------------------------------
 

@@ -64,6 +64,7 @@ class Opening(QObject):
         try:
             found = folder.load(path)
         except Exception as error:
+            # Whatever it is, the window's thread hears of it: there the fault is raised and told.
             found = error
         # The window may have been closed meanwhile: then there is nobody to tell.
         try:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QPoint, QRect, Qt, Signal
+from PySide6.QtCore import QPoint, QRect, Qt, Signal, SignalInstance
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -156,7 +156,9 @@ class Sides(QWidget):
         self.current = self._made()
         self._place_strips()
         self._landing = Landing(theme, self)
-        QApplication.instance().focusChanged.connect(self._on_focus)  # type: ignore[union-attr]
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._on_focus)
 
     @property
     def other(self) -> Group | None:
@@ -197,9 +199,9 @@ class Sides(QWidget):
         self.room.addWidget(group)
         return group
 
-    def _from(self, group: Group, signal: object, *told: object) -> None:
+    def _from(self, group: Group, signal: SignalInstance, *told: object) -> None:
         self.enter(group)
-        signal.emit(*told)  # type: ignore[attr-defined]
+        signal.emit(*told)
 
     def add(self) -> Group:
         """One more group, at the right, with half of the room."""

@@ -61,6 +61,7 @@ class Unexpected(QObject):
             try:
                 self._keep()
             except Exception:
+                # A second fault must not hide the first, of which a person is told below.
                 _log.exception("Unsaved changes could not be kept")
             self._tell(_sentence(), _details(kind, error, trace))
         finally:

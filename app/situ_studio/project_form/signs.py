@@ -26,7 +26,7 @@ class Sign(IconButton):
 
     def __init__(self, form: ProjectForm, section: Section, field: QWidget) -> None:
         super().__init__(section.theme, "warning", "", "warning", SIDE, section)
-        self._form, self._field = form, field
+        self._form = form
         self.problems: tuple[Problem, ...] = ()
         self.setFixedSize(px(SIDE + 2), px(SIDE + 8))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
