@@ -275,6 +275,8 @@ def test_what_the_runtime_says_of_itself_is_never_filled_in_so_it_is_shown() -> 
         ("clock.time", "03:00"),
     ):
         assert mask.shown(tag, value, "situ") == value
+    for tag in ("application.note", "clock.note"):
+        assert mask.shown(tag, "Ann", "home") == HIDDEN
     told = {"ok": True, "status": 3, "error": "Ann: 3"}
     assert mask.shown("service/find", told, "home") == {**told, "error": HIDDEN}
     assert Mask(["clock.*"]).shown("clock.time", "03:00") == HIDDEN

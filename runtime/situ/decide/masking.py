@@ -15,6 +15,7 @@ from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 from urllib.parse import unquote_plus
 
+from situ.decide.priorities import RUNTIME
 from situ.decide.values import in_text
 from situ.document import names
 from situ.document.project import Project
@@ -34,7 +35,8 @@ _LAID_OUT = frozenset(
     {"type", "id", "x", "y", "width", "height", "size", "max", "align", "tag", "color", "fill"}
     | {"event", "done", "kind"}
 )
-_KEPT = ("application/*", "situation", "clock.*")
+# Of what the runtime itself has set: ``application.note`` and ``clock.note`` anybody may set.
+_KEPT = ("application/", "situation", "clock.")
 # Of ``service/<name>``; its ``error`` may repeat what was asked.
 _ANSWER = frozenset({"ok", "status"})
 
@@ -92,14 +94,7 @@ class Mask:
 
     def shown(self, tag: str, value: Any, writer: str = "screen") -> Any:
         """What is to be seen of the value of a tag that ``writer`` has set."""
-        known = self.know(tag, value)
-        if any(names.matches(kept, tag) for kept in _KEPT):
-            return known
-        if tag.startswith("service/") and isinstance(known, dict):
-            return {
-                key: inner if key in _ANSWER else self._shown(inner) for key, inner in known.items()
-            }
-        return self._shown(known, counts=writer not in self._filling)
+        return self._seen(tag, self.know(tag, value), writer)
 
     def text(self, text: str) -> str:
         """What is to be seen of a text."""
@@ -107,22 +102,33 @@ class Mask:
 
     def step(self, events: list[dict[str, Any]]) -> list[dict[str, Any]]:
         """The events of one step, or of several, without what is private."""
+        known = []
         for event in events:
             if event["kind"] == "data":
-                self.know(event["tag"], event.get("value"))
+                event = {**event, "value": self.know(event["tag"], event.get("value"))}
             elif name := event.get("application"):
                 self._filling.add(name)
+            known.append(event)
         # A service's result stands before the tags that it goes to.
         return [
-            {key: self._field(event, key, value) for key, value in event.items()}
-            for event in events
+            {key: self._field(event, key, value) for key, value in event.items()} for event in known
         ]
+
+    def _seen(self, tag: str, known: Any, writer: str) -> Any:
+        """As ``shown``, of what ``know`` has left of the value."""
+        if writer == RUNTIME and tag.startswith(_KEPT):
+            return known
+        if tag.startswith("service/") and isinstance(known, dict):
+            return {
+                key: inner if key in _ANSWER else self._shown(inner) for key, inner in known.items()
+            }
+        return self._shown(known, counts=writer not in self._filling)
 
     def _field(self, event: dict[str, Any], key: str, value: Any) -> Any:
         if key in _OWN:
             return value
         if key == "value" and event["kind"] == "data":
-            return self.shown(event["tag"], value, event.get("writer", "screen"))
+            return self._seen(event["tag"], value, event.get("writer", "screen"))
         if key == "value" and event["kind"] == "mapping" and "module" in event:
             return self._shown(value, counts=event["module"] not in self._filling)
         shown = self._shown(value, key == "components")
