@@ -335,7 +335,7 @@ async def _answered(
 ) -> None:
     try:
         result = await function(request.params)
-    except Exception as error:
+    except Exception as error:  # a fault of the module's: who asked is told, the board goes on
         _log.exception("%s failed", request.request)
         request.fail(str(error) or type(error).__name__)
     else:
