@@ -7,6 +7,7 @@ import json
 from situ.document.analysis_data import actions
 from situ.document.project import Project
 from situ.document.rbd import Service
+from situ.rehearse.ways import states
 from situ_studio.rehearsing.course import Pending
 
 USUAL = '{"names": []}'
@@ -14,10 +15,10 @@ USUAL = '{"names": []}'
 
 def example(project: Project, pending: Pending) -> str:
     """An answer with the parts that the service of that name takes out of it, as JSON."""
+    runs = {frame.file: frame.application for frame in states(project, pending.application)}
     services = (
         one
-        for application in project.applications.values()
-        if application.name == pending.application
+        for application in runs.values()
         for one in actions(application)
         if isinstance(one, Service) and one.name == pending.name
     )

@@ -14,11 +14,18 @@ def test_an_answer_has_the_parts_that_the_service_takes_out_of_it() -> None:
     results = (Result("bp.high", "pressure.systolic"), Result("bp.pulse", "pulse"), Result("all"))
     asked = Service(name="measure", url="board:cuff/measure", results=results)
     other = Service(name="other", url="board:cuff/other", results=(Result("x", "x"),))
-    states = (State("1", actions=(other, asked)),)
+    deeper = Service(name="weigh", url="board:scales/weigh", results=(Result("kg", "weight"),))
+    states = (State("1", actions=(other, asked)), State("2", flow="part"))
     project = Project(
-        root=".", name="p", toml=None, applications={"a": Application("a", states=states)}
+        root=".",
+        name="p",
+        toml=None,
+        applications={"a": Application("a", states=states)},
+        parts={"part": Application("part", states=(State("1", actions=(deeper,)),))},
     )
     begun = Pending("a", "service", "measure", None, 0, None)
     assert json.loads(example(project, begun)) == {"pressure": 1, "pulse": 1}
+    in_a_part = Pending("a", "service", "weigh", None, 0, None)
+    assert json.loads(example(project, in_a_part)) == {"weight": 1}
     assert example(project, Pending("a", "service", "nobody's", None, 0, None)) == USUAL
     assert example(project, Pending("b", "service", "measure", None, 0, None)) == USUAL
