@@ -29,6 +29,7 @@ class TakingNotice(QFrame):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._compared: tuple[Project, Project, list[str]] | None = None
         self.setProperty("role", "box")
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 7, 8, 8)
@@ -83,7 +84,8 @@ class TakingNotice(QFrame):
             words = self.tr("With your changes it went wrong, and what ran before runs again: {0}")
             words = words.format(said(course.failed))
         elif differs and drawn is not None:
-            words = "\n".join((self.tr("The project has changed since."), *_told(course, drawn)))
+            told = self._told(course, drawn)
+            words = "\n".join((self.tr("The project has changed since."), *told))
         elif course.can_return:
             words = self.tr("It goes on with your changes.")
         if words != self.words.text():
@@ -94,10 +96,17 @@ class TakingNotice(QFrame):
         self.again.setVisible(differs and awaited is None)
         self.setVisible(bool(words))
 
+    def _told(self, course: Course, drawn: Project) -> list[str]:
+        """What it would do differently; compared once, for this is asked with every event."""
+        known, runs = self._compared, course.project
+        if known is None or known[0] is not runs or known[1] is not drawn:
+            known = self._compared = (runs, drawn, _changes(runs, drawn))
+        return known[2]
 
-def _told(course: Course, drawn: Project) -> list[str]:
-    """What it would do differently, each in a line: the first of them."""
-    changes = [one for one in compare(course.project, drawn) if one.behaviour]
+
+def _changes(runs: Project, drawn: Project) -> list[str]:
+    """The first of them, each in a line."""
+    changes = [one for one in compare(runs, drawn) if one.behaviour]
     told = [f"– {said(one.text)}" for one in changes[:MOST]]
     if len(changes) > MOST:
         told.append(tr("and {0} more").format(len(changes) - MOST))

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from situ.decide.step import SECOND
+from situ.document.diff import Change, compare
+from situ.document.project import Project
 from situ.document.rbd import Event
 from situ.rehearse.scenario import load
+from situ_studio.rehearsing import taking_notice
 from situ_studio.rehearsing.saving import SavingScenario
 
 FILE = "converse.rbd.xml"
@@ -71,6 +75,32 @@ def test_an_edit_is_taken_in_when_no_action_runs_and_gone_back_from(desk: Any) -
     assert used.state == "2"
     used.touch("Repeat")
     assert says.words.text() == "“Did you sleep well?”"
+
+
+def test_what_has_changed_is_found_once_not_again_with_every_event(
+    desk: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used = desk("conversation")
+    compared: list[Project] = []
+
+    def counting(before: Project, after: Project) -> list[Change]:
+        compared.append(after)
+        return compare(before, after)
+
+    monkeypatch.setattr(taking_notice, "compare", counting)
+    reword(used, 1, "How was your night?")
+    used.touch("YES")
+    used.go_on(5)
+    assert compared == [used.studio.session.project]
+    # Another edit is another change, and so is what runs.
+    before = used.studio.session.document(FILE).states[0].actions[0].text
+    reword(used, 0, "Good morning.")
+    assert len(used.desk.notice.words.text().splitlines()) == 3
+    used.studio.click(used.desk.notice.take)
+    used.studio.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert used.desk.notice.words.text().splitlines()[1:] == [
+        f"– state hello, speech: “Good morning.” → “{before}”"
+    ]
 
 
 def test_what_waits_is_run_at_once_where_somebody_wants_it(desk: Any) -> None:
