@@ -9,6 +9,7 @@ from situ.document.beside import Toml
 from situ.document.catalogue import Catalogue
 from situ.document.change import Change
 from situ.document.diff import compare
+from situ.document.join import join, join_texts
 from situ.document.project import Project
 from situ_studio.edit import Written
 
@@ -49,3 +50,14 @@ class Differing(Struct, frozen=True):
                 return beside.compare(self.project, self.file, before, after)
             return []
         return compare(before, after, self.file)
+
+
+def joined(base: Written | None, mine: Written, theirs: Written) -> Written | None:
+    """What both made of one file; None where they collide, or nothing is known of the beginning."""
+    if isinstance(base, Catalogue) and isinstance(mine, Catalogue):
+        return join_texts(base, mine, theirs) if isinstance(theirs, Catalogue) else None
+    if base is None or isinstance(base, Toml | Catalogue):
+        return None
+    if isinstance(mine, Toml | Catalogue) or isinstance(theirs, Toml | Catalogue):
+        return None
+    return join(base, mine, theirs)

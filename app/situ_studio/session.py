@@ -8,11 +8,9 @@ or saved (architecture, idea 1).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from collections.abc import Set as AbstractSet
 from datetime import datetime
 from pathlib import Path
 
-from msgspec import Struct
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -21,35 +19,17 @@ from situ.document.beside import Beside, Toml
 from situ.document.catalogue import Catalogue
 from situ.document.check import check, merge
 from situ.document.folder import PROJECT_FILE
-from situ.document.join import join, join_texts
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.errors import UsageError
-from situ_studio import projects
+from situ_studio import project_documents, projects
 from situ_studio.checking import Checker
-from situ_studio.differing import Differing
-from situ_studio.edit import Document, Edit, Place, Written, read, write
+from situ_studio.differing import Differing, joined
+from situ_studio.edit import Document, Edit, Written, read, write
 from situ_studio.folder_watch import FolderWatch
-
-Selection = tuple[Place, ...]
-
-Looking = tuple[float, float, float]
-"""Where a canvas looks: its zoom, and the scene's point in its upper left corner."""
-
-
-class Step(Struct):
-    """What one gesture changed, with what was selected before and after it and where the canvas
-    looked, so that undo and redo bring that back too.
-
-    edits: one a document; the first is that of the document in which it was done.
-    """
-
-    edits: tuple[Edit, ...]
-    before: Selection = ()
-    after: Selection = ()
-    looking: Looking | None = None
+from situ_studio.undo import Looking, Selection, Step, UndoStack
 
 
 class Session(QObject):
@@ -93,8 +73,7 @@ class Session(QObject):
         self._read: dict[str, Written] = {}
         self._saved: dict[str, Written] = {}
         self._texts: dict[str, bytes] = {}
-        self._steps: list[Step] = []
-        self._at = 0
+        self._stack = UndoStack()
         self._saved_at: datetime | None = None
         self._check_soon = QTimer(self)
         self._check_soon.setSingleShot(True)
@@ -121,14 +100,7 @@ class Session(QObject):
     @property
     def files(self) -> list[str]:
         """The files of all documents: applications in their order, their parts, script, modules."""
-        if self._project is None:
-            return []
-        found = [*self._project.applications, *self._project.parts]
-        if self._project.spds_file is not None and self._project.spds is not None:
-            found.append(self._project.spds_file)
-        if self._project.modules_file is not None and self._project.modules is not None:
-            found.append(self._project.modules_file)
-        return found
+        return project_documents.files(self._project) if self._project is not None else []
 
     @property
     def problems(self) -> list[Problem]:
@@ -138,15 +110,7 @@ class Session(QObject):
     def document(self, file: str) -> Document | None:
         """The document of ``file`` as it is now; None for a file the project does not have."""
         project = self._project
-        if project is None:
-            return None
-        if file in project.applications:
-            return project.applications[file]
-        if file in project.parts:
-            return project.parts[file]
-        if file == project.spds_file:
-            return project.spds
-        return project.modules if file == project.modules_file else None
+        return project_documents.document(project, file) if project is not None else None
 
     def value(self, file: str) -> Written | None:
         """As ``document``, of the files beside the documents too: what the project consists of,
@@ -169,8 +133,7 @@ class Session(QObject):
         self._project = project
         self._called = {}
         self._read_problems = problems
-        self._steps = []
-        self._at = 0
+        self._stack = UndoStack()
         self._saved_at = None
         self._read = {file: self._value(file) for file in self.files}
         self._saved = dict(self._read)
@@ -247,9 +210,7 @@ class Session(QObject):
         )
         if not edits:
             return False
-        del self._steps[self._at :]
-        self._steps.append(Step(edits, selected, selected, looking))
-        self._at += 1
+        self._stack.add(Step(edits, selected, selected, looking))
         for edit in edits:
             self._exchange(edit.file, edit.after)
         return True
@@ -257,21 +218,20 @@ class Session(QObject):
     @property
     def undo_text(self) -> str | None:
         """The name of the step that undo takes back; None where there is none."""
-        return self._steps[self._at - 1].edits[0].text if self._at else None
+        return self._stack.undo_text
 
     @property
     def redo_text(self) -> str | None:
-        return self._steps[self._at].edits[0].text if self._at < len(self._steps) else None
+        return self._stack.redo_text
 
     def undo(self, selected: Selection = ()) -> None:
         """Takes the last step back; does nothing where there is none.
 
         selected: what is selected now, which redo brings back.
         """
-        if not self._at:
+        step = self._stack.back()
+        if step is None:
             return
-        self._at -= 1
-        step = self._steps[self._at]
         step.after = selected
         for edit in reversed(step.edits):
             self._exchange(edit.file, edit.before)
@@ -279,10 +239,9 @@ class Session(QObject):
 
     def redo(self) -> None:
         """Does the step again that undo took back last; does nothing where there is none."""
-        if self._at == len(self._steps):
+        step = self._stack.forward()
+        if step is None:
             return
-        step = self._steps[self._at]
-        self._at += 1
         for edit in step.edits:
             self._exchange(edit.file, edit.after)
         self.selected.emit(step.edits[0].file, step.after, step.looking)
@@ -335,7 +294,7 @@ class Session(QObject):
             theirs = self._on_disk(file)
         except UsageError as error:
             return Differing(file, mine, base, None, self._open_project(), unread=str(error))
-        both = _joined(base, mine, theirs)
+        both = joined(base, mine, theirs)
         if both is not None and self._breaks(file, both, (mine, theirs)):
             both = None
         return Differing(file, mine, base, theirs, self._open_project(), both)
@@ -423,7 +382,7 @@ class Session(QObject):
             else:
                 self._project = self._with(file, mine[file])
         gone = mine.keys() - set(self.files)
-        self._forget_steps(gone)
+        self._stack.forget(gone)
         self._saved = {f: d for f, d in self._saved.items() if f not in gone}
         self._called = {}
         self._read_beside(kept=dirty)
@@ -455,15 +414,13 @@ class Session(QObject):
         before = self._beside.get(file)
         if found is None:
             if self._beside.pop(file, None) is not None:
-                self._forget_steps({file})
+                self._stack.forget({file})
             return
         if found == before:
             found = before
-        elif any(one.file == file for step in self._steps for one in step.edits):
+        elif self._stack.leads_to(file):
             text = self.tr("Take {0} from disk").format(file)
-            del self._steps[self._at :]
-            self._steps.append(Step((Edit(file, before, found, text),)))
-            self._at += 1
+            self._stack.add(Step((Edit(file, before, found, text),)))
         self._beside[file] = self._saved[file] = self._read[file] = found
 
     def _keep_texts(self) -> None:
@@ -472,12 +429,6 @@ class Session(QObject):
         for file in beside.files(self._open_project()):
             if not self.disk.is_missing(file):
                 self._texts[file] = self.disk.read(file)
-
-    def _forget_steps(self, gone: AbstractSet[str]) -> None:
-        """Steps that changed a file that is gone can not be taken back any more."""
-        done = [s for s in self._steps[: self._at] if not gone & {e.file for e in s.edits}]
-        undone = [s for s in self._steps[self._at :] if not gone & {e.file for e in s.edits}]
-        self._steps, self._at = [*done, *undone], len(done)
 
     def save_copy(self, parent: Path) -> None:
         """Puts the project, as it is here, into a folder of its own below ``parent``, and goes on
@@ -587,12 +538,7 @@ class Session(QObject):
         project = self._open_project()
         if isinstance(document, Toml | Catalogue):
             return beside.settled(project, {**self._beside, file: document})
-        if isinstance(document, Application):
-            kind = "parts" if file in project.parts else "applications"
-            return replace(project, **{kind: {**getattr(project, kind), file: document}})
-        if isinstance(document, Spds):
-            return replace(project, spds=document)
-        return replace(project, modules=document)
+        return project_documents.exchanged(project, file, document)
 
     def _exchange(self, file: str, document: Written | None) -> None:
         if beside.is_beside(file):
@@ -600,18 +546,13 @@ class Session(QObject):
             return
         project = self._open_project()
         listed = self.document(file) is not None
-        if document is None and file == project.spds_file:
-            project = replace(project, spds=None, spds_file=None)
-        elif document is None:
-            for kind in ("applications", "parts"):
-                left = {f: a for f, a in getattr(project, kind).items() if f != file}
-                project = replace(project, **{kind: left})
-        elif not listed and isinstance(document, Spds):
-            project = replace(project, spds=document, spds_file=file)
-            self.disk.see_new(file)
+        if document is None:
+            project = project_documents.without(project, file)
         elif not listed:
-            assert isinstance(document, Application)
-            project = self._regrouped(replace(project, parts={**project.parts, file: document}))
+            assert isinstance(document, Application | Spds)
+            project = project_documents.added(project, file, document)
+            if isinstance(document, Application):
+                project = self._regrouped(project)
             self.disk.see_new(file)
         else:
             project = self._with(file, document)
@@ -670,14 +611,3 @@ class Session(QObject):
         if isinstance(document, Application) and not any(p.severity == "error" for p in problems):
             self._apart[file] = self._read[file] = self._saved[file] = document
             self.disk.see(file)
-
-
-def _joined(base: Written | None, mine: Written, theirs: Written) -> Written | None:
-    """What both made of one file; None where they collide, or nothing is known of the beginning."""
-    if isinstance(base, Catalogue) and isinstance(mine, Catalogue):
-        return join_texts(base, mine, theirs) if isinstance(theirs, Catalogue) else None
-    if base is None or isinstance(base, Toml | Catalogue):
-        return None
-    if isinstance(mine, Toml | Catalogue) or isinstance(theirs, Toml | Catalogue):
-        return None
-    return join(base, mine, theirs)

@@ -16,7 +16,7 @@ from situ_studio import places
 from situ_studio.claim import key
 from situ_studio.edit import Document, Place
 from situ_studio.recent import recent
-from situ_studio.session import Looking
+from situ_studio.undo import Looking
 
 if TYPE_CHECKING:
     from situ_studio.document_view import DocumentView

@@ -47,10 +47,11 @@ from situ_studio.rehearsing.scenarios_side import ScenariosSide
 from situ_studio.rehearsing.side import RehearsingSide
 from situ_studio.robot import RobotSide
 from situ_studio.script_modules import ScriptModules
-from situ_studio.session import Looking, Session
+from situ_studio.session import Session
 from situ_studio.showing import keep as keep_shown
 from situ_studio.showing import recall, show_as, show_beside
 from situ_studio.theme import Theme
+from situ_studio.undo import Looking
 from situ_studio.vocabulary import Lexicon, Vocabulary
 from situ_studio.working import follow
 
