@@ -24,7 +24,7 @@ from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
 from situ_studio.panels.trace import Trace
 from situ_studio.theme import Theme
-from situ_studio.working import Work
+from situ_studio.working import OneWork
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -65,10 +65,10 @@ class RobotSide(QObject):
         self.recording: Recording | None = None
         """The one that is looked at, instead of the robot."""
         self._reading = ReadingRecording(self)
+        self._work = OneWork(self._reading.cancel)
         self._reading.read.connect(self.show_recording)
         self._reading.refused.connect(self._on_refused)
-        self._reading.went_on.connect(self._on_went_on)
-        self._work: Work | None = None
+        self._reading.went_on.connect(self._work.tell)
         self.comparing = ComparingSide(window, self)
         self.link.state_changed.connect(self.settle)
         window.session.changed.connect(self._on_changed)
@@ -113,15 +113,14 @@ class RobotSide(QObject):
 
     def open_recording(self, path: Path) -> None:
         """Reads it, and lets all views show it from its beginning."""
-        self._end_work()
         words = self.tr("Reading {0}").format(path.name)
-        self._work = self._window.status.work.begin(words, self._give_up)
+        self._work.begin(self._window.status.work, words)
         self._reading.start(path)
 
     def close_recording(self) -> None:
         """The views show the robot again, if there is one."""
         self._reading.cancel()
-        self._end_work()
+        self._work.end()
         if self.recording is not None:
             self.recording = None
             self.follower.show_link()
@@ -129,7 +128,7 @@ class RobotSide(QObject):
 
     def show_recording(self, recording: Recording) -> None:
         """All views show that run, instead of the robot."""
-        self._end_work()
+        self._work.end()
         self.disconnect_robot()
         self.recording = recording
         self.follower.show_recording(recording)
@@ -144,23 +143,9 @@ class RobotSide(QObject):
     def _ask_for_bookmark(self, usual: str) -> str | None:
         return self._window.dialogs.name(self.tr("Bookmark"), self.tr("Name"), usual)
 
-    def _give_up(self) -> None:
-        # The work ends itself.
-        self._work = None
-        self._reading.cancel()
-
     def _on_refused(self, why: str) -> None:
-        self._end_work()
+        self._work.end()
         self._window.dialogs.tell(said(why))
-
-    def _on_went_on(self, done: float) -> None:
-        if self._work is not None:
-            self._work.tell(done)
-
-    def _end_work(self) -> None:
-        work, self._work = self._work, None
-        if work is not None:
-            work.end()
 
     # -- what the follower needs ---------------------------------------------
 

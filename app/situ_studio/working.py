@@ -40,6 +40,35 @@ class Work(QObject):
         self.end()
 
 
+class OneWork:
+    """One long work of a kind at a time, which is begun again and again. cancel: leaves it."""
+
+    def __init__(self, cancel: Callable[[], object]) -> None:
+        self._cancel = cancel
+        self._work: Work | None = None
+
+    def begin(self, strip: WorkStrip, words: str) -> None:
+        """Shows it in ``strip`` until ``end``, in place of what was begun before."""
+        self.end()
+        self._work = strip.begin(words, self._give_up)
+
+    def tell(self, done: float) -> None:
+        """How much of it is done, from 0 to 1."""
+        if self._work is not None:
+            self._work.tell(done)
+
+    def end(self) -> None:
+        """Nothing is being done any more."""
+        work, self._work = self._work, None
+        if work is not None:
+            work.end()
+
+    def _give_up(self) -> None:
+        # The work ends itself.
+        self._work = None
+        self._cancel()
+
+
 class Job(Protocol):
     """What goes on beside the window: a QObject that tells when it has ended, and can be ended."""
 

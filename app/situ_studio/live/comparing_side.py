@@ -23,7 +23,7 @@ from situ_studio.live.timeline.beside import LETTERS, Marked, RunBeside
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
 from situ_studio.live.timeline.painting import StateName
 from situ_studio.theme import Theme
-from situ_studio.working import Work
+from situ_studio.working import OneWork
 
 if TYPE_CHECKING:
     from situ_studio.robot import RobotSide
@@ -57,11 +57,11 @@ class ComparingSide(QObject):
         self._recording: Recording | None = None
         self._runs: tuple[RunBeside, ...] = ()
         self._shown: list[Compared] = []
-        self._work: Work | None = None
         self._reading = ReadingRecording(self)
+        self._work = OneWork(self._reading.cancel)
         self._reading.read.connect(self._add_recording)
         self._reading.refused.connect(self._on_refused)
-        self._reading.went_on.connect(self._on_went_on)
+        self._reading.went_on.connect(self._work.tell)
         self._projects = RecordedProjects(self)
         self._projects.read.connect(self.comparing.know)
         self.strip.swap_asked.connect(self.swap)
@@ -91,9 +91,8 @@ class ComparingSide(QObject):
 
     def compare_with(self, path: Path) -> None:
         """Reads the recording and puts it below what is looked at."""
-        self._end_work()
         words = self.tr("Reading {0}").format(path.name)
-        self._work = self._window.status.work.begin(words, self._give_up)
+        self._work.begin(self._window.status.work, words)
         self._reading.start(path)
 
     def swap(self) -> None:
@@ -113,7 +112,7 @@ class ComparingSide(QObject):
         """The timeline shows one run only."""
         self._reading.cancel()
         self._projects.end()
-        self._end_work()
+        self._work.end()
         self._remember()
         self._recording = None
         self.comparing.end()
@@ -158,7 +157,7 @@ class ComparingSide(QObject):
         return Compared(name, log, theirs or project, _bookmarks(recording.path))
 
     def _add_recording(self, recording: Recording) -> None:
-        self._end_work()
+        self._work.end()
         self._add(self._compared(recording.log, recording.path.name, recording), recording)
 
     def _add(self, other: Compared, recording: Recording | None) -> None:
@@ -178,23 +177,9 @@ class ComparingSide(QObject):
         if dock.height() < room:
             self._window.resizeDocks([dock], [room], Qt.Orientation.Vertical)
 
-    def _give_up(self) -> None:
-        # The work ends itself.
-        self._work = None
-        self._reading.cancel()
-
     def _on_refused(self, why: str) -> None:
-        self._end_work()
+        self._work.end()
         self._window.dialogs.tell(said(why))
-
-    def _on_went_on(self, done: float) -> None:
-        if self._work is not None:
-            self._work.tell(done)
-
-    def _end_work(self) -> None:
-        work, self._work = self._work, None
-        if work is not None:
-            work.end()
 
     # -- from difference to difference ---------------------------------------------------
 

@@ -17,7 +17,7 @@ from situ_studio.live.field import Asked, Field, painted, recordings_in, whole
 from situ_studio.live.field_panel import FieldPanel
 from situ_studio.live.field_reading import FieldReading
 from situ_studio.theme import Theme
-from situ_studio.working import Work
+from situ_studio.working import OneWork
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -35,15 +35,15 @@ class FieldSide(QObject):
         super().__init__(window)
         self._window = window
         self.field: Field | None = None
-        self._work: Work | None = None
         self._paths: list[Path] = []
         self.panel = FieldPanel(window.theme)
         self._place = str(window.settings.value(KEPT, PLACE))
         self.panel.place.show_value(self._place)
         window.bottom.add(PANEL, self.tr("Field"), self.panel)
         self.reading = FieldReading(self)
+        self._work = OneWork(self.reading.cancel)
         self.reading.counted.connect(self._on_counted)
-        self.reading.went_on.connect(self._on_went_on)
+        self.reading.went_on.connect(self._work.tell)
         self.reading.gone.connect(self._on_gone)
         panel = self.panel
         panel.files_asked.connect(self.choose_files)
@@ -82,11 +82,10 @@ class FieldSide(QObject):
 
     def count(self, paths: list[Path]) -> None:
         """Counts what people did in these, beside the window."""
-        self._end_work()
         self.reading.cancel()
         window = self._window
         window.bottom.choose(PANEL)
-        self._work = window.status.work.begin(self.tr("Counting recordings"), self._give_up)
+        self._work.begin(window.status.work, self.tr("Counting recordings"))
         self._paths = paths
         self.reading.start(Asked(tuple(paths), self._place))
 
@@ -105,13 +104,12 @@ class FieldSide(QObject):
 
     def paint(self, on: bool) -> None:
         """How often, how long, and where the time ran out, on the drawings."""
-        project = self._window.session.project
-        shown = on and self.field is not None and project is not None
-        if shown:
-            self._window.scenarios.panel.paint.setChecked(False)
-        self._window.robot.follower.paint(
-            painted(project, self.field) if shown and project and self.field else None
-        )
+        project, follower = self._window.session.project, self._window.robot.follower
+        if not on or self.field is None or project is None:
+            follower.paint(None)
+            return
+        self._window.scenarios.panel.paint.setChecked(False)
+        follower.paint(painted(project, self.field))
 
     def _on_scenarios(self, on: bool) -> None:
         """The drawings show the scenarios instead."""
@@ -146,28 +144,17 @@ class FieldSide(QObject):
     def cancel(self) -> None:
         """What is being counted is left."""
         self.reading.cancel()
-        self._end_work()
+        self._work.end()
 
     def _forget(self) -> None:
         """Another project is open."""
         self.cancel()
-        if self.panel.paint.isChecked():
-            self.paint(False)
         self.field = None
         self._paths = []
         self.panel.clear()
 
-    def _give_up(self) -> None:
-        # The work ends itself.
-        self._work = None
-        self.reading.cancel()
-
-    def _on_went_on(self, done: float) -> None:
-        if self._work is not None:
-            self._work.tell(done)
-
     def _on_counted(self, field: Field) -> None:
-        self._end_work()
+        self._work.end()
         if field.refused:
             self._window.dialogs.tell("\n".join(map(said, field.refused)))
         project = self._window.session.project
@@ -175,19 +162,16 @@ class FieldSide(QObject):
             return
         self.field = field
         self.panel.show_used(whole(project, field), field.recordings, _situations(field))
-        self.panel.paint.setChecked(True)
-        self.paint(True)
+        if self.panel.paint.isChecked():
+            self.paint(True)
+        else:
+            self.panel.paint.setChecked(True)
 
     def _on_gone(self) -> None:
-        self._end_work()
+        self._work.end()
         self._window.dialogs.tell(
             self.tr("The recordings could not be counted; what happened is in studio.log.")
         )
-
-    def _end_work(self) -> None:
-        work, self._work = self._work, None
-        if work is not None:
-            work.end()
 
 
 def _situations(field: Field) -> str:
