@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.vitals.person import VITALS, Person
 
 import situ.testing
-from situ.decide.inputs import Finish, Touch, Use
+from situ.decide.inputs import Finish, Use
 from situ.decide.masking import Mask
 
-VITALS = Path(__file__).resolve().parents[2] / "examples" / "vitals"
 MEDIA = VITALS / "media"
 LANGUAGES = ("en", "ja")
 ANNA = {"id": 4, "name": "Anna Nilsen", "address": "sip:4@ward.invalid"}
@@ -23,34 +22,12 @@ def read(name: str) -> Any:
     return json.loads((MEDIA / name).read_text("utf-8"))
 
 
-class Person:
-    """Somebody who has said who she is."""
-
-    def __init__(self, robot: situ.testing.Robot) -> None:
-        self.robot = robot
-        robot.give(Touch())
-        robot.give(Use("room", 12))
-        robot.give(Use("pin", "1234"))
-        user = {"id": 3, "name": "Jack Nilsen", "room": 12, "limits": {}}
-        self.answer("login", {"user": user})
-        self.use("continue")
-
-    def use(self, *components: str) -> None:
-        for component in components:
-            self.robot.give(Use(component))
-
-    def answer(self, service: str, result: Any) -> None:
-        self.robot.give(Finish(name=service, result=result))
-
-    @property
-    def at(self) -> str:
-        return str(self.robot.value("application/home.state"))
-
-
 @pytest.fixture
 def person() -> Iterator[Person]:
     with situ.testing.robot(VITALS, seed=3) as robot:
-        yield Person(robot)
+        jack = Person(robot)
+        jack.log_in()
+        yield jack
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

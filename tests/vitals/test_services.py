@@ -4,20 +4,15 @@ from __future__ import annotations
 
 import runpy
 from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
 
 import pytest
+from tests.vitals.person import LIMITS, VITALS, Person
 
 import situ.testing
-from situ.decide.inputs import Finish, Touch, Use
+from situ.decide.inputs import Finish
 from situ.decide.masking import Mask
 from situ.document.ready import load_ready
 from situ.rehearse.suite import run_suite, scenarios
-
-VITALS = Path(__file__).resolve().parents[2] / "examples" / "vitals"
-LIMITS = {"systolic_low": 100, "systolic_high": 150, "diastolic_low": 55, "diastolic_high": 95}
-JACK = {"id": 3, "name": "Jack Nilsen", "room": 12, "limits": LIMITS}
 
 
 def test_the_scenarios_go_through_every_state_transition_situation_and_condition() -> None:
@@ -26,28 +21,6 @@ def test_the_scenarios_go_through_every_state_transition_situation_and_condition
     assert [one.file for one in suite.played if not one.well] == []
     every = [seen for group in suite.coverage.groups().values() for seen in group]
     assert [seen.label for seen in every if not seen.covered] == []
-
-
-class Person:
-    """Somebody before a robot whose cuff is connected."""
-
-    def __init__(self, robot: situ.testing.Robot) -> None:
-        self.robot = robot
-
-    def use(self, *components: str) -> None:
-        for component in components:
-            self.robot.give(Use(component))
-
-    def log_in(self, limits: dict[str, Any] = LIMITS) -> None:
-        self.robot.give(Touch())
-        self.robot.give(Use("room", 12))
-        self.robot.give(Use("pin", "1234"))
-        self.robot.give(Finish(name="login", result={"user": JACK | {"limits": limits}}))
-        self.use("continue")
-
-    @property
-    def at(self) -> str:
-        return str(self.robot.value("application/home.state"))
 
 
 @pytest.fixture
