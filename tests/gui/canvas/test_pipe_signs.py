@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QSignalSpy
@@ -104,6 +105,17 @@ def test_a_sign_is_as_large_where_cards_are_small(
     area = made.hand.pipe("4", "0").sign_area()
     assert area.width() * 0.5 >= LEAST
     assert has(seen(made), made, area, "warning")
+
+
+def test_a_sign_lies_above_other_pipes_from_the_first(
+    desk: Callable[..., Any], small: Application
+) -> None:
+    made = desk(replace(small, states=()))
+    made.canvas.show_document(small, [wrong("state", "4", "event", "0")])
+    signed = made.hand.pipe("4", "0")
+    others = {made.canvas.graph.pipe(id) for id in made.canvas.graph.links} - {signed}
+    assert others
+    assert all(one.zValue() < signed.zValue() for one in others)
 
 
 @pytest.fixture
