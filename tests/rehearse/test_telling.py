@@ -186,6 +186,8 @@ def test_values_in_a_line() -> None:
     [
         ("head", {"yaw": 40}, 'm moves head: {"yaw":40}'),
         ("head", None, "head stops and holds"),
+        ("head", {"components": ["neck"]}, 'm moves head: {"components":["neck"]}'),
+        ("head", {"components": 2, "text": ""}, 'm moves head: {"components":2,"text":""}'),
         ("speech", {"text": "Good morning", "lang": "en"}, "m says “Good morning”"),
         (
             "screen",

@@ -127,8 +127,10 @@ def _mapping(teller: Teller, event: Fields) -> str:
     if event["value"] is None:
         return f"{event['resource']} stops and holds"
     shown = event["value"] if isinstance(event["value"], dict) else {}
-    if isinstance(shown.get("components"), list):
-        texts = [str(one["text"]) for one in shown["components"] if one.get("text")]
+    components = shown.get("components")
+    # What a module commands may have any form.
+    if isinstance(components, list) and all(isinstance(one, dict) for one in components):
+        texts = [str(one["text"]) for one in components if one.get("text")]
         if texts:
             return f"{event['module']} shows {words.quoted(texts[0])} on the {event['resource']}"
         return f"{event['module']} shows something else on the {event['resource']}"
