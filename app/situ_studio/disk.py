@@ -163,5 +163,5 @@ class DiskSide(QObject):
     def _on_moved(self) -> None:
         window = self._window
         window.notice.hide()
-        window.remember(window.session.root)
+        window.welcoming.remember(window.session.root)
         window.say(self.tr("The project is saved in {0} now.").format(window.session.root))

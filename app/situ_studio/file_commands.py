@@ -17,7 +17,7 @@ class FileCommands(SituationCommands):
     """The handlers of one window that are about files."""
 
     def _home(self) -> str:
-        there = [p for p in self._window.recent if Path(p).exists()]
+        there = [p for p in self._window.welcoming.recent if Path(p).exists()]
         return str(Path(there[0]).parent) if there else str(Path.home())
 
     def new_project(self, template: str = "empty") -> None:
@@ -43,7 +43,7 @@ class FileCommands(SituationCommands):
         if there is None:
             self._open(lambda: Path(path))
             return
-        there.leave_welcome()
+        there.welcoming.leave()
         there.show()
         there.raise_()
         there.activateWindow()
@@ -85,17 +85,17 @@ class FileCommands(SituationCommands):
 
     def forget_recent(self, path: str) -> None:
         """Takes a project off the list of recent ones; its files stay."""
-        self._window.forget_recent(path)
+        self._window.welcoming.forget(path)
 
     def locate_recent(self, path: str) -> None:
         """Asks where a recent project is now, and opens it there."""
         found = self._window.dialogs.project(str(Path(path).parent))
         if found is not None:
-            self._window.move_recent(path, Path(found))
+            self._window.welcoming.move(path, Path(found))
             self.open_path(found)
 
     def show_welcome(self) -> None:
-        self._window.show_welcome()
+        self._window.welcoming.show()
 
     def save(self) -> bool:
         """Saves every changed document; False where a person or the disk said no."""

@@ -280,7 +280,7 @@ def show_view(window: MainWindow, name: str) -> None:
     ``NAME/PLACE`` selects too: ``reception/state/6``. Raises UsageError naming what there is.
     """
     if name == WELCOME:
-        window.show_welcome()
+        window.welcoming.show()
         return
     wanted, mode = name, "graph"
     before, colon, after = name.partition(":")

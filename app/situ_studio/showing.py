@@ -145,7 +145,7 @@ def show_again(window: MainWindow, wanted: Showing) -> None:
     window.bottom.choose(wanted.panel)
     window.bottom.set_folded(wanted.folded)
     if wanted.welcome:
-        window.show_welcome()
+        window.welcoming.show()
     elif window.current_view is not None:
         window.current_view.current_view().setFocus()
 

@@ -11,9 +11,8 @@ from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication
 
-from situ.document.problem import Problem
 from situ.document.rbd import Application
-from situ_studio import leftovers, places, recent, words
+from situ_studio import leftovers, places, problem_rows
 from situ_studio.checking import CheckWork
 from situ_studio.claim import Claim
 from situ_studio.commands import Commands
@@ -53,6 +52,7 @@ from situ_studio.showing import recall, show_as, show_beside
 from situ_studio.theme import Theme
 from situ_studio.undo import Looking
 from situ_studio.vocabulary import Lexicon, Vocabulary
+from situ_studio.welcoming import Welcoming
 from situ_studio.working import follow
 
 if TYPE_CHECKING:
@@ -85,15 +85,14 @@ class MainWindow(Frame):
         """What becomes of unsaved changes was asked already: it closes without another word."""
         self.session = session
         session.setParent(self)
-        self._list_examples = examples
         self._lexicon = Lexicon()
         self.dialogs: Dialogs = Dialogs(self)
-        self._before_welcome: str | None = None
         home = Path(settings.fileName()).parent / "recovery"
         self.recovery = Recovery(session, home, self.recovered)
         self.recovery.refused.connect(self.say)
         self.claim = Claim(home)
         self.commands = Commands(self)
+        self.welcoming = Welcoming(self, examples)
         self.robot = RobotSide(self, link)
         self.why = WhySide(self)
         self.deploying = DeployingSide(self)
@@ -119,7 +118,7 @@ class MainWindow(Frame):
         self.set_theme(self.theme)
         self.restore()
         # Reading the examples takes longer than opening a project: not for one that comes at once.
-        self.show_welcome(with_examples=not opening)
+        self.welcoming.show(with_examples=not opening)
 
     def _wire(self) -> None:
         session = self.session
@@ -143,43 +142,8 @@ class MainWindow(Frame):
         self.inspector.refused.connect(self.say)
         self.inspector.usages_asked.connect(self.commands.find_usages)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
-        welcome = self.welcome
-        welcome.back_asked.connect(self.leave_welcome)
-        welcome.new_asked.connect(self.commands.new_project)
-        welcome.open_asked.connect(self.commands.open_project)
-        welcome.connect_asked.connect(self.commands.connect_robot)
-        welcome.recent_asked.connect(self.commands.open_path)
-        welcome.forget_asked.connect(self.commands.forget_recent)
-        welcome.locate_asked.connect(self.commands.locate_recent)
-        welcome.example_asked.connect(self.commands.open_example)
-        welcome.template_asked.connect(self.commands.new_project)
-        welcome.theme_asked.connect(self.choose_theme)
-        welcome.language_asked.connect(self.commands.choose_language)
 
     # -- the project -----------------------------------------------------------------
-
-    @property
-    def recent(self) -> list[str]:
-        """The folders of the projects that were open lately, the last one first, gone ones too."""
-        return recent.recent(self.settings)
-
-    def remember(self, path: Path) -> None:
-        """The project at ``path`` is open here: it is recent, and open at the next start."""
-        recent.remember(self.settings, path, self.session.now())
-        if self.windows is not None:
-            self.windows.remember()
-
-    def forget_recent(self, path: str) -> None:
-        recent.forget(self.settings, path)
-        self._show_recent()
-
-    def move_recent(self, path: str, to: Path) -> None:
-        """A recent project lies in another folder now."""
-        recent.move(self.settings, path, to)
-        self._show_recent()
-
-    def _show_recent(self) -> None:
-        self.welcome.show_recent(self.recent, recent.opened(self.settings), self.session.now())
 
     def open_project(self, path: Path) -> None:
         """Opens a project; UsageError, with one line for the user, where it can not be read."""
@@ -196,7 +160,7 @@ class MainWindow(Frame):
     def _on_open(self, path: Path) -> None:
         if self.isVisible():
             recall(self.settings, self)
-        self.remember(path)
+        self.welcoming.remember(path)
         if self.claim.take(self.session.root):
             leftovers.clear(self.session.root)
         else:
@@ -271,7 +235,7 @@ class MainWindow(Frame):
                 view = self._make_view(file)
                 self.robot.follower.refresh()
             group.documents.setCurrentWidget(view)
-            view.show_document(document, self._problems_of(file))
+            view.show_document(document, self.session.problems_of(file))
             how = group.waiting.pop(file, None)
             if how is not None:
                 show_as(view, document, how)
@@ -288,11 +252,11 @@ class MainWindow(Frame):
 
     def _settle_shown(self) -> None:
         """Another document is shown, or another group of tabs is the current one."""
-        self._settle_title()
+        self.settle_title()
         self._settle_problems()
         self.disk.settle()
         self.project_tree.show_current(self.current_file)
-        self._settle_document()
+        self.settle_document()
 
     def _make_view(self, file: str) -> DocumentView:
         group = self.sides.current
@@ -340,38 +304,6 @@ class MainWindow(Frame):
                 self.open_file(file)
                 self.tabs.put(file, place)
                 return
-
-    def show_welcome(self, with_examples: bool = True) -> None:
-        """Shows the welcome page; an open project stays open."""
-        self._show_recent()
-        self.welcome.show_connect(self.can_connect)
-        if with_examples:
-            self.welcome.show_examples(self._list_examples())
-        self.welcome.themes.show_choice(self.theme_choice)
-        if self.stack.currentIndex() == 1:
-            self._before_welcome = self.tabs.chosen_file
-        project = self.session.project
-        self.welcome.show_back(project.name if project is not None else None)
-        self.stack.setCurrentIndex(0)
-        self.designing.leave()
-        self.docking.hide()
-        self.toolbar.hide()
-        self.sides.current.current_file = None
-        self.setWindowTitle(self.tr("Situ Studio"))
-        self._settle_document()
-
-    def leave_welcome(self) -> None:
-        """Goes back to the project that is open, as it was left."""
-        if self.session.project is None or self.stack.currentIndex() == 1:
-            return
-        self.docking.show()
-        self.stack.setCurrentIndex(1)
-        if self._before_welcome in self.tabs.files():
-            self.tabs.choose(str(self._before_welcome))
-        else:
-            self.show_file("")
-        if self.current_view is not None:
-            self.current_view.current_view().setFocus()
 
     # -- what is shown ------------------------------------------------------------------
 
@@ -485,7 +417,7 @@ class MainWindow(Frame):
         self.say(self.tr("{0} has errors: it can be read, not changed.").format(stem(file)))
         document = self.session.document(file)
         if view is not None and document is not None:
-            view.show_document(document, self._problems_of(file))
+            view.show_document(document, self.session.problems_of(file))
             self._settle_selection()
 
     def _on_form(self, after: Document, text: str, place: Place) -> None:
@@ -514,9 +446,9 @@ class MainWindow(Frame):
             return
         for view in self.sides.views_of(file):
             view.selected = tuple(p for p in view.selected if places.get(document, p) is not None)
-            view.show_document(document, self._problems_of(file))
+            view.show_document(document, self.session.problems_of(file))
         if file == self.current_file:
-            self._settle_document()
+            self.settle_document()
         self._refresh_tree()
 
     def _on_undone(self, file: str, selected: tuple[Place, ...], looking: Looking | None) -> None:
@@ -544,7 +476,7 @@ class MainWindow(Frame):
         self.status.show_saved(
             len(self.session.dirty), self.session.saved_at, self.session.project is not None
         )
-        self._settle_title()
+        self.settle_title()
         self._refresh_tree()
         self.actions_.refresh()
 
@@ -578,24 +510,9 @@ class MainWindow(Frame):
 
     # -- problems -------------------------------------------------------------
 
-    def _problems_of(self, file: str) -> list[Problem]:
-        return self.session.problems_of(file)
-
     def _settle_problems(self) -> None:
-        """The panel of the problems; places in other documents name them."""
         found = self.session.problems
-        rows = []
-        several = len(self.session.files) > 1
-        for problem in found:
-            file = self.session.file_of(problem)
-            document = self.session.document(file) if file is not None else None
-            where = Path(problem.file).name if document is None else stem(file or "")
-            if document is not None and problem.place:
-                short = _short(document, problem.place)
-                other = several and file != self.current_file
-                where = f"{stem(file or '')}: {short}" if other else short
-            rows.append((problem, where))
-        self.problems.show_problems(rows)
+        self.problems.show_problems(problem_rows.rows(self.session, self.current_file))
         self.bottom.set_count("problems", len(found))
         errors = sum(1 for p in found if p.severity == "error")
         self.status.show_problems(errors, len(found) - errors)
@@ -603,7 +520,7 @@ class MainWindow(Frame):
     def _on_problems(self) -> None:
         self._settle_problems()
         for view in self.sides.views():
-            document, found = self.session.document(view.file), self._problems_of(view.file)
+            document, found = self.session.document(view.file), self.session.problems_of(view.file)
             if document is not None and view.problems != found:
                 view.show_document(document, found)
         self._refresh_tree()
@@ -612,7 +529,8 @@ class MainWindow(Frame):
 
     # -- bringing panels up to date ----------------------------------------------------------
 
-    def _settle_document(self) -> None:
+    def settle_document(self) -> None:
+        """The panels show the current document, or that there is none."""
         document, project = self.current_document, self.session.project
         self.palette_.show_document(document)
         self.status.show_counts(document)
@@ -630,7 +548,9 @@ class MainWindow(Frame):
         if project is None or file is None:
             return
         self.modules.settle()
-        self.outline.show_document(project, self.current_document, tuple(self._problems_of(file)))
+        self.outline.show_document(
+            project, self.current_document, tuple(self.session.problems_of(file))
+        )
 
     def _settle_selection(self) -> None:
         view, document, project = self.current_view, self.current_document, self.session.project
@@ -645,7 +565,7 @@ class MainWindow(Frame):
             document,
             view.selected,
             self._lexicon.vocabulary(project, document),
-            tuple(self._problems_of(view.file)),
+            tuple(self.session.problems_of(view.file)),
             project,
         )
         self.commands.components.offer_tags(self._lexicon.vocabulary(project, document).tags)
@@ -661,16 +581,18 @@ class MainWindow(Frame):
             document = self.session.document(file)
             if document is None:
                 continue
-            found = {p.severity for p in self._problems_of(file)}
+            found = {p.severity for p in self.session.problems_of(file)}
             marks = tuple(m for m in ("error", "warning") if m in found)[:1]
             part = self.parts.is_part(file)
             self.project_tree.show_document(file, document, part, file in dirty, marks)
         for group in self.sides.groups:
             group.tabs.show_unsaved((*dirty, *self.pages.unsaved()))
 
-    def _settle_title(self) -> None:
+    def settle_title(self) -> None:
+        """The project's name, with a star while something is not saved."""
         project = self.session.project
         if project is None or self.stack.currentIndex() == 0:
+            self.setWindowTitle(self.tr("Situ Studio"))
             return
         star = "*" if self.session.dirty else ""
         self.setWindowTitle(self.tr("{0}{1} — Situ Studio").format(project.name, star))
@@ -743,12 +665,3 @@ class MainWindow(Frame):
     def disconnect_robot(self) -> None:
         """Ends the link, if there is one."""
         self.robot.disconnect_robot()
-
-
-def _short(document: Document, place: Place) -> str:
-    """A problem's place in few words: ``12 SPO2``."""
-    if place[0] == "state" and len(place) > 1:
-        return words.state_words(document, place[1])
-    if place[0] == "always":
-        return "Always"
-    return place[1] if len(place) > 1 else place[0]

@@ -223,7 +223,7 @@ class Windows(QObject):
             self._show_again(window, one)
             recall(self._settings, window)
             if one.welcome:
-                window.show_welcome()
+                window.welcoming.show()
         if missing:
             shown = self.windows[0] if self.windows else self.open_window()
             shown.show()

@@ -101,7 +101,7 @@ def test_f1_explains_what_is_selected_and_the_field_that_has_the_keyboard(used: 
     assert asked(used) == "kind/speech"
     window.project_tree.setFocus()
     assert asked(used) == "panel/project"
-    window.show_welcome()
+    window.welcoming.show()
     window.welcome.new.setFocus()
     assert asked(used) == "panel/welcome"
 
@@ -276,7 +276,7 @@ def test_nothing_is_without_an_explanation(studio: Start, project: Copy, name: s
         window.bottom.choose(panel)
         used.settle()
         found.update(unexplained(window))
-    window.show_welcome()
+    window.welcoming.show()
     used.settle()
     found.update(unexplained(window))
     assert sorted(found) == []

@@ -264,7 +264,7 @@ def test_no_text_is_cut(
                 window.select(place)
                 made.settle()
                 found.update(cut(window, ours))
-        window.show_welcome()
+        window.welcoming.show()
         made.settle()
         found.update(cut(window, ours))
         assert sorted(found) == []

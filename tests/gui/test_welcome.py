@@ -113,8 +113,8 @@ def test_projects_that_were_open_are_listed_and_open_again(
 ) -> None:
     studio(project("reception")).window.close()
     used = studio()
-    assert used.window.recent == [str(tmp_path / "reception")]
-    used.window.welcome.recent_asked.emit(used.window.recent[0])
+    assert used.window.welcoming.recent == [str(tmp_path / "reception")]
+    used.window.welcome.recent_asked.emit(used.window.welcoming.recent[0])
     assert used.window.current_file == "reception.rbd.xml"
 
 
@@ -127,7 +127,7 @@ def test_a_recent_project_that_is_gone_is_shown_as_such_and_taken_off_the_list(
     welcome = used.window.welcome
     assert "Not there any more" in [label.text() for label in welcome.findChildren(QLabel)]
     used.click(welcome.findChild(QToolButton, f"forget {tmp_path / 'reception'}"))
-    assert used.window.recent == []
+    assert used.window.welcoming.recent == []
     assert "Projects that you open will be listed here." in [
         label.text() for label in welcome.findChildren(QLabel)
     ]
@@ -142,11 +142,11 @@ def test_a_recent_project_that_is_gone_is_located_and_opens(
     used.answers.put("project", None)
     locate = used.window.welcome.findChild(QPushButton, f"locate {tmp_path / 'reception'}")
     used.click(locate)
-    assert used.window.recent == [str(tmp_path / "reception")]
+    assert used.window.welcoming.recent == [str(tmp_path / "reception")]
     used.answers.put("project", str(tmp_path / "moved"))
     used.click(locate)
     assert used.session.root == tmp_path / "moved"
-    assert used.window.recent == [str(tmp_path / "moved")]
+    assert used.window.welcoming.recent == [str(tmp_path / "moved")]
 
 
 def test_recent_projects_and_templates_show_what_they_look_like(
@@ -154,11 +154,11 @@ def test_recent_projects_and_templates_show_what_they_look_like(
 ) -> None:
     first = studio(project("reception"))
     first.session.now = lambda: NOW - timedelta(hours=2)
-    first.window.remember(tmp_path / "reception")
+    first.window.welcoming.remember(tmp_path / "reception")
     first.window.close()
     used = studio()
     used.session.now = lambda: NOW
-    used.window.show_welcome()
+    used.window.welcoming.show()
     while used.window.welcome.reads:
         QApplication.processEvents()
     pictures = used.window.welcome.findChildren(SmallPicture)

@@ -1,0 +1,36 @@
+"""What the panel of the problems says of where each is, in few words."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from situ.document.problem import Problem
+from situ_studio import words
+from situ_studio.edit import Document, Place
+from situ_studio.panels.project_tree import stem
+from situ_studio.session import Session
+
+
+def rows(session: Session, current_file: str | None) -> list[tuple[Problem, str]]:
+    """The problems of the project, each with its place; places in other documents name them."""
+    found = []
+    several = len(session.files) > 1
+    for problem in session.problems:
+        file = session.file_of(problem)
+        document = session.document(file) if file is not None else None
+        where = Path(problem.file).name if document is None else stem(file or "")
+        if document is not None and problem.place:
+            short = _short(document, problem.place)
+            other = several and file != current_file
+            where = f"{stem(file or '')}: {short}" if other else short
+        found.append((problem, where))
+    return found
+
+
+def _short(document: Document, place: Place) -> str:
+    """A problem's place in few words: ``12 SPO2``."""
+    if place[0] == "state" and len(place) > 1:
+        return words.state_words(document, place[1])
+    if place[0] == "always":
+        return "Always"
+    return place[1] if len(place) > 1 else place[0]
