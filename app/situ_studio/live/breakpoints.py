@@ -159,7 +159,9 @@ class Breakpoints(QWidget):
         return self._points.get(key)
 
     def add_test(self, points: Sequence[Point]) -> None:
-        """The first gets a condition, at once or when all stand on the robot: they may share it."""
+        """The first gets a condition, at once or when all stand on the robot: they may share it.
+        No points: none is waited for any longer.
+        """
         self._adds = tuple(points)
 
     def _row(self, key: str, one: Point, stopped: bool) -> Row:

@@ -323,6 +323,8 @@ class OperatingSide(QObject):
 
         def refused(why: str) -> None:
             self._refused(why)
+            # What stands at that place some day was set without one.
+            self.panel.add_test(())
             self._show()
 
         self._link.act(lambda dialog: dialog.debug(verb, **fields), answered, refused)

@@ -7,12 +7,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QSettings, Qt
 from tests.gui.live.test_link import connect
 
-from situ.document import when_text
+from situ.blackboard.client import connect as operator
+from situ.document import codec, when_text
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as One
+from situ.document.export import deployable, without_editor
+from situ.document.rbd import Event
 from situ.document.ready import load_ready
 from situ_studio.live.breaking import MOST, KeptBreakpoints, everywhere, points_at
 from situ_studio.live.setting_dialog import Setting
@@ -196,5 +200,41 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     it.key(Qt.Key.Key_Delete)
     until(link.moment_changed, lambda: not link.log.now.breakpoints)
     it.settle()
-    assert window.operating._earlier == []
+    assert panel.table.rows.rows == []
+    window.disconnect_robot()
+
+
+def test_a_condition_wanted_where_the_robot_refused_a_breakpoint_is_wanted_no_longer(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    window = it.window
+    link = connect(it, there.endpoint, until)
+    until(link.moment_changed, lambda: "converse" in link.log.now.applications)
+    file = window.current_file
+    flow = it.session.document(file)
+    new = replace(flow.states[1], no="77", events=(Event("back", next="1"),), screen=None)
+    leads = replace(flow.states[1], events=(*flow.states[1].events, Event("on", next="77")))
+    states = (flow.states[0], leads, *flow.states[2:], new)
+    it.session.commit(file, replace(flow, states=states), "Add a state")
+    it.settle()
+    it.select("state", "77")
+    it.key(Qt.Key.Key_F9, SHIFT)
+    until(window.operating.refused, lambda: "77" in window.status.said.text())
+    # Once the robot has the state, it may be set there as anywhere.
+    files = deployable(load_ready(there.project))
+    files[file] = codec.write(without_editor(it.session.document(file)))
+    with operator(there.endpoint, role="operator") as board:
+        board.deploy(files, "situ.toml", force_after=0)
+    until(link.came, lambda: any(e["kind"] == "deployed" for e in link.log))
+    it.select("state", "77")
+    it.key(Qt.Key.Key_F9)
+    until(link.moment_changed, lambda: len(link.log.now.breakpoints) == 1)
+    it.settle()
+    it.select("state", "2")
+    it.key(Qt.Key.Key_F9)
+    until(link.moment_changed, lambda: any(b["state"] == "2" for b in link.log.now.breakpoints))
+    found = {one["state"]: one.get("when") for one in link.log.now.breakpoints}
+    assert found == {"77": None, "2": None}
     window.disconnect_robot()
