@@ -57,7 +57,8 @@ class WhySide(QObject):
         self._slices = QTimer(self)
         self._slices.setInterval(0)
         self._slices.timeout.connect(self._look)
-        self._wanted: tuple[Wanted, tuple[str, Place] | None] = ({}, None)
+        self._about: tuple[str, Place] | None = None
+        """What it was asked of why it did not happen."""
         self._asking = AskingWhyNot(self)
         self._asking.answered.connect(self._answer_not)
         self._asking.gone.connect(self._on_gone)
@@ -266,7 +267,7 @@ class WhySide(QObject):
         if project is None:
             return
         self._begin()
-        self._wanted = wanted, where
+        self._about = where
         self._asking.ask(Question(project, events_until(self._viewing.log, t), wanted, t))
 
     def _on_gone(self) -> None:
@@ -321,7 +322,7 @@ class WhySide(QObject):
         """A reason as a link: to the event that tells of it, else to what was asked about."""
         log = self._viewing.log
         place = place_of(log, reason.seq) if reason.seq is not None else None
-        t, about = self._viewing.t, self._wanted[1]
+        t, about = self._viewing.t, self._about
         if place is not None:
             t, about = log.time(place), where(project, log[place])
         values = ", ".join(f"{tag} {in_text(value)}" for tag, value in reason.values.items())
