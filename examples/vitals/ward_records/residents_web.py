@@ -23,9 +23,6 @@ from ward_records.answers import shown
 from ward_records.language import why
 from ward_records.store import KINDS, Reading, Resident, Store, Unfit, Unknown
 
-EVERY = 1_000_000
-"""More readings than a ward has in its life."""
-
 
 class ResidentsWeb:
     """must: raises where a request may not. resident: her page, with what was given to its form
@@ -76,7 +73,7 @@ class ResidentsWeb:
 
     async def _every(self, request: web.Request) -> web.Response:
         self._must(request)
-        return _table(self._store.residents(), self._store.readings(most=EVERY), "readings.csv")
+        return _table(self._store.residents(), self._store.readings(), "readings.csv")
 
     async def _hers(self, request: web.Request) -> web.Response:
         self._must(request)
@@ -84,8 +81,7 @@ class ResidentsWeb:
             one = self._store.resident(int(request.match_info["id"]))
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
-        readings = self._store.readings(one.id, most=EVERY)
-        return _table([one], readings, f"readings-{one.room}.csv")
+        return _table([one], self._store.readings(one.id), f"readings-{one.room}.csv")
 
 
 async def _given(request: web.Request) -> dict[str, str]:

@@ -273,12 +273,12 @@ class Store:
 
     # -- what the nurse reads ----------------------------------------------------
 
-    def readings(self, number: int | None = None, most: int = 50) -> list[Reading]:
-        """The last ones, of one resident or of all; the newest first."""
+    def readings(self, number: int | None = None) -> list[Reading]:
+        """Of one resident or of all; the newest first."""
         rows = self._db.execute(
             "SELECT resident, at, kind, measured FROM reading WHERE ?1 IS NULL OR resident = ?1 "
-            "ORDER BY at DESC, id DESC LIMIT ?2",
-            (number, most),
+            "ORDER BY at DESC, id DESC",
+            (number,),
         )
         return [_reading(*row) for row in rows]
 
