@@ -29,7 +29,6 @@ def masked(recording: Iterable[Piece]) -> Iterator[Piece]:
     for piece in recording:
         if documents and isinstance(piece, (Line, Snapshot)):
             project = loaded(heading, documents)
-            mask = Mask(heading.private)
             if project is not None:
                 names = (application.name for application in project.applications.values())
                 mask = Mask(heading.private, written(project), names)
