@@ -115,8 +115,7 @@ class ReadingRecording(QObject):
         """False where there is nothing more."""
         try:
             lines = (piece.text for piece in pieces if type(piece) is recorded.Line)
-            if not self._goes_on:
-                self._goes_on = not self._log.add_lines(lines)
+            self._goes_on = not self._log.add_lines(lines)
         except (KeyError, TypeError, ValueError, AttributeError) as error:
             # A file that other programs wrote may hold whatever; what is taken from it is looked
             # at nowhere else.

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
 
-from situ.rehearse.comparing import Difference
+from situ.rehearse.comparing import Difference, Stretch
 from situ_studio.letters import px
 from situ_studio.live.log import TraceLog
 from situ_studio.live.timeline.axis import TimeAxis
@@ -125,30 +125,32 @@ def paint_differences(
     """
     color = theme.color("warning")
     size = px(5)
+    # Runs that part thousands of times are drawn many times a second: not each for every row.
+    by_strand: dict[tuple[str, str], list[tuple[Marked, Stretch]]] = {}
+    for mark in marked:
+        for stretch in mark.difference.stretches:
+            by_strand.setdefault(stretch.strand, []).append((mark, stretch))
     for row, top in tops:
         axis, below = axes[row.run], top + px(row.height) - px(4)
         last = -float(size)
-        for mark in marked:
+        side = 0 if row.run == 0 else 1
+        for mark, stretch in by_strand.get((row.kind, row.name), ()):
             if row.run not in (0, mark.run):
                 continue
-            for stretch in mark.difference.stretches:
-                if (stretch.strand.kind, stretch.strand.name) != (row.kind, row.name):
-                    continue
-                side = 0 if row.run == 0 else 1
-                deeds = (stretch.first, stretch.second)[side]
-                x = axis.x(stretch.at[side])
-                end = axis.x(deeds[-1].t) if deeds else x
-                if end < -size or x > axis.width + size or (x - last < 2 and end - last < 2):
-                    # Beside what is seen, or where there is a mark already.
-                    continue
-                last = end
-                left = QPointF(x + px(GUTTER), below)
-                painter.setPen(QPen(color, px(3) if mark.chosen else px(2)))
-                painter.drawLine(left, QPointF(max(end, x) + px(GUTTER), below))
-                wide = size + (px(2) if mark.chosen else 0)
-                painter.setPen(QPen(color, 1.5))
-                painter.setBrush(color if deeds else theme.color("panel"))
-                painter.drawPolygon(_diamond(left, wide))
+            deeds = (stretch.first, stretch.second)[side]
+            x = axis.x(stretch.at[side])
+            end = axis.x(deeds[-1].t) if deeds else x
+            if end < -size or x > axis.width + size or (x - last < 2 and end - last < 2):
+                # Beside what is seen, or where there is a mark already.
+                continue
+            last = end
+            left = QPointF(x + px(GUTTER), below)
+            painter.setPen(QPen(color, px(3) if mark.chosen else px(2)))
+            painter.drawLine(left, QPointF(max(end, x) + px(GUTTER), below))
+            wide = size + (px(2) if mark.chosen else 0)
+            painter.setPen(QPen(color, 1.5))
+            painter.setBrush(color if deeds else theme.color("panel"))
+            painter.drawPolygon(_diamond(left, wide))
 
 
 def _diamond(middle: QPointF, half: float) -> QPolygonF:

@@ -63,9 +63,11 @@ def paint_gaps(
         band = QRectF(start + px(GUTTER), top + 1, end - start, high - 1)
         painter.fillRect(band, theme.color("panel"))
         painter.fillRect(band, QBrush(theme.color("text3"), Qt.BrushStyle.BDiagPattern))
+        if not named:
+            continue
         said = words(gap)
         wide = metrics.horizontalAdvance(said) + px(12)
-        if not named or wide > band.width():
+        if wide > band.width():
             continue
         box = QRectF(0, 0, wide, px(18))
         box.moveCenter(band.center())
