@@ -21,7 +21,8 @@ ENDING = ".mcap"
 
 
 class Asked(Struct, frozen=True):
-    """Recordings to be counted. place: the tag that says where the robot is."""
+    """Recordings to be counted, and folders of them. place: the tag that says where the robot
+    is."""
 
     paths: tuple[Path, ...]
     place: str = PLACE
@@ -45,8 +46,11 @@ def recordings_in(folder: Path) -> list[Path]:
 def counted(asked: Asked) -> Iterator[float | Field]:
     """How much of all is read, again and again, and in the end what came of it."""
     usage, refused = Usage(asked.place), []
-    every = len(asked.paths)
-    for number, path in enumerate(asked.paths):
+    paths = [
+        file for path in asked.paths for file in (recordings_in(path) if path.is_dir() else [path])
+    ]
+    every = len(paths)
+    for number, path in enumerate(paths):
         try:
             for done in counting(usage, path):
                 yield (number + done) / every

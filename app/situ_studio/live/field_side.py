@@ -13,7 +13,7 @@ from situ.errors import UsageError
 from situ.rehearse.usage import PLACE, write_csv
 from situ.rehearse.ways import frames
 from situ_studio.language import said, tr
-from situ_studio.live.field import Asked, Field, painted, recordings_in, whole
+from situ_studio.live.field import Asked, Field, painted, whole
 from situ_studio.live.field_panel import FieldPanel
 from situ_studio.live.field_reading import FieldReading
 from situ_studio.theme import Theme
@@ -71,17 +71,11 @@ class FieldSide(QObject):
     def choose_folder(self) -> None:
         """Asks for a folder and counts what was recorded there."""
         chosen = self._window.dialogs.field_folder()
-        if chosen is None:
-            return
-        paths = recordings_in(chosen)
-        if paths:
-            self.count(paths)
-        else:
-            said = self.tr("{0}: there is no recording in it (*.mcap)")
-            self._window.dialogs.tell(said.format(chosen))
+        if chosen is not None:
+            self.count([chosen])
 
     def count(self, paths: list[Path]) -> None:
-        """Counts what people did in these, beside the window."""
+        """Counts what people did in these, and in folders of them, beside the window."""
         self.reading.cancel()
         window = self._window
         window.bottom.choose(PANEL)
@@ -157,6 +151,9 @@ class FieldSide(QObject):
         self._work.end()
         if field.refused:
             self._window.dialogs.tell("\n".join(map(said, field.refused)))
+        elif not field.recordings:
+            none = self.tr("{0}: there is no recording in it (*.mcap)")
+            self._window.dialogs.tell(none.format(*self._paths))
         project = self._window.session.project
         if not field.recordings or project is None:
             return

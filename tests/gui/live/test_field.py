@@ -47,6 +47,9 @@ def test_what_was_counted_is_what_the_robots_did(tmp_path: Path) -> None:
     assert recordings_in(tmp_path) == files
     *progress, field = counted(Asked(tuple(files)))
     assert isinstance(field, Field)
+    # A folder stands for what is in it.
+    *_, same = counted(Asked((tmp_path,)))
+    assert same == field
     went = [one for one in progress if isinstance(one, float)]
     assert len(went) == len(progress)
     assert went == sorted(went)
@@ -245,7 +248,9 @@ def test_what_can_not_be_counted_is_told_of_and_the_rest_counts(
     empty.mkdir()
     it.answers.put("field_folder", empty)
     side.choose_folder()
-    assert "there is no recording in it" in it.answers.told[1]
+    until_counted(it)
+    assert f"{empty}: there is no recording in it" in it.answers.told[1]
+    assert side.panel.summary.text().startswith("1 recordings")
 
 
 def _middle(head: Any, column: int) -> Any:
