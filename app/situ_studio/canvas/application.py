@@ -22,14 +22,13 @@ from situ_studio.canvas.figure_items import FrameItem, NoteItem
 from situ_studio.canvas.figures import Figure
 from situ_studio.canvas.figuring import Figuring
 from situ_studio.canvas.graph import differing
-from situ_studio.canvas.live import LiveView
+from situ_studio.canvas.live import LiveView, changes
 from situ_studio.canvas.menu import FollowMenu
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.piping import Piping
 from situ_studio.canvas.projection import (
     ALWAYS,
-    FIRST,
     NEW,
     Card,
     Picture,
@@ -38,6 +37,7 @@ from situ_studio.canvas.projection import (
     identified,
     place_of,
 )
+from situ_studio.canvas.what_follows import WhatFollows
 from situ_studio.copying import Copying
 from situ_studio.edit import Place
 from situ_studio.insert import insert
@@ -75,7 +75,8 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self._arranging.refused.connect(self.status)
         self._arranging.done.connect(self._on_arranged)
         self._drop: tuple[str, str, QPointF] | None = None
-        self.menu: FollowMenu | None = None
+        naming = self.tr("New state “{0}”")
+        self._what_follows = WhatFollows(self, lambda: self._picture, naming)
         self.viewer.dropped.connect(self._on_dropped)
 
     # -- showing ---------------------------------------------------------------------
@@ -126,24 +127,14 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         """Highlights of the running robot; None for none. They live in the view only."""
         before, self.look.live = self.look.live, live
         old = before if isinstance(before, LiveView) else LiveView()
-        new = live or LiveView()
         switched = (before is None) != (live is None)
-        changed = set(old.active | new.active)
-        changed |= {
-            no for no in {**old.counts, **new.counts} if _differ(old.counts, new.counts, no)
-        }
-        ways = {**old.transitions, **new.transitions}
-        counted_anew = {way for way in ways if _differ(old.transitions, new.transitions, way)}
-        # That none of them was taken stands beside the exits, on the card.
-        changed |= {no for no, _ in counted_anew}
+        changed, exits = changes(old, live or LiveView())
         for uid, card in self._picture.cards.items():
             if switched or card.no in changed:
                 node = self.graph.nodes.get(uid)
                 if node is not None:
                     node.view.setToolTip(self._hint(card, live))
                     node.view.update()
-        exits = {(t.state, t.exit) for t in (*old.taken, *new.taken)}
-        exits |= counted_anew
         for id in self.graph.links:
             if switched or (id[0], id[1]) in exits:
                 pipe = self.graph.pipe(id)
@@ -185,7 +176,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             self.render_document()
         drop, self._drop = self._drop, None
         if drop is not None:
-            self._ask_what_follows(*drop)
+            self._what_follows.ask(*drop)
 
     def _exit_place(self, uid: str, exit: str) -> Place:
         return place_of(uid, exit, self._picture.cards[uid])
@@ -263,47 +254,12 @@ class ApplicationCanvas(CommandedCanvas, Copying):
                 self.status.emit(tr("Only long pipes are folded, and this one is not"))
 
     def _ask_from(self, card: Card, exit: str) -> None:
-        uid = self._picture.uids[card.place]
-        self.viewer.reveal(self.card_area(uid))
-        x, y = card.port(exit)
-        taken = [(c.x, c.y, c.width, c.height) for c in self._picture.cards.values()]
-        free = QPointF(*layout.beside(taken, card.x + 230, card.y)) + QPointF(0, FIRST)
-        self._ask_what_follows(uid, exit, free, QPointF(card.x + x, card.y + y))
+        self._what_follows.ask_beside(card, exit)
 
-    def _ask_what_follows(
-        self, uid: str, exit: str, spot: QPointF, at: QPointF | None = None
-    ) -> None:
-        """spot: where a new state goes; at: where the menu opens, there if None."""
-        if uid not in self._picture.cards:
-            return
-        choices = gestures.choices(self.document, self._picture.cards[uid].place, exit)
-        menu = FollowMenu(choices, self.look.theme, self)
-        menu.chosen.connect(lambda key: self._follow(uid, exit, key, spot))
-        menu.named.connect(lambda name: self._follow(uid, exit, "state", spot, name))
-        menu.offer_name(self.tr("New state “{0}”"))
-        menu.closed.connect(self._menu_closed)
-        self.menu = menu
-        corner = self.viewer.mapFromScene(at if at is not None else spot)
-        menu.popup(self.viewer.viewport().mapToGlobal(corner))
-
-    def _menu_closed(self) -> None:
-        self.menu = None
-        self.viewer.setFocus()
-
-    def _follow(self, uid: str, exit: str, key: str, spot: QPointF, name: str = "") -> None:
-        card = self._picture.cards.get(uid)
-        if card is None or (exit != NEW and card.exit(exit) is None):
-            return
-        x, y = layout.entry(spot.x(), spot.y())
-        after, text, no = gestures.follow(self.document, card.place, exit, key, x, y)
-        if no is not None and name:
-            after, _ = gestures.rename(after, no, name)
-        if text:
-            self.edited.emit(after, text)
-        if no is not None and ("state", no) in self._picture.uids:
-            self.select([("state", no)])
-            if not name:
-                self.filled_in.emit(("state", no))
+    @property
+    def menu(self) -> FollowMenu | None:
+        """The one that asks what follows, while it is open."""
+        return self._what_follows.menu
 
     # -- commands ---------------------------------------------------------------------------
 
@@ -545,10 +501,6 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             self.screen_asked.emit(face.place)
         else:
             self.activated.emit(face.place)
-
-
-def _differ(old: Mapping[Any, Any], new: Mapping[Any, Any], key: Any) -> bool:
-    return bool(old.get(key) != new.get(key))
 
 
 def _number(text: str) -> int:

@@ -41,6 +41,22 @@ class LiveView(Struct, frozen=True):
     since: str = ""
 
 
+def changes(old: LiveView, new: LiveView) -> tuple[set[str], set[tuple[str, str]]]:
+    """The states whose cards, and the exits whose pipes, look otherwise at the second moment."""
+    states = set(old.active | new.active)
+    states |= {no for no in {**old.counts, **new.counts} if _differ(old.counts, new.counts, no)}
+    ways = {**old.transitions, **new.transitions}
+    counted_anew = {way for way in ways if _differ(old.transitions, new.transitions, way)}
+    # That none of them was taken stands beside the exits, on the card.
+    states |= {no for no, _ in counted_anew}
+    exits = {(t.state, t.exit) for t in (*old.taken, *new.taken)}
+    return states, exits | counted_anew
+
+
+def _differ(old: Mapping[Any, Any], new: Mapping[Any, Any], key: Any) -> bool:
+    return bool(old.get(key) != new.get(key))
+
+
 class LiveScript(Struct, frozen=True):
     """A script at one moment: the current situation, what holds, who asks and who holds what.
 
