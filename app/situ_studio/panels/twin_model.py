@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, overload
 
 from PySide6.QtCore import (
     QAbstractItemModel,
     QModelIndex,
+    QObject,
     QPersistentModelIndex,
     Qt,
     Signal,
@@ -82,7 +83,13 @@ class TwinModel(QAbstractItemModel):
             return QModelIndex()
         return self.createIndex(row, column, rows[row])
 
-    def parent(self, index: AnyIndex = QModelIndex()) -> QModelIndex:  # type: ignore[override]
+    @overload
+    def parent(self, /) -> QObject | None: ...
+    @overload
+    def parent(self, index: AnyIndex, /) -> QModelIndex: ...
+    def parent(self, index: AnyIndex | None = None, /) -> QObject | QModelIndex | None:
+        if index is None:
+            return super().parent()
         node = self.node(index)
         if node is None or node.parent is None:
             return QModelIndex()

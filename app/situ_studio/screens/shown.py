@@ -26,8 +26,9 @@ class Values(dict[str, Any]):
         super().__init__(tags)
         self.texts: Texts = texts or {}
 
-    def __or__(self, tags: Mapping[str, Any]) -> Values:  # type: ignore[override]
-        return Values({**self, **tags}, self.texts)
+    def written(self, tag: str, value: Any) -> Values:
+        """These, with another value of one tag."""
+        return Values({**self, tag: value}, self.texts)
 
     def translate(self, text: str, missing: list[str] | None) -> str:
         """A text in that language; as it is written where it has none."""

@@ -184,4 +184,4 @@ class Walk:
             self.screen = state.screen
 
     def _write(self, tag: str, value: object) -> None:
-        self.values = self.values | {tag: value}
+        self.values = self.values.written(tag, value)
