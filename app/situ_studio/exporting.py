@@ -41,10 +41,13 @@ class ExportingSide(QObject):
         self._now = now
         self._folder: Path | None = None
         self._work: Work | None = None
-        self._large = LargeExport(self)
-        self._large.written.connect(self._on_written)
-        self._large.refused.connect(self._on_refused)
-        window.closed.connect(self._large.cancel)
+        self._hear(LargeExport(self))
+        window.closed.connect(self._give_up)
+
+    def _hear(self, large: LargeExport) -> None:
+        self._large = large
+        large.written.connect(self._on_written)
+        large.refused.connect(self._on_refused)
 
     def export(self) -> None:
         """Asks for a file and what shall be in it, and writes it. UsageError where it can not."""
@@ -58,8 +61,7 @@ class ExportingSide(QObject):
         picture.format_of(name)
         document = window.current_document
         if document is not None and _cards(document) > MOST_CARDS:
-            words = self.tr("Drawing {0}").format(Path(name).name)
-            self._begin(words, Drawing(document, name, stem(file)))
+            self._begin(Drawing(document, name, stem(file)))
             return
         with self._drawn() as whole:
             areas = self._areas(whole)
@@ -74,11 +76,29 @@ class ExportingSide(QObject):
         self._folder = Path(name).parent
         window.say(self.tr("{0} is written.").format(name))
 
-    def _begin(self, words: str, wanted: Drawing | Printing) -> None:
+    def _begin(self, wanted: Drawing | Printing) -> None:
         """The whole drawing, by another process; the window stays in use."""
-        self._end_work()
-        self._work = self._window.status.work.begin(words, self._give_up)
+        self._show_work(wanted)
         self._large.start(wanted)
+
+    def _show_work(self, wanted: Drawing | Printing) -> None:
+        self._end_work()
+        if isinstance(wanted, Printing):
+            words = self.tr("Printing {0}").format(wanted.printer.title)
+        else:
+            words = self.tr("Drawing {0}").format(Path(wanted.out).name)
+        self._work = self._window.status.work.begin(words, self._give_up)
+
+    def move_to(self, other: ExportingSide) -> None:
+        """What is drawn or printed goes on for a window that stands in place of this one."""
+        wanted, large = self._large.wanted, self._large
+        if wanted is not None:
+            self._end_work()
+            large.written.disconnect(self._on_written)
+            large.refused.disconnect(self._on_refused)
+            large.setParent(other)
+            other._hear(large)
+            other._show_work(wanted)
 
     def _give_up(self) -> None:
         # The work ends itself.
@@ -115,8 +135,7 @@ class ExportingSide(QObject):
         if _cards(document) > MOST_CARDS:
             printing.lay(printer, view.canvas.extent())
             if self._window.dialogs.printer(printer):
-                words = self.tr("Printing {0}").format(stem(file))
-                self._begin(words, Printing(document, title, self._now(), chosen(printer)))
+                self._begin(Printing(document, title, self._now(), chosen(printer)))
             return
         with self._drawn() as drawn:
             printing.lay(printer, drawn.area)

@@ -60,6 +60,11 @@ class LargeExport(QObject):
         self._worker.said.connect(self._on_said)
         self._worker.gone.connect(self._on_gone)
 
+    @property
+    def wanted(self) -> Drawing | Printing | None:
+        """What is drawn or printed now."""
+        return self._wanted
+
     def start(self, wanted: Drawing | Printing) -> None:
         """Draws or prints this document as it is now."""
         self.cancel()

@@ -299,6 +299,7 @@ class Windows(QObject):
             self._reading[new] = reading
         for one in old.findChildren(Reading):
             one.move_to(new)
+        old.exporting.move_to(new.exporting)
         new.claim, old.claim = old.claim, new.claim
         new.take_over()
         new.setGeometry(old.geometry())

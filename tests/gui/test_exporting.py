@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QApplication
 
 from situ.document import folder
 from situ.resources import example
-from situ_studio import exporting, picture, printing
+from situ_studio import exporting, letters, picture, printing
 from situ_studio.chosen_printer import chosen
 from situ_studio.dialogs import Dialogs
 from situ_studio.export_dialog import ExportDialog
@@ -312,6 +312,30 @@ def test_a_large_drawing_is_printed_by_another_process_as_the_window_would(
     assert pages_of(out) == pages_of(alone) >= 1
     assert boxes_of(out) == boxes_of(alone)
     assert b"Inter-Medium" in out.read_bytes()
+
+
+def test_printing_goes_on_where_its_window_is_made_anew_for_other_letters(
+    studio: Start, project: Copy, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used, out = studio(project("reception")), tmp_path / "a.pdf"
+    windows, old = used.window.windows, used.window
+    monkeypatch.setattr(exporting, "MOST_CARDS", 3)
+    used.answers.put("printer", out)
+    used.key(Qt.Key.Key_P, CONTROL)
+    windows.choose_letters("125")
+    try:
+        while old in windows.windows:
+            QApplication.processEvents()
+        (window,) = windows.windows
+        assert old.status.work.going == []
+        # On a busy machine it may be done by now.
+        for work in window.status.work.going:
+            assert work.words == "Printing reception"
+            assert QSignalSpy(work.ended).wait(PATIENCE)
+        assert "is printed" in window.status.said.text()
+        assert pages_of(out) >= 1
+    finally:
+        letters.use(100)
 
 
 def test_of_what_is_printed_while_the_window_is_closed_nothing_is_left(
