@@ -1,4 +1,4 @@
-"""A robot to connect to: ``situ run`` in a process of its own."""
+"""A robot to connect to: ``situ run`` in a process of its own; and what dialogs stand over."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEventLoop, QTimer, SignalInstance
+from PySide6.QtCore import QEvent, QEventLoop, QTimer, SignalInstance
+from PySide6.QtWidgets import QApplication, QWidget
 
 DEADLINE = 10_000
 
@@ -63,6 +64,15 @@ def robot(tmp_path: Path) -> Iterator[Callable[..., Running]]:
     for one in every:
         if one.process.returncode is None:
             one.stop()
+
+
+@pytest.fixture
+def over(qt: QApplication) -> Iterator[QWidget]:
+    """What dialogs stand over."""
+    made = QWidget()
+    yield made
+    made.deleteLater()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture

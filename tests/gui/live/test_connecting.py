@@ -5,20 +5,21 @@ from __future__ import annotations
 
 import uuid
 import weakref
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 import shiboken6
-from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
+from tests.gui.live.test_looking_only import known
 
 from situ.blackboard import keys
 from situ.blackboard.announced import Announced, fingerprint
-from situ.blackboard.keys import KnownKey, RobotKey, new_pair
+from situ.blackboard.keys import RobotKey, new_pair
 from situ.engine.announcing import Announcement, Announcing
 from situ_studio.dialogs import Dialogs
 from situ_studio.live.connecting_dialog import Chosen, ConnectDialog
@@ -45,15 +46,6 @@ class Told(NearbyRobots):
     def fail(self, why: str) -> None:
         self.failed = why
         self.changed.emit()
-
-
-@pytest.fixture
-def over(qt: QApplication) -> Iterator[QWidget]:
-    """What the dialogs stand over."""
-    made = QWidget()
-    yield made
-    made.deleteLater()
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 def asking(nearby: NearbyRobots, over: QWidget) -> ConnectDialog:
@@ -234,14 +226,12 @@ def test_a_robot_that_was_found_is_spoken_to_by_its_key_and_none_without(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    folder, mine = tmp_path / "state" / "keys", new_pair("ann")
+    folder = tmp_path / "state" / "keys"
     public = keys.new_robot(folder).public
-    keys.add_known(folder, "ann", KnownKey(mine.public, "operator"))
-    client = tmp_path / "client"
     # It is known at another address than it has now; and so is another robot.
-    keys.new_client(client, mine, "desk", RobotKey(public, ("tcp://10.0.0.5:5570",)))
+    client = known(folder, "ann", "operator", ("tcp://10.0.0.5:5570",))
     other = f'public = "{new_pair("robot").public}"\naddresses = ["tcp://10.0.0.6:5570"]\n'
-    (client / "robots" / "ward.toml").write_text(other)
+    (client / "robots" / "desk.toml").write_text(other)
     monkeypatch.setenv("SITU_KEYS", str(client))
     there = robot(project("reception"))
     it = studio(there.project)

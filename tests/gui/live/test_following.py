@@ -11,7 +11,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
 from tests.gui.live.test_log import played
-from tests.gui.live.test_recordings import recording, until_shown
+from tests.gui.live.test_recordings import opened
 
 from situ.document.project import Project
 from situ_studio.live.log import TraceLog
@@ -75,13 +75,9 @@ def test_how_often_the_time_ran_out_counts_for_each_state() -> None:
 def test_the_drawing_moves_along_until_that_is_switched_off(
     studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
 ) -> None:
-    where = project("reception")
-    _, _, events = played("reception", "new-user.jsonl")
-    it = studio(where)
+    file = tmp_path / "run.mcap"
+    it, events = opened(studio, project("reception"), file, "reception", "new-user.jsonl")
     window = it.window
-    it.answers.put("recording", recording(tmp_path / "run.mcap", events, where))
-    window.commands.open_recording()
-    until_shown(it)
     viewing, canvas = window.robot.follower.viewing, window.current_view.canvas
     canvas.set_zoom(1.0)
     entered = {e["state"]: e["t"] for e in events if e["kind"] == "enter"}
@@ -134,13 +130,9 @@ def test_the_drawing_moves_along_until_that_is_switched_off(
 def test_of_two_drawings_of_one_application_both_move_along(
     studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
 ) -> None:
-    where = project("reception")
-    _, _, events = played("reception", "new-user.jsonl")
-    it = studio(where)
+    file = tmp_path / "run.mcap"
+    it, events = opened(studio, project("reception"), file, "reception", "new-user.jsonl")
     window = it.window
-    it.answers.put("recording", recording(tmp_path / "run.mcap", events, where))
-    window.commands.open_recording()
-    until_shown(it)
     it.key(Qt.Key.Key_Backslash, Qt.KeyboardModifier.ControlModifier)
     it.settle()
     canvases = [group.current_view.canvas for group in window.sides.groups]
@@ -176,13 +168,9 @@ def test_a_row_that_is_pressed_twice_is_chosen_once(qt: Any) -> None:
 def test_the_current_situation_is_heard(
     studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
 ) -> None:
-    where = project("conversation")
-    _, _, events = played("conversation", "fig5.jsonl")
-    it = studio(where)
+    file = tmp_path / "run.mcap"
+    it, events = opened(studio, project("conversation"), file, "conversation", "fig5.jsonl")
     window = it.window
-    it.answers.put("recording", recording(tmp_path / "run.mcap", events, where))
-    window.commands.open_recording()
-    until_shown(it)
     window.open_file("conversation.spds.xml")
     canvas = window.current_view.canvas
     root = QAccessible.queryAccessibleInterface(canvas.viewer)

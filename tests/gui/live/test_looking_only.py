@@ -31,12 +31,12 @@ HANDS = (
 REASON = "only an operator may: your key lets you look only"
 
 
-def known(state: Path, name: str, role: KeyRole) -> Path:
-    """A folder with the keys of somebody whom the robot knows."""
+def known(state: Path, name: str, role: KeyRole, addresses: tuple[str, ...] = ()) -> Path:
+    """A folder with the keys of somebody whom the robot knows. addresses: where it was met."""
     folder, pair = state.parent.parent / name, keys.new_pair(name)
     keys.add_known(state, name, KnownKey(pair.public, role))
     public = keys.RobotKeys(state).public.decode()
-    keys.new_client(folder, pair, "ward", RobotKey(public, (), role))
+    keys.new_client(folder, pair, "ward", RobotKey(public, addresses, role))
     return folder
 
 

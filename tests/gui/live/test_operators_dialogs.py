@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QWidget
 from tests.gui.live.test_operating import connect, kinds
@@ -29,15 +29,6 @@ KNOWN = Vocabulary(
         ("way", "list", ""),
     ),
 )
-
-
-@pytest.fixture
-def over(qt: QApplication) -> Iterator[QWidget]:
-    """What the dialogs stand over."""
-    made = QWidget()
-    yield made
-    made.deleteLater()
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 def opened(dialog: Any) -> Any:

@@ -220,6 +220,18 @@ def until_shown(it: Any) -> None:
     it.settle()
 
 
+def opened(
+    studio: Any, where: Path, file: Path, name: str, script: str
+) -> tuple[Any, list[dict[str, Any]]]:
+    """A window in which a run of that scenario is looked at, recorded in ``file``; its events."""
+    _, _, events = played(name, script)
+    it = studio(where)
+    it.answers.put("recording", recording(file, events, where))
+    it.window.commands.open_recording()
+    until_shown(it)
+    return it, events
+
+
 def test_reading_is_cancelled_in_the_status_bar_and_begun_again(
     studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
 ) -> None:

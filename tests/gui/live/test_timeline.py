@@ -11,8 +11,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.live.test_link import connect
-from tests.gui.live.test_log import played
-from tests.gui.live.test_recordings import recording, until_shown
+from tests.gui.live.test_recordings import opened
 
 import situ
 from situ_studio.live.timeline.painting import GUTTER
@@ -23,11 +22,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 def shown(studio: Any, where: Path, file: Path, name: str, script: str) -> tuple[Any, Any]:
     """A window whose timeline shows what was recorded of that scenario."""
-    _, _, events = played(name, script)
-    it = studio(where)
-    it.answers.put("recording", recording(file, events, where))
-    it.window.commands.open_recording()
-    until_shown(it)
+    it, _ = opened(studio, where, file, name, script)
     it.window.bottom.choose("timeline")
     it.settle()
     return it, it.window.robot.timeline

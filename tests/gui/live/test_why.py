@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 from tests.gui.live.test_link import connect
 from tests.gui.live.test_log import played
-from tests.gui.live.test_recordings import recording, until_shown
+from tests.gui.live.test_recordings import opened
 
 import situ
 from situ.rehearse.why import chain
@@ -69,13 +69,8 @@ def replayed(
     """A window in which a run of the conversation is looked at."""
 
     def start() -> tuple[Any, list[dict[str, Any]]]:
-        where = project("conversation")
-        _, _, events = played("conversation", "fig5.jsonl")
-        it = studio(where)
-        it.answers.put("recording", recording(tmp_path / "run.mcap", events, where))
-        it.window.commands.open_recording()
-        until_shown(it)
-        return it, events
+        where, file = project("conversation"), tmp_path / "run.mcap"
+        return opened(studio, where, file, "conversation", "fig5.jsonl")
 
     return start
 
