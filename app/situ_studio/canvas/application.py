@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QWidget
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places
-from situ_studio.canvas import counted, gestures, layout, spoken
+from situ_studio.canvas import counted, gestures, intents, layout, spoken
 from situ_studio.canvas.arranging import Arranging
 from situ_studio.canvas.between import Between
 from situ_studio.canvas.cards import CardItem
@@ -162,9 +162,9 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         if text:
             pass
         elif connections:
-            after, text = self._connected(connections)
+            after, text = intents.connected(self.document, self._picture, connections)
         elif slices:
-            after, text = self._sliced(slices)
+            after, text = intents.sliced(self.document, self._picture, slices)
         elif moved:
             after, text = self._moved(moved)
             if meant is not None and len(moved) == 1:
@@ -177,34 +177,6 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         drop, self._drop = self._drop, None
         if drop is not None:
             self._what_follows.ask(*drop)
-
-    def _exit_place(self, uid: str, exit: str) -> Place:
-        return place_of(uid, exit, self._picture.cards[uid])
-
-    def _connected(self, connections: list[Any]) -> tuple[Application, str]:
-        _, connected = connections[-1]
-        for leaving, entry in connected:
-            source = self._picture.cards.get(leaving.node.uid)
-            target = self._picture.cards.get(entry.node.uid)
-            if source is not None and target is not None:
-                return gestures.lead(self.document, source.place, leaving.name, target.no)
-        return self.document, ""
-
-    def _sliced(self, slices: list[Any]) -> tuple[Application, str]:
-        document, texts = self.document, []
-        places = []
-        for cut in slices:
-            for entry, leaving in cut:
-                if leaving.node is not None and leaving.node.uid in self._picture.cards:
-                    places.append(self._exit_place(leaving.node.uid, leaving.name))
-                del entry
-        # Unnamed events go when they are cut: the last ones first, so that positions still fit.
-        for place in sorted(set(places), key=lambda p: (p[:-1], _number(p[-1])), reverse=True):
-            document, text = gestures.disconnect(document, place)
-            texts += [text] if text else []
-        if len(texts) > 1:
-            return document, tr("Cut {0} pipes").format(len(texts))
-        return document, texts[0] if texts else ""
 
     def _moved(self, moved: dict[str, tuple[float, float]]) -> tuple[Application, str]:
         return self._put({u: (gestures.snap(x), gestures.snap(y)) for u, (x, y) in moved.items()})
@@ -501,7 +473,3 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             self.screen_asked.emit(face.place)
         else:
             self.activated.emit(face.place)
-
-
-def _number(text: str) -> int:
-    return int(text) if text.isdigit() else -1

@@ -8,6 +8,7 @@ from typing import Any
 from situ.document.aside import NOTHING
 from situ.document.problem import Problem
 from situ.document.rbd import Application, Event, State
+from situ_studio.canvas.card_texts import full_texts
 
 WARNING = Problem(
     file="a", severity="warning", code="c", message="m", place=("state", "250"), mend=None
@@ -24,8 +25,7 @@ def shown(desk: Callable[..., Any], name: str) -> tuple[str, bool]:
     made.canvas.set_zoom(0.8)
     card = made.hand.card("250")
     assert card.face.mark == "warning"
-    card._lay_out()
-    label = card._texts["name"]
+    label = full_texts(card.face)[0]["name"]
     return label._text.text(), label.cut
 
 
