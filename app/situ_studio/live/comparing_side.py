@@ -9,9 +9,8 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QMenu
 
-from situ.document.project import Project
 from situ.errors import UsageError
-from situ.rehearse.ways import name_of_state
+from situ.rehearse.telling import Teller
 from situ_studio.language import said
 from situ_studio.letters import px
 from situ_studio.live.comparing import Compared, Comparing
@@ -21,7 +20,6 @@ from situ_studio.live.log import TraceLog
 from situ_studio.live.recordings import ReadingRecording, Recording
 from situ_studio.live.timeline.beside import LETTERS, Marked, RunBeside
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
-from situ_studio.live.timeline.painting import StateName
 from situ_studio.theme import Theme
 from situ_studio.working import OneWork
 
@@ -206,7 +204,7 @@ class ComparingSide(QObject):
         if self._shown != comparing.others:
             self._shown = list(comparing.others)
             self._runs = tuple(
-                RunBeside(one.log, theme, _names(one.project)) for one in comparing.others
+                RunBeside(one.log, theme, Teller(one.project).state) for one in comparing.others
             )
         for run, shift, one in zip(self._runs, comparing.shifts, comparing.others, strict=True):
             run.shift, run.bookmarks = shift, one.bookmarks
@@ -217,15 +215,6 @@ class ComparingSide(QObject):
         self._chart.show_beside(self._runs, marks)
         self.strip.swap.setEnabled(self._recording is not None and len(self._runs) == 1)
         self._window.actions_.refresh()
-
-
-def _names(project: Project | None) -> StateName:
-    """What a state is called by the run's own documents."""
-
-    def name(application: str, state: str) -> str:
-        return state if project is None else name_of_state(project, application, state)
-
-    return name
 
 
 def _bookmarks(recording: Path) -> tuple[Bookmark, ...]:
