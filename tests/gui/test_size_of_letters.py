@@ -12,13 +12,19 @@ import pytest
 from PySide6.QtCore import QEvent, QRectF, QSettings, Qt
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QStyle
+from PySide6.QtWidgets import QApplication, QLabel, QStyle, QWidget
 from tests.gui.conftest import Studio
 
+from situ.document import folder
 from situ.document.rbd import Application
+from situ.resources import example
 from situ_studio import letters, picture
+from situ_studio.canvas.gestures import FOLLOWS
+from situ_studio.canvas.menu import FollowMenu
+from situ_studio.panels.project_tree import ProjectTree
 from situ_studio.preferences import Preferences
 from situ_studio.screens.painting import paint_screen
+from situ_studio.screens.sample_table import SampleTable
 from situ_studio.tabs import CountButton
 from situ_studio.theme import BODY, LIGHT, face, font
 from situ_studio.windows import Windows
@@ -147,6 +153,26 @@ def test_drawings_and_the_robot_s_screen_keep_their_letters(
     assert numbers[0] == pytest.approx(numbers[1], abs=0.05)
     assert font(BODY).pixelSize() == 20
     assert face(BODY).pixelSize() == 13
+
+
+@pytest.mark.parametrize("size", [100, 150])
+def test_what_lists_a_few_things_is_as_high_as_their_rows(qt: QApplication, size: int) -> None:
+    letters.use(size)
+    window = QWidget()
+    menu = FollowMenu(FOLLOWS[:4], LIGHT, window)
+    table = SampleTable("patients", ("name",), ["Ana", "Jack"])
+    tree = ProjectTree(LIGHT)
+    project, _ = folder.load(example("reception"))
+    assert project is not None
+    tree.show_project(project, list(project.flows))
+    tree.resize(300, tree.maximumHeight())
+    for shown, rows in ((menu, menu.list), (table, table), (tree, tree.tree)):
+        shown.show()
+        QApplication.processEvents()
+        assert rows.verticalScrollBar().maximum() == 0
+        shown.close()
+        shown.deleteLater()
+    window.deleteLater()
 
 
 def test_a_tab_below_without_room_ends_with_dots_and_says_its_words_in_its_tooltip(

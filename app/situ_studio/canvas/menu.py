@@ -63,7 +63,7 @@ class FollowMenu(QFrame):
             f"QLineEdit:focus {{ border-color: {theme.accent}; }}"
             f"QListWidget {{ background: {theme.panel}; color: {theme.text}; border: none;"
             " outline: none; }"
-            "QListWidget::item { height: 26px; padding-left: 4px; border-radius: 4px; }"
+            f"QListWidget::item {{ height: {px(26)}px; padding-left: 4px; border-radius: 4px; }}"
             f"QListWidget::item:selected {{ background: {theme.accent_soft};"
             f" color: {theme.text}; }}"
             "QScrollBar:vertical { width: 8px; background: transparent; margin: 0; }"
@@ -73,7 +73,7 @@ class FollowMenu(QFrame):
             "QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }"
         )
         self._filter("")
-        self.setFixedSize(280, 46 + 26 * min(11, len(self.choices)))
+        self.setFixedSize(px(280), px(46) + px(26) * min(11, len(self.choices)))
 
     def _filter(self, text: str) -> None:
         wanted = text.casefold().split()

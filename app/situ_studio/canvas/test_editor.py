@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QVBoxLayout, QWidget
 
 from situ.document.condition import Test
 from situ_studio.edit import Place
+from situ_studio.letters import px
 from situ_studio.panels.test_box import TestBox
 from situ_studio.theme import Theme
 from situ_studio.vocabulary import Vocabulary
@@ -45,7 +46,7 @@ class TestEditor(QFrame):
         self.box.removed.connect(self._on_removed)
         # As high as its fields need at any time: some tests have no value.
         layout.setSizeConstraint(QVBoxLayout.SizeConstraint.SetFixedSize)
-        self.box.setFixedWidth(WIDE)
+        self.box.setFixedWidth(px(WIDE))
         layout.addWidget(self.box)
 
     def show_test(self, test: Test, vocabulary: Vocabulary) -> None:

@@ -169,7 +169,7 @@ class ProjectTree(QWidget):
     def height_wanted(self) -> int:
         """The height at which nothing needs to scroll."""
         root = self._model.invisibleRootItem()
-        return 24 * sum(1 + root.child(i).rowCount() for i in range(root.rowCount())) + 8
+        return px(24) * sum(1 + root.child(i).rowCount() for i in range(root.rowCount())) + 8
 
     def _on_asked(self, index: QModelIndex) -> None:
         file = index.data(PLACE)

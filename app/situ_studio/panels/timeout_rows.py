@@ -38,7 +38,7 @@ class TimeoutRows(QWidget):
         grid.setContentsMargins(MARGIN, 0, MARGIN, 4)
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(4)
-        grid.setColumnMinimumWidth(0, LABEL)
+        grid.setColumnMinimumWidth(0, px(LABEL))
         label = QLabel(self.tr("Timeout"))
         label.setProperty("role", "label")
         label.setFixedWidth(px(LABEL))

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QFrame, QHBoxLayout, QLabel, QMenu, QVBox
 
 from situ_studio import words
 from situ_studio.icon_widgets import Elided, IconButton, ThemedButton
+from situ_studio.letters import px
 from situ_studio.screens.devices import Device
 from situ_studio.screens.measures import measures
 from situ_studio.screens.preview_page import PreviewPage
@@ -50,15 +51,16 @@ class PreviewWindow(QDialog):
         ground = measures().colour("ground").name()
         self.setStyleSheet(f"PreviewWindow {{ background: {ground}; }}")
         room = self.screen().availableSize() * SHARE
-        size = fitting(QSize(device.wide, device.high), room - QSize(0, BAR))
-        self.setFixedSize(size + QSize(0, BAR))
+        below = QSize(0, px(BAR))
+        size = fitting(QSize(device.wide, device.high), room - below)
+        self.setFixedSize(size + below)
         self._settle()
         self.page.setFocus()
 
     def _bar(self, theme: Theme) -> QFrame:
         bar = QFrame()
         bar.setProperty("role", "panel")
-        bar.setFixedHeight(BAR)
+        bar.setFixedHeight(px(BAR))
         line = QHBoxLayout(bar)
         line.setContentsMargins(12, 0, 16, 0)
         line.setSpacing(8)

@@ -50,7 +50,7 @@ class SampleTable(QTableWidget):
                 text = "" if value is None else in_text(value)
                 self.setItem(row, column, QTableWidgetItem(text))
         self.horizontalHeader().setFixedHeight(px(ROW))
-        self.setFixedHeight(ROW * (min(len(entries) + 1, MOST) + 1) + 6)
+        self.setFixedHeight(px(ROW) * (min(len(entries) + 1, MOST) + 1) + 6)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
         self.cellChanged.connect(self._on_changed)
 
