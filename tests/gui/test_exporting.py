@@ -26,14 +26,14 @@ from situ.resources import example
 from situ_studio import exporting, letters, picture, printing
 from situ_studio.chosen_printer import chosen
 from situ_studio.dialogs import Dialogs
-from situ_studio.export_dialog import ExportDialog
+from situ_studio.export_dialog import ExportDialog, What
 from situ_studio.large_export import Drawing, LargeExport
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]
 PATIENCE = 20_000
 CONTROL = Qt.KeyboardModifier.ControlModifier
-AREAS = {"whole": QRectF(0, 0, 400, 300), "seen": QRectF(0, 0, 100, 50)}
+AREAS: dict[What, QRectF] = {"whole": QRectF(0, 0, 400, 300), "seen": QRectF(0, 0, 100, 50)}
 
 
 def export(used: Any, out: Path, what: str, scale: float = 1.0) -> None:
@@ -232,7 +232,7 @@ def test_the_question_says_how_large_a_png_becomes_and_refuses_too_large_ones(
     studio: Start,
 ) -> None:
     used = studio()
-    dialog = ExportDialog("a.png", AREAS, used.window)  # type: ignore[arg-type]
+    dialog = ExportDialog("a.png", AREAS, used.window)
     dialog.show()
     dialog.activateWindow()
     QApplication.processEvents()
@@ -252,7 +252,7 @@ def test_the_question_says_how_large_a_png_becomes_and_refuses_too_large_ones(
     assert not large.export.isEnabled()
     assert "too large" in large.size_.text()
     large.deleteLater()
-    lines = ExportDialog("a.svg", AREAS, used.window)  # type: ignore[arg-type]
+    lines = ExportDialog("a.svg", AREAS, used.window)
     assert not lines.isAncestorOf(lines.scale)
     lines.deleteLater()
 

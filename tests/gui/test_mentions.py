@@ -77,7 +77,9 @@ def test_a_tag_is_renamed_with_its_fields_and_in_every_text() -> None:
         )
     )
     done = renames.rename(it.project, it.every, "tag", "user", "guest")
-    state: Any = done.changed["a.rbd.xml"].states[0]  # type: ignore[union-attr]
+    after = done.changed["a.rbd.xml"]
+    assert isinstance(after, rbd.Application)
+    state: Any = after.states[0]
     assert state.actions[0].tag == "guest"
     assert state.actions[1].text == "Hello {guest.name}, not {username} {{user}}"
     assert state.events[0].name == "user"
@@ -97,7 +99,9 @@ def test_a_longer_tag_that_begins_so_is_another_one() -> None:
         )
     )
     done = renames.rename(it.project, it.every, "tag", "user", "guest")
-    actions: Any = done.changed["a.rbd.xml"].states[0].actions  # type: ignore[union-attr]
+    after = done.changed["a.rbd.xml"]
+    assert isinstance(after, rbd.Application)
+    actions: Any = after.states[0].actions
     assert actions[1].tag == "user.name"
     assert actions[2].text == "{guest} {user.name.first} {guest.room}"
 
@@ -115,7 +119,8 @@ def test_a_module_is_renamed_where_it_is_declared_asked_and_has_a_priority() -> 
     assert isinstance(after, spds.Spds)
     assert after.modules == (spds.Declaration(name="lifter", resources=("arm",)),)
     assert after.situations[0].entries == (spds.Entry("lifter", 3),)
-    assert done.changed["a.rbd.xml"].states[0].actions[0].url == "board:lifter/lift"  # type: ignore[union-attr]
+    application: Any = done.changed["a.rbd.xml"]
+    assert application.states[0].actions[0].url == "board:lifter/lift"
 
 
 def test_patterns_that_mean_the_tag_are_usages_and_stay() -> None:

@@ -269,8 +269,8 @@ class Person:
 
 
 def _near(one: QColor, other: QColor) -> bool:
-    pairs = zip(one.getRgb()[:3], other.getRgb()[:3], strict=True)  # type: ignore[index]
-    return all(abs(a - b) < 60 for a, b in pairs)
+    apart = one.red() - other.red(), one.green() - other.green(), one.blue() - other.blue()
+    return all(abs(by) < 60 for by in apart)
 
 
 def situ(*arguments: str) -> subprocess.CompletedProcess[str]:

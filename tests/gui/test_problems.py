@@ -46,8 +46,9 @@ def dead_end() -> rbd.Application:
 def mendable(used: Any) -> QModelIndex:
     model = used.window.problems.list.model()
     for row in range(model.rowCount()):
-        if model.index(row, 0).data(PROBLEM).mend is not None:
-            return model.index(row, 0)  # type: ignore[no-any-return]
+        index: QModelIndex = model.index(row, 0)
+        if index.data(PROBLEM).mend is not None:
+            return index
     raise AssertionError("no problem has a mend")
 
 
