@@ -180,7 +180,7 @@ class RoutedPipe(PipeItem):
         return hit
 
     def _is_signed(self) -> bool:
-        """Whether something is wrong with the transitions drawn here, and no other pipe tells it."""
+        """Whether something is wrong with the transitions drawn here and no other pipe tells it."""
         return self.wrong() is not None and self.route.trunk is None
 
     def sign_area(self) -> QRectF:
