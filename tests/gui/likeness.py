@@ -8,7 +8,7 @@ that is gone, another theme's colour or a moved panel moves it by more than ``TO
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from PySide6.QtCore import QRect, QSize, Qt
@@ -22,6 +22,9 @@ TOLERANCE = 14
 """Steps of 255, in the colour that differs most, that a block's mean may differ."""
 COLOURS = 256
 
+Palette = Callable[[Counter[int]], list[int]]
+"""Chooses at most ``COLOURS``, told how often each is used."""
+
 
 def made_small(picture: QImage) -> QImage:
     """As it is kept: half as wide and as high."""
@@ -31,9 +34,9 @@ def made_small(picture: QImage) -> QImage:
     ).convertToFormat(QImage.Format.Format_RGB32)
 
 
-def keep(small: QImage, file: Path) -> None:
-    """Writes a picture with a palette of the colours that most of it has."""
-    table = _palette(Counter(memoryview(bytes(small.constBits())).cast("I")))
+def keep(small: QImage, file: Path, palette: Palette | None = None) -> None:
+    """Writes an RGB32 picture with a palette; None: of the colours that most of it has."""
+    table = (palette or _palette)(Counter(memoryview(bytes(small.constBits())).cast("I")))
     flags = Qt.ImageConversionFlag.ThresholdDither | Qt.ImageConversionFlag.AvoidDither
     kept = small.convertToFormat(QImage.Format.Format_Indexed8, table, flags)
     # Nothing of how and when it was made.

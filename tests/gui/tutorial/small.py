@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage
+from tests.gui import likeness
 
 GROUNDS, GREYS, SHADES = 12, 16, 7
 """Colours that most of a picture has, those without a hue, and those of each hue."""
@@ -21,12 +21,7 @@ FAINT = 28
 
 def keep(picture: QImage, file: Path) -> None:
     """Writes it as a PNG with a palette."""
-    picture = picture.convertToFormat(QImage.Format.Format_RGB32)
-    table = _palette(Counter(memoryview(bytes(picture.constBits())).cast("I")))
-    flags = Qt.ImageConversionFlag.ThresholdDither | Qt.ImageConversionFlag.AvoidDither
-    kept = picture.convertToFormat(QImage.Format.Format_Indexed8, table, flags)
-    file.parent.mkdir(parents=True, exist_ok=True)
-    assert kept.save(str(file), quality=0), f"{file} can not be written"
+    likeness.keep(picture.convertToFormat(QImage.Format.Format_RGB32), file, _palette)
 
 
 def _palette(counted: Counter[int]) -> list[int]:
