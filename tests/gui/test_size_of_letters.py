@@ -25,6 +25,7 @@ from situ_studio.panels.project_tree import ProjectTree
 from situ_studio.preferences import Preferences
 from situ_studio.screens.painting import paint_screen
 from situ_studio.screens.sample_table import SampleTable
+from situ_studio.screens.strip import StateStrip
 from situ_studio.tabs import CountButton
 from situ_studio.theme import BODY, LIGHT, face, font
 from situ_studio.windows import Windows
@@ -173,6 +174,22 @@ def test_what_lists_a_few_things_is_as_high_as_their_rows(qt: QApplication, size
         shown.close()
         shown.deleteLater()
     window.deleteLater()
+
+
+def test_the_pictures_of_states_grow_with_the_words_below_them(qt: QApplication) -> None:
+    project, _ = folder.load(example("reception"))
+    assert project is not None
+    edges: list[int] = []
+    for size in (100, 150):
+        letters.use(size)
+        strip = StateStrip(LIGHT, lambda: None)
+        strip.show_state(next(iter(project.flows.values())), ())
+        strip.resize(900, strip.height())
+        picture = strip.grab(strip.visualRect(strip.model().index(1, 0))).toImage()
+        row = [picture.pixelColor(x, picture.height() // 3) for x in range(picture.width())]
+        edges.append(max(x for x, colour in enumerate(row) if colour != row[0]))
+        strip.deleteLater()
+    assert edges[1] == pytest.approx(1.5 * edges[0], abs=2)
 
 
 def test_a_tab_below_without_room_ends_with_dots_and_says_its_words_in_its_tooltip(

@@ -140,6 +140,7 @@ class RobotLink(QObject):
         self._timer.stop()
         link, self._link = self._link, None
         link.dialog.changed = None
+        self._hands.clear()
         link.dialog.bye()
         link.turn()
         link.close()

@@ -45,7 +45,8 @@ from situ_studio.theme import CAPTION, Theme, font
 
 WIDE, HIGH = 104, 84
 """Px of a state's place."""
-PICTURE = QRectF(10, 9, 84, 52)
+PICTURE = 10, 9, 84, 52
+"""Where in it the picture lies."""
 MOST = 32 * 2**20
 """Bytes of the pictures that are kept: of 1,900 states, or 480 on a screen of twice the px."""
 AnyIndex = QModelIndex | QPersistentModelIndex
@@ -106,7 +107,7 @@ class _Pictures(QStyledItemDelegate):
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         theme = self.theme
-        area = PICTURE.translated(option.rect.x(), option.rect.y())
+        area = QRectF(*map(px, PICTURE)).translated(option.rect.topLeft())
         selected = bool(option.state & QStyle.StateFlag.State_Selected)
         part = index.data(PART)
         screen = part.screen if part is not None else None
@@ -128,7 +129,7 @@ class _Pictures(QStyledItemDelegate):
             painter.drawText(area, int(Qt.AlignmentFlag.AlignCenter), "–")
         painter.setFont(font(CAPTION, 600 if selected else 400))
         painter.setPen(theme.color("text" if selected else "text2"))
-        below = QRectF(option.rect.x() + 4, area.bottom() + 5, WIDE - 8, 16)
+        below = QRectF(option.rect.x() + 4, area.bottom() + 5, px(WIDE) - 8, px(16))
         text = painter.fontMetrics().elidedText(
             index.data(), Qt.TextElideMode.ElideRight, int(below.width())
         )
@@ -145,13 +146,14 @@ class _Pictures(QStyledItemDelegate):
         kept = self._painted.get(key)
         if kept is not None and kept[0][0] is screen and kept[0][1:] == of[1:]:
             return kept[1]
-        made = QPixmap(PICTURE.size().toSize() * ratio)
+        size = QSize(*map(px, PICTURE[2:]))
+        made = QPixmap(size * ratio)
         if (len(self._painted) + 1) * 4 * made.width() * made.height() > MOST:
             self._painted.clear()
         made.setDevicePixelRatio(ratio)
         made.fill(Qt.GlobalColor.transparent)
         painter = QPainter(made)
-        paint_screen(painter, QRectF(QPointF(0, 0), PICTURE.size()), screen, above, media)
+        paint_screen(painter, QRectF(QPointF(0, 0), size), screen, above, media)
         painter.end()
         self._painted[key] = (of, made)
         return made

@@ -257,6 +257,27 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     window.disconnect_robot()
 
 
+def test_what_was_not_answered_when_a_robot_was_left_is_no_matter_of_the_next_ones(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    refusals: list[str] = []
+    it.window.operating.refused.connect(refusals.append)
+    there.kill()
+    assert link.connected
+    it.window.operating.pause()
+    it.window.disconnect_robot()
+    other = robot(there.project, state="another")
+    connect(it, other.endpoint, until)
+    other.kill()
+    until(link.state_changed, lambda: link.state.kind == "lost")
+    it.settle()
+    assert refusals == []
+    it.window.disconnect_robot()
+
+
 def test_the_cursor_of_a_lost_robot_stays_where_its_time_had_come_to(
     studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
 ) -> None:
