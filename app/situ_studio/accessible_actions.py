@@ -5,6 +5,13 @@ from __future__ import annotations
 from typing import Protocol
 
 from PySide6.QtGui import QAccessibleActionInterface
+from shiboken6 import VoidPtr
+
+NOTHING_MORE = VoidPtr(0)
+"""What ``interface_cast`` answers where a part can not do what is asked for.
+
+None, which the binding itself answers there, ends the process as soon as a screen reader asks.
+"""
 
 
 class Acting(Protocol):

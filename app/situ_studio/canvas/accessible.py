@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAccessibleWidget
 
-from situ_studio.accessible_actions import PartActions
+from situ_studio.accessible_actions import NOTHING_MORE, PartActions
 from situ_studio.canvas.spoken import Spoken
 from situ_studio.canvas.viewer import Viewer
 from situ_studio.edit import Place
@@ -311,7 +311,7 @@ class AccessiblePart(QAccessibleInterface):
     def interface_cast(self, kind: QAccessible.InterfaceType) -> Any:
         if kind == QAccessible.InterfaceType.ActionInterface:
             return self._actions
-        return super().interface_cast(kind)
+        return NOTHING_MORE
 
     def do(self, name: str) -> None:
         """``Press`` is a double click, ``SetFocus`` a click."""

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QAccessibleWidget
 
 from situ.document import rbd
 from situ_studio import kinds
-from situ_studio.accessible_actions import PartActions
+from situ_studio.accessible_actions import NOTHING_MORE, PartActions
 from situ_studio.language import tr, translated
 from situ_studio.screens import marks
 from situ_studio.screens.placing import box_of
@@ -235,7 +235,7 @@ class AccessibleComponent(QAccessibleInterface):
     def interface_cast(self, kind: QAccessible.InterfaceType) -> Any:
         if kind == QAccessible.InterfaceType.ActionInterface:
             return self._actions
-        return super().interface_cast(kind)
+        return NOTHING_MORE
 
     def do(self, name: str) -> None:
         """``Press`` is a double click, ``SetFocus`` a click."""

@@ -239,3 +239,15 @@ def test_script_nodes_too(desk: Callable[..., Any]) -> None:
     card = tree(made.canvas).child(0)
     assert card.text(NAME) == "talk"
     assert card.text(DESCRIPTION) == "situation; number 1; always"
+
+
+def test_what_a_part_can_not_do_is_said_and_nothing_breaks(
+    desk: Callable[..., Any], small: Application
+) -> None:
+    made = desk(small)
+    # The bridge to a screen reader asks every part for each of these.
+    for part in every(tree(made.canvas)):
+        assert part.textInterface() is None
+        assert part.valueInterface() is None
+        assert part.tableCellInterface() is None
+        assert part.actionInterface() is not None

@@ -69,6 +69,15 @@ def test_a_component_is_selected_and_opened_by_an_assistive_program(page: Page) 
     assert page.sheet.writing.field.toPlainText() == "MEASURE"
 
 
+def test_what_a_component_can_not_do_is_said_and_nothing_breaks(page: Page) -> None:
+    # The bridge to a screen reader asks every part for each of these.
+    for part in below(tree(page)):
+        assert part.textInterface() is None
+        assert part.valueInterface() is None
+        assert part.tableCellInterface() is None
+        assert part.actionInterface() is not None
+
+
 def test_who_listens_hears_the_selection_and_what_comes_and_goes(
     table: Table, listening: None
 ) -> None:
