@@ -45,7 +45,7 @@ def offers(expected: Mapping[str, Expectation], application: str | None) -> list
             if not event.holds and event.when:
                 about = tr("not now: {0}").format("; ".join(said(when) for when in event.when))
             else:
-                about = ", ".join(words.quoted(phrase) for phrase in event.says)
+                about = ", ".join(words.quoted(phrase) for phrase in dict.fromkeys(event.says))
             if event.holds or event.name not in found:
                 found[event.name] = (event.holds, Offer(event.name, about))
     return [offer for _, offer in sorted(found.values(), key=lambda one: not one[0])]

@@ -244,14 +244,18 @@ class Desk(OverScroll):
             asker.show_state(bool(asking.get(name)), there.get(name, False))
 
     def _show_phrases(self, phrases: Sequence[tuple[str, str]]) -> None:
+        """(event, phrase): what can be said once for several events is one button."""
         if list(phrases) == self._phrases:
             return
         self._phrases = list(phrases)
         clear(self._people)
+        meant: dict[str, dict[str, None]] = {}
         for event, phrase in self._phrases:
+            meant.setdefault(phrase, {})[event] = None
+        for phrase, events in meant.items():
             button = QPushButton(f"“{phrase}”")
             button.setProperty("role", "answer")
-            button.setToolTip(self.tr("A person says that: {0}").format(event))
+            button.setToolTip(self.tr("A person says that: {0}").format(", ".join(events)))
             heard = inputs.Set({"heard": {"text": phrase, "confidence": 1}}, WRITER)
             button.clicked.connect(lambda _=False, one=heard: self._give(one))
             self._people.addWidget(button)

@@ -59,7 +59,7 @@ def expectation(*events: ExpectedEvent) -> Expectation:
 
 def test_what_would_be_taken_now_is_offered_first_of_the_application_that_is_worked_in() -> None:
     no = ExpectedEvent("no", (), False, ("volume is above 3",))
-    yes = ExpectedEvent("yes", ("yes", "sure"), True, ())
+    yes = ExpectedEvent("yes", ("yes", "sure", "yes"), True, ())
     expected = {
         "a": expectation(no, yes),
         "b": expectation(ExpectedEvent("no", (), True, ()), ExpectedEvent("go", (), True, ())),

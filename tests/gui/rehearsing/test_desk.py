@@ -50,6 +50,19 @@ def test_one_key_rehearses_and_a_click_on_the_screen_goes_on(desk: Any) -> None:
     assert used.window.docks["inspector"].isVisible()
 
 
+def test_what_people_may_say_for_several_events_is_offered_once(
+    studio: Callable[..., Any], project: Callable[[str], Path], rehearsed: Any
+) -> None:
+    where = project("conversation")
+    file = where / "converse.rbd.xml"
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace("<say>not now</say>", "<say>yes</say>"), encoding="utf-8")
+    used = rehearsed(studio(where))
+    assert used.state == "1"
+    offered = [b for b in used.desk.findChildren(QPushButton) if b.text() == "“yes”"]
+    assert [b.toolTip() for b in offered] == ["A person says that: clickYes, clickNo"]
+
+
 def test_an_inspector_that_was_closed_stays_closed_after_a_rehearsal(
     studio: Callable[..., Any], project: Callable[[str], Path], rehearsed: Any
 ) -> None:
