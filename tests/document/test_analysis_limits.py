@@ -7,8 +7,8 @@ from msgspec.structs import replace
 
 from situ.document import (
     analysis_loops,
-    analysis_modules,
     analysis_search,
+    analysis_winning,
     check_application,
     codec,
 )
@@ -231,7 +231,7 @@ def test_a_module_with_many_resources_beside_an_application_above_is_undecided()
 def test_whether_a_module_wins_is_undecided_where_too_many_could_ask_before(
     monkeypatch: pytest.MonkeyPatch, priority: int
 ) -> None:
-    monkeypatch.setattr(analysis_modules, "MOST", 3)
+    monkeypatch.setattr(analysis_winning, "MOST", 3)
     modules = "".join(f'<module name="m{at}" resources="r{at} s"/>' for at in range(3))
     entries = "".join(f'<module name="m{at}" priority="{9 - at}"/>' for at in range(3))
     entries += f'<module name="a" priority="{priority}"/>'

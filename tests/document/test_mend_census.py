@@ -50,7 +50,6 @@ WITHOUT = {
     "missing-text": MISSING,
     "missing-texts": MISSING,
     "never-holds": MEANT,
-    "never-wins": MEANT,
     "not-utf-8": UNREAD,
     "one-test": UNREAD,
     "private-shown": "what is private is the author's to move",

@@ -229,3 +229,38 @@ def test_many_warnings_of_one_kind_hide_no_others_and_are_shown_when_asked_for(
         used.key(Qt.Key.Key_F8)
         seen.append(rows.currentIndex().data(PROBLEM))
     assert set(seen) == shown
+
+
+def test_a_module_that_never_wins_is_raised_by_a_click_and_lowered_by_undo(
+    studio: Start, folder: Callable[..., Path], dead_end: rbd.Application
+) -> None:
+    """The application always holds the screen that the module could ask for."""
+    first, last = dead_end.states
+    path = folder(replace(dead_end, states=(first, replace(last, final=True))))
+    (path / "many.spds.xml").write_text(
+        '<spds name="many"><modules><module name="many" resources="screen"/>'
+        '<module name="alarm" resources="screen"/></modules><situation name="always">'
+        '<module name="many" priority="30"/><module name="alarm" priority="20"/>'
+        "</situation></spds>"
+    )
+    with (path / "situ.toml").open("a") as toml:
+        toml.write('spds = "many.spds.xml"\n')
+    used = studio(path)
+    (problem,) = [p for p in used.session.problems if p.code == "never-wins"]
+    rows = used.window.problems.list
+    index = next(
+        rows.model().index(row, 0)
+        for row in range(rows.model().rowCount())
+        if rows.model().index(row, 0).data(PROBLEM) == problem
+    )
+    box = mend_box(rows.visualRect(index), problem)
+    QTest.mouseClick(rows.viewport(), Qt.MouseButton.LeftButton, pos=box.center())
+    used.settle()
+    script = "many.spds.xml"
+    assert [e.priority for e in used.session.document(script).situations[0].entries] == [30, 31]
+    assert used.session.undo_text == 'Raise it to 31 in "always", above "many"'
+    assert "never-wins" not in {p.code for p in used.session.problems}
+    used.window.actions_.actions["undo"].trigger()
+    used.settle()
+    assert [e.priority for e in used.session.document(script).situations[0].entries] == [30, 20]
+    assert "never-wins" in {p.code for p in used.session.problems}

@@ -12,12 +12,12 @@ for the same resource: who comes first then depends on who held or asked first.
 
 from __future__ import annotations
 
-import math
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Iterator, Mapping, Set
 
+from situ.document.analysis_raising import Raising, given, raised, taken_away
 from situ.document.analysis_search import Search
 from situ.document.analysis_ways import Ways
+from situ.document.analysis_winning import Asker, Asks, Spent, can_win
 from situ.document.aside import Aside
 from situ.document.check_application import used_resources
 from situ.document.datatypes import shown
@@ -25,20 +25,6 @@ from situ.document.finding import Place
 from situ.document.problem import Mend
 from situ.document.rbd import AGAIN, BACK, Robot, Sound, Speech, resource_of
 from situ.document.spds import Situation, Spds
-
-Asks = tuple[frozenset[str], frozenset[str]]
-"""What a request needs, and what it takes beside that where it is free."""
-
-MOST = 20_000
-"""Ways to share out resources that are looked at, for one question."""
-
-
-class Asker:
-    """A module of the script. asks: the requests it makes, None for any part of ``resources``."""
-
-    def __init__(self, resources: frozenset[str], asks: frozenset[Asks] | None) -> None:
-        self.resources = resources
-        self.asks = asks
 
 
 def search_modules(
@@ -135,10 +121,6 @@ def _shown(ways: Ways, reached: set[str]) -> dict[str, set[bool]]:
 # -- winning ---------------------------------------------------------------------
 
 
-class _Spent(Exception):
-    """Too many ways were looked at."""
-
-
 def _never_wins(
     search: Search,
     file: str,
@@ -162,7 +144,8 @@ def _never_wins(
                 f'The module "{name}" can never hold authority: no situation gives it a '
                 "priority; give it one in a situation"
             )
-            search.warn(file, "never-wins", message, where, place)
+            mend = given(search, file, Raising(script, current, askers, name))
+            search.warn(file, "never-wins", message, where, place, mend)
         return
     first, at = entries[0]
     place = ("situation", first.name, "entry", str(at))
@@ -174,23 +157,25 @@ def _never_wins(
         message = (
             f'The module "{name}" has no resources, so its priority has no effect: take it out'
         )
-        search.warn(file, "never-wins", message, aside, place)
+        mend = taken_away(search, file, script, name)
+        search.warn(file, "never-wins", message, aside, place, mend)
         return
     try:
         wins = any(can_win(script.priorities(situation), askers, name) for situation in current)
-    except _Spent:
+    except Spent:
         search.undecided(file, f'whether "{name}" ever holds authority', aside, place)
         return
     if not wins:
-        given = [s for s in current if name in script.priorities(s)]
+        where_given = [s for s in current if name in script.priorities(s)]
         why = "others with a higher priority always hold what it could ask for"
-        if not given:
+        if not where_given:
             why = "the situations that give it a priority are never current"
         message = (
             f'The module "{name}" can never hold authority: {why}; raise its priority, or give '
             "it a situation of its own"
         )
-        search.warn(file, "never-wins", message, aside, place)
+        mend = raised(search, file, Raising(script, current, askers, name))
+        search.warn(file, "never-wins", message, aside, place, mend)
 
 
 def _declaration(script: Spds, name: str) -> tuple[Aside, Place]:
@@ -198,92 +183,6 @@ def _declaration(script: Spds, name: str) -> tuple[Aside, Place]:
         if declared.name == name:
             return declared.aside, ("module", name)
     return script.aside, ()
-
-
-def can_win(priorities: dict[str, int], askers: dict[str, Asker], name: str) -> bool:
-    """Whether a module can be granted something with these priorities."""
-    if name not in priorities or name not in askers:
-        return False
-    mine = priorities[name]
-    above: dict[int, list[Asker]] = {}
-    for module, priority in priorities.items():
-        if priority > mine and module in askers:
-            above.setdefault(priority, []).append(askers[module])
-    # Who may ask for any part may as well ask for nothing: it matters only where it can keep an
-    # application from what that asks for.
-    lowest = min((p for p, several in above.items() if not _is_free(several)), default=math.inf)
-    taken: set[frozenset[str]] = {frozenset()}
-    for priority in sorted(above, reverse=True):
-        if priority >= lowest:
-            taken = _after(taken, above[priority])
-    return any(_granted(askers[name], one) for one in taken)
-
-
-def _granted(asker: Asker, taken: frozenset[str]) -> bool:
-    if asker.asks is None:
-        return bool(asker.resources - taken)
-    return any(not needs & taken and bool(needs or takes - taken) for needs, takes in asker.asks)
-
-
-def _is_free(several: list[Asker]) -> bool:
-    """Whether each may ask for any part of its resources, and for none."""
-    return all(one.asks is None for one in several)
-
-
-def _after(taken: set[frozenset[str]], several: list[Asker]) -> set[frozenset[str]]:
-    """What can be taken after modules of one priority asked, in any order."""
-    if _is_free(several):
-        for resource in frozenset[str]().union(*(one.resources for one in several)):
-            taken = taken | {one | {resource} for one in taken}
-            if len(taken) > MOST:
-                raise _Spent
-        return taken
-    several = _telling(several)
-    everyone = frozenset(range(len(several)))
-    reached = {(one, everyone) for one in taken}
-    waiting = list(reached)
-    while waiting:
-        held, left = waiting.pop()
-        for at in left:
-            for more in _may_take(several[at], held):
-                new = (held | more, left - {at})
-                if new not in reached:
-                    reached.add(new)
-                    waiting.append(new)
-                    if len(reached) > MOST:
-                        raise _Spent
-    return {held for held, left in reached if not left}
-
-
-def _telling(several: list[Asker]) -> list[Asker]:
-    """Without those that change nothing: of modules with the same resources no more than these can
-    take something each.
-    """
-    found: list[Asker] = []
-    count: Counter[frozenset[str]] = Counter()
-    for one in several:
-        if one.asks is None:
-            count[one.resources] += 1
-        if one.asks is not None or count[one.resources] <= len(one.resources):
-            found.append(one)
-    return found
-
-
-def _may_take(asker: Asker, taken: frozenset[str]) -> Iterator[frozenset[str]]:
-    """What a module can be granted when its turn comes."""
-    if asker.asks is None:
-        yield from _parts(asker.resources - taken)
-        return
-    for needs, takes in asker.asks:
-        yield needs | (takes - taken) if not needs & taken else frozenset()
-
-
-def _parts(resources: Iterable[str]) -> Iterator[frozenset[str]]:
-    several = sorted(resources)
-    if len(several) > 12:
-        raise _Spent
-    for bits in range(1 << len(several)):
-        yield frozenset(one for at, one in enumerate(several) if bits >> at & 1)
 
 
 # -- ties ------------------------------------------------------------------------
