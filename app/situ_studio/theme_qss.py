@@ -176,6 +176,7 @@ QHeaderView::section {{ background: {panel}; color: {text2}; border: 0;
   border-bottom: 1px solid {line}; padding: 0 3px; height: 31px; font-size: 12px;
   font-weight: 600; }}
 QHeaderView::section:first {{ padding-left: 12px; }}
+QTableView QHeaderView::section, QTableView QHeaderView::section:first {{ padding: 0 8px; }}
 QScrollArea, QAbstractScrollArea {{ border: 0; }}
 QScrollArea > #qt_scrollarea_viewport {{ background: {panel}; }}
 QScrollArea[role="page"] {{ border-top: 1px solid {line}; }}

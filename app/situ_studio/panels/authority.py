@@ -12,6 +12,7 @@ from situ_studio.live.moment import Moment
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.theme import Theme
+from situ_studio.value_words import value_words
 
 
 class Authority(RowsTable):
@@ -51,4 +52,4 @@ def _does(value: Any) -> str:
     """What a resource does, in words where there are some: what is said, not the message."""
     if isinstance(value, dict) and value.get("text"):
         return f"“{in_text(value['text'])}”"
-    return in_text(value) if value else ""
+    return value_words(value) if value else ""

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 from PySide6.QtWidgets import QWidget
 
-from situ.decide.values import in_text
 from situ.document import names
 from situ_studio.language import tr
 from situ_studio.live.moment import Entry, Moment
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.theme import Theme
+from situ_studio.value_words import value_lines, value_words
 
 HIDDEN = "•••"
 FRESH = 2.0
@@ -42,14 +42,18 @@ def _order(tag: str) -> tuple[bool, str]:
 def _row(tag: str, moment: Moment, t: float, private: Sequence[str]) -> Row:
     entry = moment.board[tag]
     hidden = any(names.matches(pattern, tag) for pattern in private)
-    value = HIDDEN if hidden else in_text(entry.value)
+    words = HIDDEN if hidden else value_words(entry.value)
+    tip = f"{tag} = {words}"
+    if not hidden and isinstance(entry.value, dict | list):
+        tip = f"{tag}\n{value_lines(entry.value)}"
     age = max(t - entry.t, 0.0)
     marked = age < FRESH and entry.t > 0
-    return Row(tag, (tag, value, _writer(entry), ago(age)), marked, f"{tag} = {value}")
+    return Row(tag, (tag, words, _writer(entry), ago(age)), marked, tip)
 
 
 def _writer(entry: Entry) -> str:
-    return entry.writer or "–"
+    role, _, name = (entry.writer or "–").partition(":")
+    return tr("operator {0}").format(name) if role == "operator" and name else entry.writer or "–"
 
 
 def ago(seconds: float) -> str:

@@ -14,6 +14,7 @@ from situ_studio.letters import px
 from situ_studio.panels.fields import Flag
 from situ_studio.rehearsing.dials import Dial
 from situ_studio.theme import Theme
+from situ_studio.value_words import with_unit
 
 STEPS = 100
 """Places of a slider between its bounds."""
@@ -99,5 +100,4 @@ class DialRow(QWidget):
     def _written(self, value: Any) -> str:
         if not is_number(value):
             return self.tr("not set")
-        unit = {"deg": "°", "%": " %"}.get(self.dial.unit, f" {self.dial.unit}".rstrip())
-        return f"{value:g}{unit}"
+        return with_unit(value, self.dial.unit)

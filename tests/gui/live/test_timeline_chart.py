@@ -7,20 +7,22 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtGui import QPainter, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.live.test_log import told
 from tests.gui.live.test_timeline import LEFT, SHIFT, place
 
 from situ_studio.live.log import TraceLog
-from situ_studio.live.timeline import painting
+from situ_studio.live.timeline import drawing, painting
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.chart import TimelineChart
 from situ_studio.live.timeline.drawn import blocks
+from situ_studio.live.timeline.painting import NAMED
 from situ_studio.live.timeline.panel import Timeline
 from situ_studio.live.viewing import Viewing
 from situ_studio.theme import LIGHT
+from situ_studio.value_words import number
 
 STATES = ("7", "8")
 
@@ -77,6 +79,45 @@ def test_what_a_block_says_is_its_whole_length_though_only_a_part_of_it_is_seen(
     assert chart.told_at(place(chart, 30.0, 30)) == "8, from 0.000 s, 60.00 s"
     # A run has a million blocks more: what is not seen is not looked at.
     assert max(asked) <= chart.axis.end
+
+
+def written(chart: TimelineChart, monkeypatch: Any) -> list[str]:
+    """What the chart writes into its blocks and at its upper edge."""
+    found: list[str] = []
+
+    class Watched(QPainter):
+        def drawText(self, *args: Any) -> None:
+            found.append(args[-1])
+            super().drawText(*args)
+
+    monkeypatch.setattr(drawing, "QPainter", Watched)
+    chart._changed()
+    chart.grab()
+    monkeypatch.undo()
+    return found
+
+
+def test_a_block_is_named_where_four_letters_fit_and_says_nothing_where_not(
+    chart: TimelineChart, monkeypatch: Any
+) -> None:
+    chart._painter.state_name = lambda _, state: f"{state} hello"
+    assert "7 hello" in written(chart, monkeypatch)
+    shortened = set()
+    for _ in range(30):
+        chart.zoom(1.02)
+        shortened |= {words for words in written(chart, monkeypatch) if words.endswith("…")}
+    assert shortened
+    assert min(map(len, shortened)) > NAMED
+
+
+def test_without_a_clock_no_time_before_the_run_is_written(
+    chart: TimelineChart, monkeypatch: Any
+) -> None:
+    assert chart.viewing.wall() is None
+    chart.axis.start = -300.0
+    seen = written(chart, monkeypatch)
+    assert "0 s" in seen
+    assert not [words for words in seen if words.startswith("-")]
 
 
 def test_everything_of_a_month_is_seen_at_once(qt: Any) -> None:
@@ -160,7 +201,7 @@ def test_what_comes_while_somebody_looks_at_the_past_is_not_drawn_but_that_is_no
     [(0.25, "0.25"), (1200, "1200"), (65535, "65535"), (1e9, "1e+09"), (-123456.7, "-123457")],
 )
 def test_numbers_are_written_whole_up_to_a_million(value: float, words: str) -> None:
-    assert painting.number(value) == words
+    assert number(value) == words
 
 
 @pytest.mark.parametrize(

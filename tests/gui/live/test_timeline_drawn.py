@@ -114,3 +114,13 @@ def test_the_end_that_is_followed_stands_on_whole_px_and_does_not_tremble() -> N
     axis.end_at(10.0)
     axis.end_at(9.8)
     assert abs(axis.end - 9.8) <= axis.pixel
+
+
+def test_a_run_that_is_shorter_than_what_is_seen_begins_at_the_left_edge() -> None:
+    axis = TimeAxis()
+    axis.width, axis.seen = 300.0, 30.0
+    for t in (5.0, 6.0, 34.9):
+        axis.end_at(t, first=5.0)
+        assert axis.start == 5.0
+    axis.end_at(40.0, first=5.0)
+    assert (axis.start, axis.end) == (10.0, 40.0)

@@ -61,11 +61,15 @@ class TimeAxis:
         if not self.start <= t <= self.end:
             self.start = t - self.seen / 2
 
-    def end_at(self, t: float) -> None:
+    def end_at(self, t: float, first: float = -math.inf) -> None:
         """Lets the right edge be at ``t``, on a whole px: what stands is drawn the same each time,
         and does not tremble. It never goes back by less than a second: the end of a robot that
-        goes on is reckoned, and may have been reckoned too late.
+        goes on is reckoned, and may have been reckoned too late. Of a run that has not lasted so
+        long the left edge is at its ``first`` moment: there is nothing before.
         """
+        if t - first <= self.seen:
+            self.start = first
+            return
         end = math.ceil(t / self.pixel) * self.pixel
         if not 0.0 <= self.end - end < 1.0 or self.end - t > self.seen / 4:
             self.start = end - self.seen

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QFontMetricsF,
@@ -134,7 +136,7 @@ class TimelineDrawing(QAbstractScrollArea):
         """What the cursor is at is seen."""
         before = self.axis.start
         if self.viewing.follows:
-            self.axis.end_at(self.viewing.t)
+            self.axis.end_at(self.viewing.t, self.viewing.span[0])
         elif not self._held:
             self.axis.show(self.viewing.t)
         if before != self.axis.start:
@@ -264,7 +266,11 @@ class TimelineDrawing(QAbstractScrollArea):
         high = self.viewport().height()
         painter.setFont(font(CAPTION))
         metrics = QFontMetricsF(painter.font())
+        # Without a clock there is no time before the run.
+        first = -inf if self.viewing.wall() is not None else 0.0
         for t in axis.marks(metrics.horizontalAdvance("00:00:00.000") + 28, self._midnight()):
+            if t < first:
+                continue
             x = axis.x(t) + px(GUTTER)
             painter.setPen(theme.color("line"))
             painter.drawLine(QPointF(x, px(EDGE) - 6), QPointF(x, high))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import cast
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPen
 
 from situ_studio import icons
 from situ_studio.language import tr
@@ -16,6 +16,7 @@ from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.drawn import Block, Extremes, Strokes, blocks
 from situ_studio.live.timeline.rows import RowKind, TimelineRow
 from situ_studio.theme import CAPTION, LABEL, Theme, font
+from situ_studio.value_words import number
 
 EDGE = 24
 """Px of the strip at the top with the time."""
@@ -23,8 +24,8 @@ GUTTER = 132
 """Px at the left for the rows' names."""
 NARROW = 3
 """Px below which blocks are put together."""
-NAMED = 16
-"""Px below which a block is not named: an ellipsis says nothing."""
+NAMED = 4
+"""Letters of its name that must fit into a block: fewer say nothing."""
 ICONS: dict[RowKind, str] = {
     "state": "state",
     "situation": "situation",
@@ -96,11 +97,11 @@ class RowPainter:
             rect = QRectF(left + gutter, top + 3, wide, high - 6)
             self._block(painter, row, block, rect, block.end >= end)
             room = wide - 14
-            if room < NAMED or block.many > 1:
+            if room < NARROW or block.many > 1:
                 continue
-            words = metrics.elidedText(
-                self.words(row, block), Qt.TextElideMode.ElideRight, int(room)
-            )
+            words = _fitting(metrics, self.words(row, block), int(room))
+            if not words:
+                continue
             painter.setPen(self.theme.color("text"))
             at = QRectF(rect.left() + 9, rect.top(), room, rect.height())
             painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, words)
@@ -182,8 +183,9 @@ class RowPainter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
 
-def number(value: float) -> str:
-    """Four digits tell most apart; what stands before the point is written whole up to a million:
-    ``0.25``, ``1200``, ``65535``.
-    """
-    return f"{value:.0f}" if 1e3 <= abs(value) < 1e6 else f"{value:.4g}"
+def _fitting(metrics: QFontMetrics, words: str, room: int) -> str:
+    """What of a block's name is seen in so many px: all, or its beginning; else nothing."""
+    if metrics.horizontalAdvance(words) <= room:
+        return words
+    shown = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room)
+    return shown if len(shown) > NAMED else ""
