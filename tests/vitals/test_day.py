@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import re
 import runpy
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
@@ -162,6 +161,58 @@ def test_what_begins_soon_after_midnight_is_told_at_midnight(day: Day, clock: Cl
     clock.at("00:00")
     day.remind("00:05", "fireworks", None)
     assert at(day.schedule()["notices"]) == [(1, "00:00")]
+
+
+def missed(day: Day, who: Resident) -> list[tuple[int, int]]:
+    return [(one["reminder"], one["days"]) for one in day.missed(who.id)]
+
+
+def test_what_nobody_took_is_kept_a_week_for_whom_it_is(
+    store: Store, day: Day, jack: Resident, clock: Clock
+) -> None:
+    joan = store.add(7, "Joan Nikora", "2718")
+    day.remind("10:30", "the doctor", jack.id)
+    day.remind("10:00", "your eye drops", jack.id, daily=True)
+    day.remind("10:00", "bingo", None)
+    day.remind("10:00", "the hairdresser", joan.id)
+    assert missed(day, jack) == []
+    clock.at("09:50")
+    assert day.missed(jack.id) == [
+        {"reminder": 2, "days": 0, "begins": "10:00", "what": "your eye drops"}
+    ]
+    for _ in range(TIMES):
+        day.keep(told(1, "nobody"))
+    clock.at("23:00")
+    assert missed(day, jack) == [(2, 0), (1, 0)]
+    clock.on(days=1)
+    # What is daily is of today.
+    assert missed(day, jack) == [(2, 0), (1, 1)]
+    clock.on(days=6)
+    assert missed(day, jack) == [(2, 0), (1, 7)]
+    clock.on(days=1)
+    assert missed(day, jack) == [(2, 0)]
+    assert missed(day, joan) == []
+
+
+def test_what_was_told_is_not_missed_though_it_was_told_late(
+    day: Day, jack: Resident, clock: Clock
+) -> None:
+    day.remind("10:30", "the doctor", jack.id)
+    day.remind("10:30", "your eye drops", jack.id, daily=True)
+    clock.on(days=1, hours=4)
+    day.keep(told(1, "told"))
+    day.keep(told(2, "told"))
+    assert missed(day, jack) == []
+    clock.on(days=1)
+    assert missed(day, jack) == [(2, 0)]
+
+
+def test_what_begins_soon_after_midnight_is_missed_from_midnight_on(
+    day: Day, jack: Resident, clock: Clock
+) -> None:
+    clock.at("00:00")
+    day.remind("00:05", "fireworks", jack.id)
+    assert missed(day, jack) == [(1, 0)]
 
 
 @pytest.mark.parametrize("begins", ["", "9:30", "24:00", "soon", "10:3x"])
@@ -352,30 +403,6 @@ def test_a_nurse_changes_what_is_given_and_what_is_told(
     over_http(asking)
     assert [one.what for one in day.medicines(jack.id)] == ["<b>one</b> tablet"]
     assert day.reminders() == []
-
-
-def test_two_nurses_at_once_undo_nothing_of_each_other(
-    over_http: Over, day: Day, jack: Resident
-) -> None:
-    day.prescribe(jack.id, "morning", "one")
-    path = f"/residents/{jack.id}/medicine"
-
-    async def asking(session: aiohttp.ClientSession) -> None:
-        await session.get("/", params={"token": "a-nurse"})
-        page = await (await session.get(f"/residents/{jack.id}")).text()
-        stood = dict(re.findall(r'name="(\w+-was)" value="([^"]*)"', page))
-        assert stood == {"morning-was": "one", "noon-was": "", "evening-was": ""}
-        form = {**stood, "morning": "one", "noon": "", "evening": ""}
-        assert (await session.post(path, data={**form, "noon": "a drop"})).status == 200
-        # The other one's page is from before: it says nothing of noon that she has changed.
-        assert (await session.post(path, data={**form, "evening": "two"})).status == 200
-        late = await session.post(path, data={**form, "noon": "three", "morning": "none"})
-        assert late.status == 409
-        assert "Another nurse" in await late.text()
-
-    over_http(asking)
-    given = {one.round: one.what for one in day.medicines(jack.id)}
-    assert given == {"morning": "one", "noon": "a drop", "evening": "two"}
 
 
 @pytest.mark.parametrize("takes", [0.0, 0.5, 3.9, 5.0])

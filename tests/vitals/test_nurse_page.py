@@ -14,7 +14,7 @@ import aiohttp
 import pytest
 from tests.vitals.ward import NOW, over_http
 
-from ward_records import contacts_page, curves, day_page, page
+from ward_records import contacts_page, curves, day_page, page, residents_page
 from ward_records.japanese import JAPANESE
 from ward_records.language import speak, wanted
 from ward_records.store import LIMITS, Reading, Resident, Store, Unfit, Unknown, WrongPin
@@ -281,9 +281,10 @@ def test_every_text_of_the_page_has_a_japanese_one() -> None:
                         if isinstance(one, ast.Constant)
                     )
     for table in (
-        page._LABELS,
+        page.LABELS,
         page._KINDS,
-        day_page._ROUND,
+        day_page.ROUND,
+        residents_page.LABELS,
         day_page._OUTCOME,
         contacts_page._GROUPS,
     ):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from datetime import timedelta
+from datetime import UTC, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,7 @@ import pytest
 from tests.vitals.ward import ROBOT, Clock, over_http
 
 from ward_records.access import Tokens
+from ward_records.day import Day
 from ward_records.store import LIMITS, Locked, Resident, Store, Unfit, Unknown, WrongPin
 
 PRESSURE = {"kind": "pressure", "systolic": "128", "diastolic": "76", "pulse": 68}
@@ -219,11 +220,17 @@ def test_no_number_of_games_hides_what_was_measured_of_the_body(
     over_http(store, asking)
 
 
-def test_the_robot_logs_people_in_and_writes_down(store: Store, jack: Resident) -> None:
+def test_the_robot_logs_people_in_and_writes_down(
+    store: Store, jack: Resident, clock: Clock
+) -> None:
+    Day(store.db, clock, UTC).remind("08:00", "the doctor", jack.id)
+
     async def asking(session: aiohttp.ClientSession) -> None:
         answer = await session.post("/login", json={"room": 12, "pin": "1234"}, headers=ROBOT)
-        user = (await answer.json())["user"]
-        assert user == {"id": 1, "name": "Jack <Nilsen>", "room": 12, "limits": LIMITS}
+        assert await answer.json() == {
+            "user": {"id": 1, "name": "Jack <Nilsen>", "room": 12, "limits": LIMITS},
+            "messages": [{"reminder": 1, "days": 0, "begins": "08:00", "what": "the doctor"}],
+        }
         reading = {"reading": {**PRESSURE, "user": "1"}}
         answer = await session.post("/readings", json=reading, headers=ROBOT)
         assert (answer.status, await answer.json()) == (200, {"kept": True})

@@ -58,6 +58,10 @@ class Contacts:
                 (resident, group, name, address),
             )
 
+    def part_from(self, resident: int) -> None:
+        """Who moves out calls nobody from here. In the transaction of the caller."""
+        self._db.execute("DELETE FROM contact WHERE resident = ?", (resident,))
+
     def remove(self, resident: int, contact: int) -> None:
         """One who is not there is removed already."""
         with self._db:

@@ -6,19 +6,17 @@ from collections.abc import Mapping, Sequence
 from html import escape
 
 from ward_records.contacts import Contact
+from ward_records.forms import Entry
 from ward_records.language import say
 from ward_records.page import table
 
 _GROUPS = {"family": "Family", "friends": "Friends"}
 
 
-def form(
-    resident: int, contacts: Mapping[str, Sequence[Contact]], given: Mapping[str, str], wrong: str
-) -> str:
-    """contacts: by group. wrong: what is wrong with what was ``given``."""
+def form(resident: int, contacts: Mapping[str, Sequence[Contact]], entry: Entry) -> str:
+    """contacts: by group. entry: one that was not taken."""
     rows = "".join(_row(resident, group, one) for group, those in contacts.items() for one in those)
-    said = say("Not added: {0}").format(escape(wrong))
-    told = f'<p class="wrong" role="alert">{said}</p>' if wrong else ""
+    given = entry.given
     chosen = given.get("group")
     groups = "".join(
         f'<option value="{group}"{" selected" if group == chosen else ""}>{say(label)}</option>'
@@ -26,7 +24,7 @@ def form(
     )
     listed = table("contacts", ("Name", "Group", "Address", ""), rows) if rows else ""
     return (
-        f"<h2>{say('Whom they may call')}</h2>{listed}{told}"
+        f"<h2>{say('Whom they may call')}</h2>{listed}{entry.wrong}"
         f'<form method="post" action="/residents/{resident}/contacts">'
         f'<label for="contact">{say("Name")}</label>'
         '<input id="contact" name="contact" maxlength="80" autocomplete="off" required '

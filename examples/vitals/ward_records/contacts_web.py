@@ -12,7 +12,7 @@ The forms are for operators only.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 from aiohttp import web
 from msgspec import to_builtins
@@ -21,6 +21,7 @@ from ward_records import contacts_page
 from ward_records.access import Tokens
 from ward_records.answers import refused
 from ward_records.contacts import GROUPS, Contacts
+from ward_records.forms import Entry, not_taken, texts
 from ward_records.language import why
 from ward_records.store import Unfit, Unknown, number_in
 
@@ -28,13 +29,13 @@ _FIELDS = ("group", "contact", "address")
 
 
 class ContactsWeb:
-    """resident: her page, with the contact that was given and what is wrong with it."""
+    """resident: her page, with the contact that was not taken."""
 
     def __init__(
         self,
         contacts: Contacts,
         tokens: Tokens,
-        resident: Callable[[int, Mapping[str, str], str], web.Response],
+        resident: Callable[[int, Entry], web.Response],
     ) -> None:
         self._contacts = contacts
         self._tokens = tokens
@@ -45,10 +46,10 @@ class ContactsWeb:
         router.add_post("/residents/{id:[0-9]{1,9}}/contacts", self._add)
         router.add_post("/residents/{id:[0-9]{1,9}}/contacts/{one:[0-9]{1,9}}/remove", self._remove)
 
-    def form(self, number: int, given: Mapping[str, str], wrong: str) -> str:
+    def form(self, number: int, entry: Entry) -> str:
         """Raises Unknown."""
         those = {group: self._contacts.of(number, group) for group in GROUPS}
-        return contacts_page.form(number, those, given, wrong)
+        return contacts_page.form(number, those, entry)
 
     async def _asked(self, request: web.Request) -> web.Response:
         asked = await self._tokens.asked(request)
@@ -63,12 +64,12 @@ class ContactsWeb:
 
     async def _add(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
-        number, form = int(request.match_info["id"]), await request.post()
-        given = {field: str(form.get(field, "")).strip() for field in _FIELDS}
+        number, form = int(request.match_info["id"]), await texts(request)
+        given = {field: form.get(field, "") for field in _FIELDS}
         try:
             self._contacts.add(number, *given.values())
         except Unfit as unfit:
-            return self._resident(number, given, why(unfit))
+            return self._resident(number, not_taken(given, why(unfit), "Not added: {0}"))
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         raise web.HTTPSeeOther(f"/residents/{number}")

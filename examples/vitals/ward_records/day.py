@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import sqlite3
 from collections.abc import Callable, Mapping
-from datetime import datetime, timedelta, tzinfo
+from datetime import date, datetime, timedelta, tzinfo
 from typing import Any
 
 from msgspec import Struct
 
-from ward_records.store import Unfit, number_in
+from ward_records.store import MovedOut, Unfit, number_in
 
 ROUNDS = ("morning", "noon", "evening")
 
@@ -28,6 +28,9 @@ again; so long after its begin no more."""
 
 TIMES = 3
 """So often somebody is looked for who is not there."""
+
+KEPT = timedelta(days=7)
+"""So long what nobody took is kept for who logs in."""
 
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS prescription (
@@ -115,6 +118,12 @@ class Day:
         with self._db:
             self._db.execute("DELETE FROM reminder WHERE id = ?", (reminder,))
 
+    def part_from(self, resident: int, visits: bool) -> None:
+        """Of who moves out nothing is to be given or told; visits: how those ended is taken away.
+        In the transaction of the caller."""
+        for table in ("prescription", "reminder", *(["visit"] if visits else [])):
+            self._db.execute(f"DELETE FROM {table} WHERE resident = ?", (resident,))
+
     # -- what the robot asks, and tells ------------------------------------------
 
     def round(self, name: str) -> list[dict[str, Any]]:
@@ -155,9 +164,29 @@ class Day:
             some.sort(key=lambda one: one["at"])
         return found
 
+    def missed(self, resident: int) -> list[dict[str, Any]]:
+        """What this one was to be told and nobody took: of today since it was time to tell it, and
+        what was for one of the last days only. The latest day first, ``days`` ago."""
+        now = self._now().astimezone(self._zone)
+        today, time = now.date(), f"{now:%H:%M}"
+        rows = self._db.execute(
+            "SELECT m.id, coalesce(m.day, ?2), m.begins, m.what FROM reminder m "
+            "WHERE m.resident = ?1 AND coalesce(m.day, ?2) BETWEEN ?3 AND ?2 AND NOT EXISTS "
+            "(SELECT 1 FROM telling t WHERE t.reminder = m.id AND t.outcome = 'told' "
+            "AND (m.day IS NOT NULL OR t.day = ?2)) ORDER BY 2 DESC, m.begins, m.id",
+            (resident, today.isoformat(), (today - KEPT).isoformat()),
+        )
+        found = []
+        for number, day, begins, what in rows:
+            days = (today - date.fromisoformat(day)).days
+            if days or time >= _told_from(begins):
+                found.append({"reminder": number, "days": days, "begins": begins, "what": what})
+        return found
+
     def keep(self, told: Mapping[str, Any]) -> None:
         """How a visit ended: ``{"kind": "medication", "user", "round", "outcome"}`` or
-        ``{"kind": "reminder", "reminder", "outcome"}``. Raises Unfit."""
+        ``{"kind": "reminder", "reminder", "outcome"}``. Raises Unfit; MovedOut as
+        ``Store.keep``."""
         kind, outcome = str(told.get("kind")), told.get("outcome")
         if outcome not in OUTCOMES[kind]:
             raise Unfit(f"the outcome must be one of {', '.join(OUTCOMES[kind])}")
@@ -169,6 +198,9 @@ class Day:
         if kind == "medication":
             if told.get("round") not in ROUNDS:
                 raise Unfit(f"the round must be one of {', '.join(ROUNDS)}")
+            gone = "SELECT 1 FROM moved_out WHERE resident = ? AND NOT kept"
+            if self._db.execute(gone, (number,)).fetchone() is not None:
+                raise MovedOut("who had this number has moved out")
             row = (number, day, at, outcome, told["round"])
             table = "visit (resident, day, at, outcome, round) VALUES (?, ?, ?, ?, ?)"
         try:
@@ -222,6 +254,12 @@ def _no_earlier_day(day: datetime, at: datetime) -> datetime:
     """``at``, or the begin or the end of ``day`` where it is in another."""
     first = day.replace(hour=0, minute=0)
     return min(max(at, first), day.replace(hour=23, minute=59))
+
+
+def _told_from(begins: str) -> str:
+    """The time of day from which on it is told."""
+    at = datetime.strptime(begins, "%H:%M")
+    return f"{_no_earlier_day(at, at - LEAD):%H:%M}"
 
 
 def _time(text: str) -> datetime | None:

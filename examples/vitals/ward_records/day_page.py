@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from html import escape
 
 from ward_records.day import ROUNDS, Medicine, Reminder
+from ward_records.forms import Entry, stood
 from ward_records.language import say
 from ward_records.page import HIDDEN, framed, table
 from ward_records.store import Resident
 
-_ROUND = {"morning": "Morning", "noon": "Noon", "evening": "Evening"}
+ROUND = {"morning": "Morning", "noon": "Noon", "evening": "Evening"}
 _OUTCOME = {
     None: "–",
     "taken": "taken",
@@ -41,14 +42,14 @@ def today(
     reminders: Sequence[Reminder],
     residents: Sequence[Resident],
     open_: bool,
-    wrong: str = "",
+    entry: Entry,
 ) -> str:
     """A page of the rounds and what is told, with a form to have something told.
 
-    wrong: what is wrong with what was just given.
+    entry: one that was not taken.
     """
     rows = "".join(
-        f"<tr><td>{say(_ROUND[one.round])}</td><td>{one.room if open_ else HIDDEN}</td>"
+        f"<tr><td>{say(ROUND[one.round])}</td><td>{one.room if open_ else HIDDEN}</td>"
         f"<td>{escape(one.what) if open_ else HIDDEN}</td>{_outcome(one.outcome, open_)}</tr>"
         for one in medicines
     )
@@ -63,7 +64,7 @@ def today(
         if told
         else f"<p>{say('Nothing is to be told today.')}</p>"
     )
-    form = _new(residents, wrong) if open_ else ""
+    form = _new(residents, entry) if open_ else ""
     body = (
         f'<p><a href="/">{say("Ward")}</a></p><h1>{say("Today")}</h1>'
         f"<h2>{say('Medicine')}</h2>{medicine}"
@@ -98,40 +99,46 @@ def _outcome(outcome: str | None, open_: bool) -> str:
     return f"<td{outside}>{say(_OUTCOME[outcome])}</td>"
 
 
-def _new(residents: Sequence[Resident], wrong: str) -> str:
-    said = say("Not added: {0}").format(escape(wrong))
-    told = f'<p class="wrong" role="alert">{said}</p>' if wrong else ""
+def _new(residents: Sequence[Resident], entry: Entry) -> str:
+    given = entry.given
     whom = "".join(
-        f'<option value="{one.id}">{say("Room {0}").format(one.room)}, {escape(one.name)}</option>'
+        f'<option value="{one.id}"{" selected" if given.get("whom") == str(one.id) else ""}>'
+        f"{say('Room {0}').format(one.room)}, {escape(one.name)}</option>"
         for one in residents
     )
+    begins, what = escape(given.get("begins", "")), escape(given.get("what", ""))
+    daily = " checked" if "daily" in given else ""
     return (
-        f"<h3>{say('Have the robot tell')}</h3>{told}"
+        f"<h3>{say('Have the robot tell')}</h3>{entry.wrong}"
         '<form method="post" action="/reminders">'
         f'<label for="begins">{say("At")}</label>'
-        '<input id="begins" name="begins" type="time" required>'
+        f'<input id="begins" name="begins" type="time" required value="{begins}">'
         f'<label for="what">{say("Message")}</label>'
-        '<input id="what" name="what" maxlength="200" required>'
+        f'<input id="what" name="what" maxlength="200" required value="{what}">'
         f'<label for="whom">{say("For")}</label><select id="whom" name="whom">'
         f'<option value="">{say("all, where the robot is")}</option>{whom}</select>'
-        '<label class="tick"><input type="checkbox" name="daily" value="yes"> '
+        f'<label class="tick"><input type="checkbox" name="daily" value="yes"{daily}> '
         f"{say('every day')}</label><button>{say('Add')}</button></form>"
     )
 
 
-def medicine_form(resident: int, medicines: Sequence[Medicine]) -> str:
-    """What one resident is given, to be changed."""
-    given = {one.round: one.what for one in medicines}
+def written(medicines: Sequence[Medicine]) -> dict[str, str]:
+    """What one resident is given, as it stands in its form."""
+    return dict.fromkeys(ROUNDS, "") | {one.round: one.what for one in medicines}
+
+
+def medicine_form(resident: int, medicines: Sequence[Medicine], entry: Entry) -> str:
+    """What one resident is given, to be changed. entry: one that was not taken."""
     fields = "".join(
-        f'<label for="{name}">{say(_ROUND[name])}</label>'
-        f'<input id="{name}" name="{name}" maxlength="200" value="{escape(given.get(name, ""))}">'
-        f'<input type="hidden" name="{name}-was" value="{escape(given.get(name, ""))}">'
-        for name in ROUNDS
+        f'<label for="{name}">{say(ROUND[name])}</label>'
+        f'<input id="{name}" name="{name}" maxlength="200" '
+        f'value="{escape(entry.given.get(name, value))}">{stood(name, value)}'
+        for name, value in written(medicines).items()
     )
     return (
         f"<h2>{say('Medicine')}</h2>"
         f"<p>{say('As the robot is to say it, with how to take it. Empty: nothing then.')}</p>"
-        f'<form method="post" action="/residents/{resident}/medicine">{fields}'
+        f'{entry.wrong}<form method="post" action="/residents/{resident}/medicine">{fields}'
         f"<button>{say('Save medicine')}</button></form>"
     )
 

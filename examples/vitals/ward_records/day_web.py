@@ -15,13 +15,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from aiohttp import web
 
 from ward_records import day_page, page
 from ward_records.access import Tokens
 from ward_records.answers import refused, shown
-from ward_records.day import ROUNDS, Day
-from ward_records.language import say, why
+from ward_records.day import Day
+from ward_records.forms import NOTHING, Entry, not_taken, overtaken, settle, texts
+from ward_records.language import why
 from ward_records.store import Store, Unfit, Unknown
 from ward_records.watching import KINDS, Picture, Watching
 
@@ -32,11 +35,21 @@ _ROOM = "/watch/{room:[A-Za-z0-9-]{1,20}}"
 
 
 class DayWeb:
-    def __init__(self, store: Store, day: Day, watching: Watching, tokens: Tokens) -> None:
+    """resident: her page, with what she is given that was not taken."""
+
+    def __init__(
+        self,
+        store: Store,
+        day: Day,
+        watching: Watching,
+        tokens: Tokens,
+        resident: Callable[[int, Entry], web.Response],
+    ) -> None:
         self._store = store
         self._day = day
         self._watching = watching
         self._tokens = tokens
+        self._resident = resident
 
     def add_to(self, router: web.UrlDispatcher) -> None:
         router.add_post("/rounds", self._round)
@@ -56,8 +69,8 @@ class DayWeb:
     def watched(self, open_: bool) -> str:
         return day_page.watched_rooms(self._watching.rooms(), open_)
 
-    def medicine_form(self, resident: int) -> str:
-        return day_page.medicine_form(resident, self._day.medicines(resident))
+    def medicine_form(self, resident: int, entry: Entry) -> str:
+        return day_page.medicine_form(resident, self._day.medicines(resident), entry)
 
     # -- what the robot asks -----------------------------------------------------
 
@@ -88,9 +101,9 @@ class DayWeb:
             return shown(page.entrance(), 403)
         return self._day_shown(role == "operator")
 
-    def _day_shown(self, open_: bool, wrong: str = "", status: int = 200) -> web.Response:
+    def _day_shown(self, open_: bool, entry: Entry = NOTHING) -> web.Response:
         every = (self._day.medicines(), self._day.reminders(), self._store.residents())
-        return shown(day_page.today(*every, open_, wrong), status)
+        return shown(day_page.today(*every, open_, entry), entry.status)
 
     async def _watch(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
@@ -115,7 +128,7 @@ class DayWeb:
 
     async def _remind(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
-        form = {name: str(value) for name, value in (await request.post()).items()}
+        form = await texts(request)
         whom = form.get("whom", "0")
         try:
             # What is meant for one is never told to all for a number that can not be read.
@@ -123,9 +136,9 @@ class DayWeb:
             who = self._store.resident(number).id if whom else None
             self._day.remind(form.get("begins", ""), form.get("what", ""), who, "daily" in form)
         except Unfit as unfit:
-            return self._day_shown(True, why(unfit), 400)
+            return self._day_shown(True, not_taken(form, why(unfit), "Not added: {0}"))
         except Unknown as unknown:
-            return self._day_shown(True, str(unknown), 400)
+            return self._day_shown(True, not_taken(form, str(unknown), "Not added: {0}"))
         raise web.HTTPSeeOther("/today")
 
     async def _forget(self, request: web.Request) -> web.Response:
@@ -135,22 +148,14 @@ class DayWeb:
 
     async def _prescribe(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
-        form = await request.post()
+        form = await texts(request)
         try:
             who = self._store.resident(int(request.match_info["id"])).id
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
-        given = {one.round: one.what for one in self._day.medicines(who)}
-        changed = []
-        for name in ROUNDS:
-            what, was, now = form.get(name, ""), form.get(f"{name}-was"), given.get(name, "")
-            # What she left as it was does not undo what another nurse has changed meanwhile.
-            if what in (was, now):
-                continue
-            if was is not None and was != now:
-                said = "Another nurse has changed this meanwhile. Go back, load the page again."
-                raise web.HTTPConflict(text=say(said))
-            changed.append((name, str(what)))
-        for name, what in changed:
+        settled = settle(form, day_page.written(self._day.medicines(who)))
+        if settled.crossed:
+            return self._resident(who, overtaken(settled, day_page.ROUND))
+        for name, what in settled.values.items():
             self._day.prescribe(who, name, what)
         raise web.HTTPSeeOther(f"/residents/{who}")

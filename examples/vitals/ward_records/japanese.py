@@ -101,12 +101,40 @@ JAPANESE = {
     "Address": "連絡先",
     "Address of the video program": "ビデオ通話の連絡先",
     "Add contact": "相手を追加",
+    "Remove this resident": "この入居者を削除",
+    "Remove {0}, room {1}?": "{1}号室の{0}様を削除しますか。",
+    "Remove {0}": "{0}様を削除",
+    "No, go back": "やめて戻る",
+    (
+        "The robot then knows this person no more: nobody logs in with their PIN, and whoever is "
+        "logged in is logged out. Medicine, messages and contacts are taken away."
+    ): (
+        "ロボットはこの方がわからなくなります。暗証番号は使えなくなり、利用中であれば終了します。"
+        "薬、お知らせ、連絡先は消去されます。"
+    ),
+    "What was measured: {0} readings": "測定値：{0}件",
+    "Keep them, with name and room, until you take them away.": (
+        "名前と部屋とともに残す（あとで消去できます）"
+    ),
+    "Take them away now, for ever.": "今すぐ消去する（元に戻せません）",
+    "Who has moved out": "退去された方",
+    "Moved out": "退去",
+    "Of these the readings were kept.": "次の方の測定値が残っています。",
+    "Of nobody.": "残っている測定値はありません。",
+    "Table (CSV)": "表で保存（CSV）",
+    "Take them away": "消去",
+    "Take away what was measured of {0}?": "{0}様の測定値を消去しますか。",
+    "Name and room go with it. Nobody gets it back.": (
+        "名前と部屋も消去されます。元には戻せません。"
+    ),
+    "Take it away for ever": "消去する",
     # What is wrong with what was given.
     "an address has no blanks and begins with a letter, a digit or +": (
         "連絡先は空白を含まず、英字、数字または+で始まります"
     ),
-    "Another nurse has changed this meanwhile. Go back, load the page again.": (
-        "ほかの看護師がその間に変更しました。戻って、ページを読み込み直してください。"
+    "Another nurse has changed this meanwhile:": "ほかの看護師がその間に変更しました：",
+    "What you typed stands here still. Save once more, and it replaces that.": (
+        "入力した内容はそのまま残っています。もう一度保存すると、入力した内容に変わります。"
     ),
     "family or friends": "ご家族かお友達を選んでください",
     "a name has 1 to 80 letters": "名前は1文字から80文字です",

@@ -8,13 +8,14 @@ from html import escape
 from pathlib import Path
 
 from ward_records.curves import LINES, MOST, curve, is_outside
+from ward_records.forms import Entry, stood
 from ward_records.language import say, spoken
 from ward_records.store import LIMITS, Call, Reading, Resident
 
 HIDDEN = "•••"
 STYLE = (Path(__file__).parent / "page.css").read_text(encoding="utf-8")
 
-_LABELS = {
+LABELS = {
     "systolic_low": "Systolic, lower limit, mmHg",
     "systolic_high": "Systolic, upper limit, mmHg",
     "diastolic_low": "Diastolic, lower limit, mmHg",
@@ -51,10 +52,11 @@ def ward(
     calls: Sequence[Call],
     watched: str,
     open_: bool,
+    moved_out: bool = False,
 ) -> str:
     """Calls, then residents with what was measured last. open_: what is private is shown.
 
-    watched: links to what the robot sees now.
+    watched: links to what the robot sees now. moved_out: of some who have, readings were kept.
     """
     rows = "".join(_resident_row(one, latest[one.id], open_) for one in residents)
     body = (
@@ -62,19 +64,18 @@ def ward(
         f"<h2>{say('Calls')}</h2>{_calls(calls, open_)}"
         f'<p><a href="/today">{say("Medicine, and what is told today")}</a></p>'
         f"<h2>{say('Residents')}</h2>{table('residents', ('Room', 'Name', *_LAST), rows)}"
-        f"{_managed() if open_ else ''}"
+        f"{_managed(moved_out) if open_ else ''}"
     )
     return framed("Ward", body, refresh=10)
 
 
 def resident(
-    one: Resident, readings: Sequence[Reading], forms: str, open_: bool, wrong: str
+    one: Resident, readings: Sequence[Reading], forms: str, open_: bool, limits: Entry
 ) -> str:
-    """One resident. forms: those beside that of the limits; wrong: what is wrong with the limits
-    that were just given."""
+    """One resident. forms: those beside that of the limits; limits: those that were not taken."""
     name = escape(one.name) if open_ else HIDDEN
     rows = "".join(
-        f"<tr><td>{_when(each.at)}</td><td>{say(_KINDS[each.kind])}</td>"
+        f"<tr><td>{when(each.at)}</td><td>{say(_KINDS[each.kind])}</td>"
         f"{_value(one, each, open_)}</tr>"
         for each in readings[:_LISTED]
     )
@@ -89,7 +90,7 @@ def resident(
         f"{_note(open_)}<h2>{say('Measured')}</h2>{_curves(one, readings) if open_ else ''}"
         f"{measured}"
     )
-    return framed("Resident", body + (_taken_away(one) + _limits(one, wrong) + forms) * open_)
+    return framed("Resident", body + (_taken_away(one) + _limits(one, limits) + forms) * open_)
 
 
 def _curves(one: Resident, readings: Sequence[Reading]) -> str:
@@ -97,7 +98,7 @@ def _curves(one: Resident, readings: Sequence[Reading]) -> str:
     for kind in LINES:
         those = [each for each in readings if each.kind == kind][:MOST]
         if those:
-            span = f"{_when(those[-1].at)}{_when(those[0].at)}"
+            span = f"{when(those[-1].at)}{when(those[0].at)}"
             found.append(curve(kind, say(_KINDS[kind]), those, one.limits, span))
     return f'<div class="curves">{"".join(found)}</div>'
 
@@ -107,10 +108,11 @@ def _taken_away(one: Resident) -> str:
     return f'<p><a href="{href}" download>{say("Readings as a table (CSV)")}</a></p>'
 
 
-def _managed() -> str:
+def _managed(moved_out: bool) -> str:
+    left = f' <a href="/moved-out">{say("Who has moved out")}</a>' if moved_out else ""
     return (
         f'<p class="links"><a href="/residents">{say("Add a resident")}</a> '
-        f'<a href="/readings.csv" download>{say("All readings as a table (CSV)")}</a></p>'
+        f'<a href="/readings.csv" download>{say("All readings as a table (CSV)")}</a>{left}</p>'
     )
 
 
@@ -123,19 +125,23 @@ def table(name: str, heads: Sequence[str], rows: str) -> str:
     )
 
 
-def _limits(one: Resident, wrong: str) -> str:
-    said = say("Not saved: {0}").format(escape(wrong))
-    told = f'<p class="wrong" role="alert">{said}</p>' if wrong else ""
+def written(limits: Mapping[str, float]) -> dict[str, str]:
+    """As they stand in their form."""
+    return {name: f"{limits[name]:g}" for name in LIMITS}
+
+
+def _limits(one: Resident, entry: Entry) -> str:
+    stands = written(one.limits)
     fields = "".join(
-        f'<label for="{name}">{say(_LABELS[name])}</label>'
+        f'<label for="{name}">{say(LABELS[name])}</label>'
         f'<input id="{name}" name="{name}" inputmode="decimal" required '
-        f'value="{one.limits[name]:g}">'
-        for name in LIMITS
+        f'value="{escape(entry.given.get(name, value))}">{stood(name, value)}'
+        for name, value in stands.items()
     )
     return (
         f"<h2>{say('Limits')}</h2>"
         f"<p>{say('Outside of these the robot measures again, and then calls you.')}</p>"
-        f'{told}<form method="post" action="/residents/{one.id}">{fields}'
+        f'{entry.wrong}<form method="post" action="/residents/{one.id}">{fields}'
         f"<button>{say('Save')}</button></form>"
     )
 
@@ -149,9 +155,9 @@ def _calls(calls: Sequence[Call], open_: bool) -> str:
 def _call(one: Call, open_: bool) -> str:
     why, room = (escape(say(one.why)), escape(say(one.room))) if open_ else (HIDDEN, HIDDEN)
     where = say("room {0}").format(room) if room.isdigit() else room
-    said = f"<strong>{where}</strong>: {why}, {_when(one.at)}"
+    said = f"<strong>{where}</strong>: {why}, {when(one.at)}"
     if one.seen is not None:
-        return f'<li class="seen">{said} · {say("seen")} {_when(one.seen)}</li>'
+        return f'<li class="seen">{said} · {say("seen")} {when(one.seen)}</li>'
     button = (
         f'<form method="post" action="/calls/{one.id}"><button>{say("I am going")}</button></form>'
         if open_
@@ -163,9 +169,9 @@ def _call(one: Call, open_: bool) -> str:
 def _resident_row(one: Resident, last: Sequence[Reading], open_: bool) -> str:
     room, name = (str(one.room), escape(one.name)) if open_ else (HIDDEN, HIDDEN)
     measured = _value(one, last[0], open_) if last else "<td>–</td>"
-    when = _when(last[0].at) if last else "–"
+    since = when(last[0].at) if last else "–"
     link = f'<a href="/residents/{one.id}">{name}</a>'
-    return f"<tr><td>{room}</td><td>{link}</td>{measured}<td>{when}</td></tr>"
+    return f"<tr><td>{room}</td><td>{link}</td>{measured}<td>{since}</td></tr>"
 
 
 def _value(one: Resident, reading: Reading, open_: bool) -> str:
@@ -191,7 +197,7 @@ def _note(open_: bool) -> str:
     return "" if open_ else f"<p class='note'>{said}</p>"
 
 
-def _when(at: datetime) -> str:
+def when(at: datetime) -> str:
     local = at.astimezone()
     shown = f"{local:%d.%m. %H:%M}"
     if spoken() == "ja":

@@ -5,37 +5,41 @@ from __future__ import annotations
 from collections.abc import Mapping
 from html import escape
 
+from ward_records.forms import Entry, stood
 from ward_records.language import say
 from ward_records.page import framed
 from ward_records.store import Resident
 
+LABELS = {"name": "Name", "room": "Room", "pin": "New PIN; empty: as it is"}
 
-def add(given: Mapping[str, str], wrong: str = "") -> str:
-    """For somebody new. wrong: what is wrong with what was ``given``."""
+
+def add(entry: Entry) -> str:
+    """For somebody new. entry: one that was not taken."""
     body = (
         f'<p><a href="/">{say("Ward")}</a></p><h1>{say("Add a resident")}</h1>'
-        f'{_wrong(wrong)}<form method="post" action="/residents">'
-        f"{_fields(given, say('PIN, four digits'), True)}"
+        f'{entry.wrong}<form method="post" action="/residents">'
+        f"{_fields(entry.given, say('PIN, four digits'), True)}"
         f"<button>{say('Add')}</button></form>"
     )
     return framed("Add a resident", body)
 
 
-def change(one: Resident, given: Mapping[str, str], wrong: str = "") -> str:
-    """For one who is there."""
-    stands = {"name": one.name, "room": str(one.room), **given}
+def written(one: Resident) -> dict[str, str]:
+    """As it stands in its form; the PIN never does."""
+    return {"name": one.name, "room": str(one.room)}
+
+
+def change(one: Resident, pin_mark: str, entry: Entry) -> str:
+    """For one who is there. pin_mark: that of ``Store``. entry: one that was not taken."""
+    stands = written(one)
+    before = "".join(stood(name, value) for name, value in {**stands, "pin": pin_mark}.items())
     return (
-        f"<h2>{say('Resident')}</h2>{_wrong(wrong)}"
+        f"<h2>{say('Resident')}</h2>{entry.wrong}"
         f'<form method="post" action="/residents/{one.id}/person">'
-        f"{_fields(stands, say('New PIN; empty: as it is'), False)}"
+        f"{_fields({**stands, **entry.given}, say(LABELS['pin']), False)}{before}"
         f"<button>{say('Save resident')}</button></form>"
+        f'<p><a href="/residents/{one.id}/remove">{say("Remove this resident")}</a></p>'
     )
-
-
-def _wrong(wrong: str) -> str:
-    if not wrong:
-        return ""
-    return f'<p class="wrong" role="alert">{say("Not saved: {0}").format(escape(wrong))}</p>'
 
 
 def _fields(given: Mapping[str, str], pin: str, needed: bool) -> str:

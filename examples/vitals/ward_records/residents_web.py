@@ -20,23 +20,26 @@ from aiohttp import web
 
 from ward_records import residents_page
 from ward_records.answers import shown
+from ward_records.forms import NOTHING, Entry, not_taken, overtaken, settle, texts
 from ward_records.language import why
+from ward_records.moving_out import Former, MovingOut
+from ward_records.page import HIDDEN
 from ward_records.store import KINDS, Reading, Resident, Store, Unfit, Unknown
 
 
 class ResidentsWeb:
-    """must: raises where a request may not. resident: her page, with what was given to its form
-    and what is wrong with it.
-    """
+    """must: raises where a request may not. resident: her page, with what was not taken."""
 
     def __init__(
         self,
         store: Store,
         must: Callable[[web.Request], None],
-        resident: Callable[[int, Mapping[str, str], str], web.Response],
+        moving_out: MovingOut,
+        resident: Callable[[int, Entry], web.Response],
     ) -> None:
         self._store = store
         self._must = must
+        self._moving_out = moving_out
         self._resident = resident
 
     def add_to(self, router: web.UrlDispatcher) -> None:
@@ -48,45 +51,48 @@ class ResidentsWeb:
 
     async def _new(self, request: web.Request) -> web.Response:
         self._must(request)
-        return shown(residents_page.add({}))
+        return shown(residents_page.add(NOTHING))
 
     async def _add(self, request: web.Request) -> web.Response:
         self._must(request)
-        given = await _given(request)
+        given = await texts(request)
         try:
             made = self._store.add(_room(given), given.get("name", ""), given.get("pin", ""))
         except Unfit as unfit:
-            return shown(residents_page.add(given, why(unfit)), 400)
+            return shown(residents_page.add(not_taken(given, why(unfit))), 400)
         raise web.HTTPSeeOther(f"/residents/{made.id}")
 
     async def _change(self, request: web.Request) -> web.Response:
         self._must(request)
-        number, given = int(request.match_info["id"]), await _given(request)
-        name, pin = given.get("name", ""), given.get("pin", "")
+        number, given = int(request.match_info["id"]), await texts(request)
+        pin = given.get("pin") or None
         try:
-            self._store.change(number, _room(given), name, pin or None)
+            settled = settle(given, residents_page.written(self._store.resident(number)))
+            if pin and given.get("pin-was") not in (None, self._store.pin_mark(number)):
+                settled.crossed["pin"] = (HIDDEN, HIDDEN)
+            if settled.crossed:
+                return self._resident(number, overtaken(settled, residents_page.LABELS))
+            self._store.change(number, _room(settled.values), settled.values["name"], pin)
         except Unfit as unfit:
-            return self._resident(number, given, why(unfit))
+            return self._resident(number, not_taken(settled.values, why(unfit)))
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         raise web.HTTPSeeOther(f"/residents/{number}")
 
     async def _every(self, request: web.Request) -> web.Response:
         self._must(request)
-        return _table(self._store.residents(), self._store.readings(), "readings.csv")
+        every: list[Resident | Former] = [*self._store.residents(), *self._moving_out.all()]
+        return _table(every, self._store.readings(), "readings.csv")
 
     async def _hers(self, request: web.Request) -> web.Response:
         self._must(request)
+        number = int(request.match_info["id"])
         try:
-            one = self._store.resident(int(request.match_info["id"]))
+            former = {each.id: each for each in self._moving_out.all()}
+            one = former.get(number) or self._store.resident(number)
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         return _table([one], self._store.readings(one.id), f"readings-{one.room}.csv")
-
-
-async def _given(request: web.Request) -> dict[str, str]:
-    form = await request.post()
-    return {name: value.strip() for name, value in form.items() if isinstance(value, str)}
 
 
 def _room(given: Mapping[str, str]) -> int:
@@ -97,7 +103,9 @@ def _room(given: Mapping[str, str]) -> int:
     return int(room)
 
 
-def _table(residents: Sequence[Resident], readings: Sequence[Reading], name: str) -> web.Response:
+def _table(
+    residents: Sequence[Resident | Former], readings: Sequence[Reading], name: str
+) -> web.Response:
     """The oldest first, times in UTC, one column for each value that can be measured."""
     values = list(dict.fromkeys(value for kind in KINDS.values() for value in kind))
     whose = {one.id: one for one in residents}

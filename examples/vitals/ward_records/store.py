@@ -55,6 +55,11 @@ CREATE INDEX IF NOT EXISTS reading_of ON reading (resident, kind, at);
 CREATE TABLE IF NOT EXISTS call (
   id INTEGER PRIMARY KEY, at TEXT NOT NULL, why TEXT NOT NULL, room TEXT NOT NULL, seen TEXT
 );
+CREATE TABLE IF NOT EXISTS moved_out (
+  resident INTEGER PRIMARY KEY REFERENCES resident (id), at TEXT NOT NULL, kept INTEGER NOT NULL
+);
+CREATE VIEW IF NOT EXISTS lives_here AS
+  SELECT * FROM resident WHERE id NOT IN (SELECT resident FROM moved_out);
 """
 
 
@@ -69,6 +74,10 @@ class Unfit(Exception):
 
 class Unknown(Exception):
     """There is no such resident."""
+
+
+class MovedOut(Unknown):
+    """Who had this number lives here no more; nobody else ever gets it."""
 
 
 class WrongPin(Exception):
@@ -116,6 +125,8 @@ class Store:
             file.touch(mode=0o600, exist_ok=True)
         self._db = sqlite3.connect(str(file) if file is not None else ":memory:")
         self._db.execute("PRAGMA foreign_keys = ON")
+        # What is taken away is not to be read in the file afterwards.
+        self._db.execute("PRAGMA secure_delete = ON")
         self._db.executescript(_SCHEMA)
         self._now = now
 
@@ -172,38 +183,51 @@ class Store:
 
     def residents(self) -> list[Resident]:
         """By room."""
-        rows = self._db.execute("SELECT id, name, room, limits FROM resident ORDER BY room, id")
+        rows = self._db.execute("SELECT id, name, room, limits FROM lives_here ORDER BY room, id")
         return [_resident(row) for row in rows]
 
     def resident(self, number: int) -> Resident:
-        """Raises Unknown."""
+        """Raises Unknown, and MovedOut."""
         rows = self._db.execute(
-            "SELECT id, name, room, limits FROM resident WHERE id = ?", (number,)
+            "SELECT id, name, room, limits FROM lives_here WHERE id = ?", (number,)
         )
         row = rows.fetchone()
         if row is None:
-            raise Unknown(f"there is no resident {number}")
+            raise self._nobody(number)
         return _resident(row)
+
+    def _nobody(self, number: int) -> Unknown:
+        lived = self._db.execute("SELECT 1 FROM moved_out WHERE resident = ?", (number,))
+        if lived.fetchone() is not None:
+            return MovedOut(f"resident {number} has moved out")
+        return Unknown(f"there is no resident {number}")
 
     def login(self, room: int, pin: str) -> Resident:
         """Whose room and PIN these are. Raises WrongPin; Locked after ``TRIES`` of them."""
         since = (self._now() - PAUSE).isoformat()
         with self._db:
             # Later than now: the clock was set back, and the room would be locked until then.
-            self._db.execute("DELETE FROM wrong_pin WHERE at <= ? OR at > ?", (since, self._time()))
+            self._db.execute("DELETE FROM wrong_pin WHERE at <= ? OR at > ?", (since, self.time()))
         wrong = "SELECT count(*) FROM wrong_pin WHERE room = ?"
         if self._db.execute(wrong, (room,)).fetchone()[0] >= TRIES:
             raise Locked("too many wrong PINs: it is looked at again in some minutes")
         found = self._who(room, pin)
         with self._db:
             if found is None:
-                self._db.execute("INSERT INTO wrong_pin VALUES (?, ?)", (room, self._time()))
+                self._db.execute("INSERT INTO wrong_pin VALUES (?, ?)", (room, self.time()))
             elif self._lives_alone(room):
                 # Else who tries the neighbour's could go on for ever with an own one in between.
                 self._db.execute("DELETE FROM wrong_pin WHERE room = ?", (room,))
         if found is None:
             raise WrongPin("this room and this PIN do not go together")
         return self.resident(found)
+
+    def pin_mark(self, number: int) -> str:
+        """Another one for each PIN that was ever given, which tells nothing of the PIN."""
+        row = self._db.execute("SELECT salt FROM lives_here WHERE id = ?", (number,)).fetchone()
+        if row is None:
+            raise self._nobody(number)
+        return hashlib.sha256(row[0]).hexdigest()[:16]
 
     def set_limits(self, number: int, limits: Mapping[str, float]) -> None:
         """The person's own. Raises Unknown, and Unfit where they are none."""
@@ -221,13 +245,13 @@ class Store:
             )
 
     def _who(self, room: int, pin: str) -> int | None:
-        rows = self._db.execute("SELECT id, salt, pin FROM resident WHERE room = ?", (room,))
+        rows = self._db.execute("SELECT id, salt, pin FROM lives_here WHERE room = ?", (room,))
         # All are looked at, however early one fits: how long it takes tells nothing.
         fits = [number for number, salt, kept in rows if _same(_hashed(pin, salt), kept)]
         return fits[0] if fits else None
 
     def _lives_alone(self, room: int) -> bool:
-        lives = self._db.execute("SELECT count(*) FROM resident WHERE room = ?", (room,))
+        lives = self._db.execute("SELECT count(*) FROM lives_here WHERE room = ?", (room,))
         return bool(lives.fetchone()[0] == 1)
 
     # -- what the robot tells ----------------------------------------------------
@@ -235,7 +259,8 @@ class Store:
     def keep(self, told: Mapping[str, Any]) -> None:
         """A reading ``{"kind", "user", …}`` or a call ``{"kind": "call", "why", "room"}``.
 
-        Numbers may be texts that read as numbers. Raises Unfit, Unknown.
+        Numbers may be texts that read as numbers. Raises Unfit, Unknown; MovedOut where all that
+        was measured of them was taken away.
         """
         kind = told.get("kind")
         if kind == "call":
@@ -253,12 +278,19 @@ class Store:
         who = number_in(told.get("user"))
         if who is None or not who.is_integer():
             raise Unfit("user must be the id that login gave")
-        self.resident(int(who))
+        self.must_be_kept(int(who))
         with self._db:
             self._db.execute(
                 "INSERT INTO reading (resident, at, kind, measured) VALUES (?, ?, ?, ?)",
-                (int(who), self._time(), kind, json.dumps(measured)),
+                (int(who), self.time(), kind, json.dumps(measured)),
             )
+
+    def must_be_kept(self, number: int) -> None:
+        """Of who moved out with all readings kept, what the robot still had is kept too. Raises
+        Unknown and MovedOut."""
+        kept = "SELECT 1 FROM moved_out WHERE resident = ? AND kept"
+        if self._db.execute(kept, (number,)).fetchone() is None:
+            self.resident(number)
 
     def _keep_call(self, told: Mapping[str, Any]) -> None:
         why, room = (str(told.get(name) or "").strip()[:200] for name in ("why", "room"))
@@ -268,7 +300,7 @@ class Store:
         room = room or "place not known"
         with self._db:
             self._db.execute(
-                "INSERT INTO call (at, why, room) VALUES (?, ?, ?)", (self._time(), why, room)
+                "INSERT INTO call (at, why, room) VALUES (?, ?, ?)", (self.time(), why, room)
             )
 
     # -- what the nurse reads ----------------------------------------------------
@@ -308,10 +340,11 @@ class Store:
         """A nurse goes there; seen once is seen."""
         with self._db:
             self._db.execute(
-                "UPDATE call SET seen = ? WHERE id = ? AND seen IS NULL", (self._time(), call)
+                "UPDATE call SET seen = ? WHERE id = ? AND seen IS NULL", (self.time(), call)
             )
 
-    def _time(self) -> str:
+    def time(self) -> str:
+        """Now, as it is written down."""
         return self._now().isoformat()
 
 

@@ -1,9 +1,12 @@
 """The records over HTTP: what the robot asks, and the nurse's page.
 
 ======================================  =====================================================
-``POST /login`` {room, pin}             {user: {id, name, room, limits}}; 401: not this PIN, 429:
-                                        too many wrong ones
-``POST /readings`` {reading}            {kept: true}; 400: no such reading, 404: no such resident
+``POST /login`` {room, pin}             {user: {id, name, room, limits}, messages: [{reminder,
+                                        days, begins, what}, …]}; 401: not this PIN, 429: too
+                                        many wrong ones
+``POST /lives`` {user}                  {lives: true}; 410: has moved out, 404: no such resident
+``POST /readings`` {reading}            {kept: true}; 400: no such reading, 404: no such resident,
+                                        410: has moved out, and nothing of theirs is kept
 ``GET /``                               the nurse's page
 ``GET /residents/ID``                   one resident: readings, limits
 ``POST /residents/ID``                  her limits, from that page's form
@@ -11,12 +14,14 @@
 ======================================  =====================================================
 
 What the robot does by itself is ``day_web.py``'s; who lives here and tables to take away,
-``residents_web.py``'s; whom they may call, ``contacts_web.py``'s; who may do what, ``access.py``'s.
+``residents_web.py``'s; who moves out, ``moving_out_web.py``'s; whom they may call,
+``contacts_web.py``'s; who may do what, ``access.py``'s.
 """
 
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable, Mapping
+from types import MappingProxyType
 from typing import Any
 
 from aiohttp import web
@@ -30,11 +35,14 @@ from ward_records.contacts_web import ContactsWeb
 from ward_records.curves import MOST
 from ward_records.day import OUTCOMES, Day
 from ward_records.day_web import DayWeb
+from ward_records.forms import NOTHING, Entry, not_taken, overtaken, settle, texts
 from ward_records.language import speak, wanted, why
+from ward_records.moving_out import MovingOut
+from ward_records.moving_out_web import MovingOutWeb
 from ward_records.residents_web import ResidentsWeb
 from ward_records.store import (
-    LIMITS,
     Locked,
+    MovedOut,
     Reading,
     Store,
     Unfit,
@@ -51,10 +59,12 @@ Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 def application(store: Store, day: Day, watching: Watching, tokens: Tokens) -> web.Application:
     """The whole service, to be run by aiohttp."""
-    of_day = DayWeb(store, day, watching, tokens)
-    ward = _Ward(store, day, of_day, tokens)
+    contacts = Contacts(store)
+    moving_out = MovingOut(store, day, contacts)
+    ward = _Ward(store, day, watching, contacts, moving_out, tokens)
     made = web.Application(client_max_size=LONGEST_BODY, middlewares=[_careful])
     made.router.add_post("/login", ward.login)
+    made.router.add_post("/lives", ward.lives)
     made.router.add_post("/readings", ward.keep)
     made.router.add_get("/", ward.page)
     made.router.add_get("/page.css", ward.style)
@@ -62,9 +72,11 @@ def application(store: Store, day: Day, watching: Watching, tokens: Tokens) -> w
     made.router.add_get("/residents/{id:[0-9]{1,9}}", ward.resident)
     made.router.add_post("/residents/{id:[0-9]{1,9}}", ward.set_limits)
     made.router.add_post("/calls/{id:[0-9]{1,9}}", ward.see)
-    of_day.add_to(made.router)
+    ward.of_day.add_to(made.router)
     ward.of_contacts.add_to(made.router)
-    ResidentsWeb(store, tokens.must_be_operator, ward.change_person).add_to(made.router)
+    must, person = tokens.must_be_operator, ward.once_more("person")
+    ResidentsWeb(store, must, moving_out, person).add_to(made.router)
+    MovingOutWeb(store, must, moving_out).add_to(made.router)
     return made
 
 
@@ -111,12 +123,21 @@ def _guard(request: web.Request, answer: web.StreamResponse) -> None:
 
 
 class _Ward:
-    def __init__(self, store: Store, day: Day, of_day: DayWeb, tokens: Tokens) -> None:
+    def __init__(
+        self,
+        store: Store,
+        day: Day,
+        watching: Watching,
+        contacts: Contacts,
+        moving_out: MovingOut,
+        tokens: Tokens,
+    ) -> None:
         self._store = store
         self._day = day
-        self._of_day = of_day
+        self._moving_out = moving_out
         self._tokens = tokens
-        self.of_contacts = ContactsWeb(Contacts(store), tokens, self.change_contacts)
+        self.of_day = DayWeb(store, day, watching, tokens, self.once_more("medicine"))
+        self.of_contacts = ContactsWeb(contacts, tokens, self.once_more("contact"))
 
     # -- what the robot asks -----------------------------------------------------
 
@@ -132,7 +153,20 @@ class _Ward:
         except Locked as locked:
             return refused(429, str(locked))
         user = {"id": found.id, "name": found.name, "room": found.room, "limits": found.limits}
-        return web.json_response({"user": user})
+        return web.json_response({"user": user, "messages": self._day.missed(found.id)})
+
+    async def lives(self, request: web.Request) -> web.Response:
+        asked = await self._tokens.asked(request)
+        who = number_in(asked.get("user"))
+        if who is None or not who.is_integer():
+            return refused(400, "user must be the id that login gave")
+        try:
+            self._store.resident(int(who))
+        except MovedOut as gone:
+            return refused(410, str(gone))
+        except Unknown as unknown:
+            return refused(404, str(unknown))
+        return web.json_response({"lives": True})
 
     async def keep(self, request: web.Request) -> web.Response:
         asked = await self._tokens.asked(request)
@@ -143,6 +177,8 @@ class _Ward:
             self._keep(reading)
         except Unfit as unfit:
             return refused(400, str(unfit))
+        except MovedOut as gone:
+            return refused(410, str(gone))
         except Unknown as unknown:
             return refused(404, str(unknown))
         return web.json_response({"kept": True})
@@ -171,8 +207,8 @@ class _Ward:
         residents = self._store.residents()
         latest = {one.id: self._measured(one.id) for one in residents}
         open_ = role == "operator"
-        watched = self._of_day.watched(open_)
-        return shown(page.ward(residents, latest, self._store.calls(), watched, open_))
+        watched, left = self.of_day.watched(open_), bool(self._moving_out.all())
+        return shown(page.ward(residents, latest, self._store.calls(), watched, open_, left))
 
     def _measured(self, number: int) -> list[Reading]:
         """The last reading of the body: a game does not hide it."""
@@ -187,13 +223,17 @@ class _Ward:
 
     async def set_limits(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
-        number, form = int(request.match_info["id"]), await request.post()
-        limits = {name: number_in(form.get(name)) for name in LIMITS}
-        given = {name: value for name, value in limits.items() if value is not None}
+        number, form = int(request.match_info["id"]), await texts(request)
         try:
+            settled = settle(form, page.written(self._store.resident(number).limits))
+            if settled.crossed:
+                return self._resident(number, True, {"limits": overtaken(settled, page.LABELS)})
+            limits = {name: number_in(value) for name, value in settled.values.items()}
+            given = {name: value for name, value in limits.items() if value is not None}
             self._store.set_limits(number, given)
         except Unfit as unfit:
-            return self._resident(number, True, why(unfit))
+            entry = not_taken(settled.values, why(unfit))
+            return self._resident(number, True, {"limits": entry})
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         raise web.HTTPSeeOther(f"/residents/{number}")
@@ -206,30 +246,26 @@ class _Ward:
     async def style(self, _: web.Request) -> web.Response:
         return web.Response(text=page.STYLE, content_type="text/css")
 
-    def change_person(self, number: int, given: Mapping[str, str], wrong: str) -> web.Response:
-        """Her page once more, with what is wrong with what was given."""
-        return self._resident(number, True, "", given, wrong)
-
-    def change_contacts(self, number: int, given: Mapping[str, str], wrong: str) -> web.Response:
-        """Her page once more, with the contact that was given and what is wrong with it."""
-        return self._resident(number, True, contact=(given, wrong))
+    def once_more(self, form: str) -> Callable[[int, Entry], web.Response]:
+        """Her page, with what was given to one of its forms and not taken."""
+        return lambda number, entry: self._resident(number, True, {form: entry})
 
     def _resident(
-        self,
-        number: int,
-        open_: bool,
-        wrong_limits: str = "",
-        given: Mapping[str, str] | None = None,
-        wrong: str = "",
-        contact: tuple[Mapping[str, str], str] = ({}, ""),
+        self, number: int, open_: bool, entries: Mapping[str, Entry] = MappingProxyType({})
     ) -> web.Response:
+        """entries: what was not taken, by its form."""
         try:
             found = self._store.resident(number)
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
-        person = residents_page.change(found, given or {}, wrong)
-        contacts = self.of_contacts.form(number, *contact)
-        forms = self._of_day.medicine_form(number) + contacts + person
+        limits, person, contact, medicine = (
+            entries.get(form, NOTHING) for form in ("limits", "person", "contact", "medicine")
+        )
+        forms = (
+            self.of_day.medicine_form(number, medicine)
+            + self.of_contacts.form(number, contact)
+            + residents_page.change(found, self._store.pin_mark(number), person)
+        )
         readings = self._store.readings_of_each_kind(number, most=MOST)
-        made = page.resident(found, readings, forms, open_, wrong_limits)
-        return shown(made, 400 if wrong or wrong_limits or contact[1] else 200)
+        made = page.resident(found, readings, forms, open_, limits)
+        return shown(made, max((entry.status for entry in entries.values()), default=200))
