@@ -667,6 +667,7 @@ def test_a_trace_cut_off_before_authority_was_given(lab: Project, record: Record
 
 def test_giving_back_some_keeps_the_rest(lab: Project, record: Record) -> None:
     given: list[dict[str, Any]] = [
+        {"at": 1, "set": {"hold": True}},
         {"at": 1, "acquire": {"module": "arm", "resources": ["base", "hand"]}},
         {"at": 2, "abandon": {"module": "arm", "resources": ["base"]}},
         {"at": 3, "abandon": {"module": "arm", "resources": ["hand"]}},
@@ -684,6 +685,45 @@ def test_giving_back_some_keeps_the_rest(lab: Project, record: Record) -> None:
     ]
     told = _ask(lab, record(lab, *given, *again), 6, "authority", resource="hand", to="arm")
     assert told == "- arm did not ask for hand, only for base"
+
+
+def test_who_asked_in_vain_and_gave_up_is_told_what_stood_in_the_way_until_then(
+    lab: Project, record: Record
+) -> None:
+    recording = record(
+        lab,
+        {"at": 1, "set": {"light": 3}},
+        {"at": 2, "acquire": {"module": "arm", "resources": ["base", "hand"]}},
+        {"at": 3, "set": {"light": 9}},
+        {"at": 4, "abandon": {"module": "arm", "resources": ["hand"]}},
+        {"at": 6, "abandon": {"module": "arm", "resources": ["base"]}},
+        {"at": 8, "set": {"light": 3}},
+    )
+    vain = "in vain, and not again since"
+    hand = [
+        f"- arm asked for hand from 2 s to 4 s {vain}",
+        "  - arm asks for base and hand together: all of them or none",
+        "    - app held base since 3 s: priority 10 against 5 of arm in situation calm",
+    ]
+    base = [
+        f"- arm asked for base from 2 s to 6 s {vain}",
+        "  - app held base since 3 s: priority 10 against 5 of arm in situation calm",
+    ]
+    for at in (6, 8):
+        for kind, field in (("authority", "to"), ("mapping", "module")):
+            for resource, told in (("hand", hand), ("base", base)):
+                wanted = {"resource": resource, field: "arm"}
+                assert _ask(lab, recording, at, kind, **wanted).splitlines() == told
+    # Asked for again it is told how that is now.
+    again = record(
+        lab,
+        {"at": 2, "acquire": {"module": "arm", "resources": ["base"]}},
+        {"at": 4, "abandon": {"module": "arm", "resources": ["base"]}},
+        {"at": 5, "set": {"light": 3}},
+        {"at": 6, "acquire": {"module": "arm", "resources": ["base"]}},
+    )
+    told = _ask(lab, again, 6, "authority", resource="base", to="arm")
+    assert told == "- arm has no priority in situation dark"
 
 
 def test_a_group_of_all_and_a_tag_that_was_deleted(make: Make, record: Record) -> None:

@@ -75,6 +75,9 @@ class Past:
         self.lost: dict[str, Fields] = {}
         self.given_back: dict[tuple[str, str], Fields] = {}
         """(module, resource) to when it gave that back and has not asked for it since."""
+        self.given_up: dict[tuple[str, str], tuple[Fields, Fields]] = {}
+        """The same where it had asked in vain: that it asked, and that it does no more."""
+        self._asked: dict[tuple[str, str], Fields] = {}
         self.board = Board()
         self._clock = Step()
         self._conditions = Conditions(self.board, self._clock)
@@ -108,10 +111,15 @@ class Past:
         if self.board.write(hidden.tag, hidden.value, hidden.writer, self._clock.now, None):
             self.board.tell(hidden.tag, None)
 
-    def until(self, recording: Recording, t: float) -> None:
-        """Takes all steps of a recording up to and at ``t``, which is then the time."""
+    def until(self, recording: Recording, t: float, before: int | None = None) -> None:
+        """Takes all steps of a recording up to and at ``t``, which is then the time. before: only
+        those before the step of that event, whose time it is then.
+        """
         for step in recording.steps:
             if step.t > t:
+                break
+            if any(event["seq"] == before for event in step.events):
+                t = step.t
                 break
             for hidden in step.before:
                 self.keep(hidden)
@@ -272,14 +280,21 @@ class Past:
         self.lost.pop(event["module"], None)
         for resource in (*event["resources"], *event.get("optional", ())):
             self.given_back.pop((event["module"], resource), None)
+            self.given_up.pop((event["module"], resource), None)
+            self._asked.setdefault((event["module"], resource), event)
         self.requests[event["module"]] = Asking(
             tuple(event["resources"]), tuple(event.get("optional", ())), order, event
         )
 
     def _abandon(self, event: Fields) -> None:
-        # The trace may begin after the request.
         for resource in event["resources"]:
-            self.given_back[event["module"], resource] = event
+            pair = event["module"], resource
+            asked = self._asked.pop(pair, None)
+            # The trace may begin after the request.
+            if asked is None or self.holder(resource) == event["module"]:
+                self.given_back[pair] = event
+            else:
+                self.given_up[pair] = asked, event
         old = self.requests.pop(event["module"], None)
         if old is None:
             return
@@ -291,6 +306,9 @@ class Past:
 
     def _lost(self, event: Fields) -> None:
         self.requests.pop(event["module"], None)
+        self._asked = {
+            pair: asked for pair, asked in self._asked.items() if pair[0] != event["module"]
+        }
         self.lost[event["module"]] = event
 
     def _authority(self, event: Fields) -> None:

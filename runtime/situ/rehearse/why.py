@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from msgspec.structs import replace
+
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse.expect import fits
@@ -88,9 +90,9 @@ class _Question:
                 return value
         raise UsageError(f"--not of kind {self.wanted['kind']} needs “{names[0]}”")
 
-    def past(self) -> Past:
+    def past(self, before: int | None = None) -> Past:
         past = Past(self.project, self.recording.whole)
-        past.until(self.recording, self.at)
+        past.until(self.recording, self.at, before)
         return past
 
     def application(self) -> str:
@@ -166,14 +168,27 @@ def _authority(asked: _Question) -> list[Reason]:
     past = asked.past()
     found = why_not_held(past, module, resource)
     if found:
-        return found
+        return _while_it_asked(asked, past, found)
     since = past.holders[resource]
     said = f"{module} held {resource} already, since {moment(since['t'])}"
     return [Reason(code="already", text=said, seq=since["seq"])]
 
 
 def _mapping(asked: _Question) -> list[Reason]:
-    return why_not_moved(asked.past(), asked.field("module"), asked.field("resource"))
+    past = asked.past()
+    found = why_not_moved(past, asked.field("module"), asked.field("resource"))
+    return _while_it_asked(asked, past, found)
+
+
+def _while_it_asked(asked: _Question, past: Past, found: list[Reason]) -> list[Reason]:
+    """Of a module that asked in vain and gave up: below that, what kept it from it until then."""
+    asked_for = {ended["seq"]: pair for pair, (_, ended) in past.given_up.items()}
+    return [
+        one
+        if one.seq not in asked_for
+        else replace(one, below=tuple(why_not_held(asked.past(one.seq), *asked_for[one.seq])))
+        for one in found
+    ]
 
 
 def _action(asked: _Question) -> list[Reason]:

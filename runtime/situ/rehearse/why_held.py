@@ -63,6 +63,11 @@ def _not_asked(past: Past, module: str, resource: str) -> Reason:
         at = moment(gave["t"])
         said = f"{module} gave {resource} back at {at} and has not asked for it again"
         return Reason(code="request", text=said, seq=gave["seq"])
+    in_vain = past.given_up.get((module, resource))
+    if in_vain is not None:
+        asked, ended = (moment(event["t"]) for event in in_vain)
+        said = f"{module} asked for {resource} from {asked} to {ended} in vain, and not again since"
+        return Reason(code="request", text=said, seq=in_vain[1]["seq"])
     asking = past.requests.get(module)
     if asking is None:
         return Reason(code="request", text=f"{module} did not ask for {resource}")

@@ -6,7 +6,7 @@ import json
 import signal
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -14,14 +14,25 @@ from PySide6.QtCore import QEvent, QEventLoop, QTimer, SignalInstance
 from PySide6.QtWidgets import QApplication, QWidget
 
 DEADLINE = 10_000
+ANYWHERE = "tcp://127.0.0.1:0"
+SITU = ("-m", "situ")
 
 
 class Running:
-    """One ``situ run``; ``endpoint`` is where its clients ask."""
+    """One ``situ run``; ``endpoint`` is where its clients ask.
 
-    def __init__(self, project: Path, state: Path, endpoint: str = "tcp://127.0.0.1:0") -> None:
+    program: what is run in place of ``situ``.
+    """
+
+    def __init__(
+        self,
+        project: Path,
+        state: Path,
+        endpoint: str = ANYWHERE,
+        program: Sequence[str] = SITU,
+    ) -> None:
         self.project, self.state = project, state
-        command = [sys.executable, "-m", "situ", "run", str(project), "--endpoint", endpoint]
+        command = [sys.executable, *program, "run", str(project), "--endpoint", endpoint]
         command.append("--no-restart")
         command += [
             "--notify",
@@ -56,8 +67,10 @@ def robot(tmp_path: Path) -> Iterator[Callable[..., Running]]:
     """``robot(project, endpoint=…)``: a running robot with that project. state: its folder."""
     every: list[Running] = []
 
-    def start(project: Path, endpoint: str = "tcp://127.0.0.1:0", state: str = "state") -> Running:
-        every.append(Running(project, tmp_path / state, endpoint))
+    def start(
+        project: Path, endpoint: str = ANYWHERE, state: str = "state", program: Sequence[str] = SITU
+    ) -> Running:
+        every.append(Running(project, tmp_path / state, endpoint, program))
         return every[-1]
 
     yield start

@@ -1,25 +1,32 @@
 """Issue 10's end: six questions about robots that run, each answered within three clicks.
 
-The robots are real processes over real sockets, the modules those of a test that plays them. The
-clicks are counted by the hand that makes them.
+The robots are real processes over real sockets, and so are the examples' own modules and sensors;
+no file of theirs is changed. The clicks are counted by the hand that makes them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QPoint, QTimer
 from tests.gui.live.test_link import connect
 from tests.gui.live.test_why import FLOW, SCRIPT, Clicks, seen
 
-import situ
 from situ.blackboard.client import connect as operator
 
 MOST = 3
-IDLE = '<timeout next="1" idle="true">60</timeout>'
+MODULES = {"chase-face", "nod", "gaze-sound", "face-caller", "transfer"}
+PUT_FORWARD = (str(Path(__file__).with_name("put_forward.py")),)
+"""A robot that may be told that a minute has passed."""
+OFTEN = 100
+"""Milliseconds between two of these."""
 
 
 class Carer(Clicks):
@@ -55,6 +62,33 @@ class Carer(Clicks):
         self.click(button)
 
 
+@contextmanager
+def alive(project: Path, endpoint: str) -> Iterator[Callable[[str], None]]:
+    """The example's modules run, and its sensors: they perceive each line that is given."""
+    programs = project / "modules"
+    modules = subprocess.Popen([sys.executable, str(programs / "start_all.py"), endpoint])
+    sensors = subprocess.Popen(
+        [sys.executable, str(programs / "sensors.py"), endpoint],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        text=True,
+    )
+    assert sensors.stdin is not None
+
+    def perceive(line: str) -> None:
+        assert sensors.stdin is not None
+        sensors.stdin.write(line + "\n")
+        sensors.stdin.flush()
+
+    try:
+        yield perceive
+    finally:
+        sensors.stdin.close()
+        modules.send_signal(signal.SIGTERM)
+        for process in (sensors, modules):
+            process.wait(10)
+
+
 def test_of_the_conversation(
     studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
 ) -> None:
@@ -63,13 +97,15 @@ def test_of_the_conversation(
     window = it.window
     link = connect(it, there.endpoint, until)
     panel, viewing = window.why.panel, window.robot.follower.viewing
-    until(link.moment_changed, lambda: "converse" in link.log.now.applications)
     now = link.log.now
-    with operator(there.endpoint, role="operator") as board:
-        board.publish("clickYes")
+    until(link.moment_changed, lambda: "converse" in now.applications)
+    with alive(there.project, there.endpoint) as perceive:
+        until(link.moment_changed, lambda: now.connected >= MODULES)
+        # Somebody touches YES.
+        with operator(there.endpoint, role="operator") as board:
+            board.publish("clickYes")
         until(link.moment_changed, lambda: now.applications["converse"].state == "2")
-        window.robot.follower.refresh()
-        it.settle()
+        show(it)
 
         # Which state, since when, how did it get there?
         with Carer(it) as carer:
@@ -84,51 +120,46 @@ def test_of_the_conversation(
         assert window.views[FLOW].canvas.look.live.active == {"2"}
 
         # Why did the robot turn its head?
-        with (
-            situ.connect(there.endpoint, module="gaze-sound", resources=["head"]) as gaze,
-            gaze.authority("head") as head,
-        ):
-            gaze.set("sound.slap", 40)
-            until(link.moment_changed, lambda: "head" in now.holders)
-            head.command({"yaw": 40}, valid=5)
-            until(link.moment_changed, lambda: now.robot.get("head") == {"yaw": 40})
-            window.robot.follower.refresh()
-            it.settle()
-            with Carer(it) as carer:
-                carer.panel("authority")
-                carer.row_menu(window.robot.authority, "head")
-                carer.choose(window.why.menus.shown, "Why did head move?")
-            assert "gaze-sound moves head" in panel.title.text()
-            assert seen(it)[0].startswith("gaze-sound sets sound.slap to 40")
-            assert any(words.startswith("situation sound") for words in seen(it))
-            assert any("sound.slap 40" in link.values for link in panel.links)
+        perceive("slap 40")
+        until(link.moment_changed, lambda: now.robot.get("head") == {"yaw": 40, "pitch": 0})
+        show(it)
+        with Carer(it) as carer:
+            carer.panel("authority")
+            carer.row_menu(window.robot.authority, "head")
+            carer.choose(window.why.menus.shown, "Why did head move?")
+        assert "gaze-sound moves head" in panel.title.text()
+        assert seen(it)[0].startswith("you set sound.slap to 40")
+        assert any(words.startswith("situation sound") for words in seen(it))
+        assert any("sound.slap 40" in link.values for link in panel.links)
 
-        # Why does the nod module not nod?
-        with (
-            situ.connect(there.endpoint, module="nod", resources=["head"]) as nod,
-            nod.authority("head"),
-        ):
-            until(link.moment_changed, lambda: "nod" in now.asking)
-            until(link.moment_changed, lambda: now.situation == "conversation")
-            window.views[FLOW].current_view().setFocus()
-            canvas_of(it, SCRIPT)
-            with Carer(it) as carer:
-                carer.tab(SCRIPT)
-                carer.card_menu(window.views[SCRIPT].canvas, "module", "nod")
-                carer.choose(window.context_menus.shown, "Why not?")
-            assert panel.title.text() == "Why does nod not hold head?"
-            assert seen(it)[0] == "nod has no priority in situation conversation"
+        # Why does the nod module not nod, though what was said can be accepted?
+        perceive("call -60")
+        until(link.moment_changed, lambda: now.situation == "called")
+        perceive("say yes")
+        until(link.moment_changed, lambda: "nod" in now.asking)
+        until(link.moment_changed, lambda: "nod" not in now.asking)
+        window.views[FLOW].current_view().setFocus()
+        canvas_of(it, SCRIPT)
+        show(it)
+        with Carer(it) as carer:
+            carer.tab(SCRIPT)
+            carer.card_menu(window.views[SCRIPT].canvas, "module", "nod")
+            carer.choose(window.context_menus.shown, "Why not?")
+        until(window.why._asking.answered, lambda: panel.title.text().startswith("Why does nod"))
+        assert panel.title.text() == "Why does nod not hold head?"
+        asked, stood = seen(it)
+        assert asked.startswith("nod asked for head from ")
+        assert "nod has no priority in situation called" in stood
 
         # What was on the blackboard when it stopped?
-        board.set("face.direction", 12)
-        board.set("robot.stop", True)
+        perceive("face 12")
+        perceive("stop")
         until(link.moment_changed, lambda: now.applications["converse"].suspended)
-        board.set("face.direction", 50)
+        perceive("face 50")
         until(link.moment_changed, lambda: now.board["face.direction"].value == 50)
         window.open_file(FLOW)
         window.select(())
-        window.robot.follower.refresh()
-        it.settle()
+        show(it)
         with Carer(it) as carer:
             carer.command("why")
             assert panel.title.text().startswith("converse is suspended")
@@ -145,14 +176,8 @@ def test_of_the_conversation(
 def test_of_the_reception(
     studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
 ) -> None:
-    where = project("reception")
-    file = where / "reception.rbd.xml"
-    text = file.read_text()
-    assert IDLE in text
-    # A test has no minute: people here give up at once.
-    file.write_text(text.replace(IDLE, '<timeout next="1">0.2</timeout>'))
-    there = robot(where)
-    it = studio(where)
+    there = robot(project("reception"), program=PUT_FORWARD)
+    it = studio(there.project)
     window = it.window
     link = connect(it, there.endpoint, until)
     until(link.documents_came, lambda: window.robot.follower.same is True)
@@ -162,13 +187,20 @@ def test_of_the_reception(
         taken = now.applications["reception"].crossed
         return sum(n for (source, _, _, timeout), n in taken.items() if timeout and source == "2")
 
+    # What it says must end first, then comes the minute in which nobody does anything.
+    minutes = QTimer()
+    minutes.setInterval(OFTEN)
+    minutes.timeout.connect(lambda: there.process.send_signal(signal.SIGUSR1))
     with operator(there.endpoint, role="operator") as board:
         for times in (1, 2):
-            board.debug("goto", application="reception", state="2")
+            # Somebody touches the screen, and goes away.
+            board.publish("screenTouched")
+            until(link.moment_changed, lambda: now.applications["reception"].state == "2")
+            minutes.start()
             until(link.moment_changed, lambda times=times: gave_up() == times)
+            minutes.stop()
     # How often did people give up in this state?
-    window.robot.follower.refresh()
-    it.settle()
+    show(it)
     canvas = window.views["reception.rbd.xml"].canvas
     with Carer(it) as carer:
         card = canvas.graph.nodes[canvas._find(("state", "2"))[0]].view
@@ -194,9 +226,15 @@ def test_of_the_reception(
         window.deploying.dialog.changes.item(n).text()
         for n in range(window.deploying.dialog.changes.count())
     ]
-    assert any("timeout 0.2 → 30 s" in words for words in told), told
+    assert any("timeout 60 → 30 s" in words for words in told), told
     window.deploying.dialog.close()
     window.disconnect_robot()
+
+
+def show(it: Any) -> None:
+    """What has come is drawn now, not in a little while."""
+    it.window.robot.follower.refresh()
+    it.settle()
 
 
 def canvas_of(it: Any, file: str) -> None:
