@@ -722,8 +722,8 @@ def test_who_asked_in_vain_and_gave_up_is_told_what_stood_in_the_way_until_then(
         {"at": 5, "set": {"light": 3}},
         {"at": 6, "acquire": {"module": "arm", "resources": ["base"]}},
     )
-    told = _ask(lab, again, 6, "authority", resource="base", to="arm")
-    assert told == "- arm has no priority in situation dark"
+    now = _ask(lab, again, 6, "authority", resource="base", to="arm")
+    assert now == "- arm has no priority in situation dark"
 
 
 def test_a_group_of_all_and_a_tag_that_was_deleted(make: Make, record: Record) -> None:
