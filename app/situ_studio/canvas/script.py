@@ -16,6 +16,7 @@ from situ_studio.canvas import headings, script_piping, script_spoken, spoken
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.base import BAR, READABLE
 from situ_studio.canvas.curves import CurvedPipe
+from situ_studio.canvas.graph import differing
 from situ_studio.canvas.ground import ZOOM_LEAST
 from situ_studio.canvas.headings import Headings
 from situ_studio.canvas.live import LiveScript
@@ -23,10 +24,10 @@ from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.script_commands import ScriptCommands
 from situ_studio.canvas.script_faces import STRIP, ScriptNode, ScriptPicture
 from situ_studio.canvas.script_laws import Laws
+from situ_studio.canvas.script_layout import Columns
 from situ_studio.canvas.script_nodes import ScriptItem
 from situ_studio.canvas.script_priorities import Priorities
-from situ_studio.canvas.script_projection import picture
-from situ_studio.canvas.script_rows import Shapes
+from situ_studio.canvas.script_projection import ScriptProjector
 from situ_studio.edit import Place
 from situ_studio.kinds import Kind
 from situ_studio.language import tr
@@ -50,7 +51,7 @@ class ScriptCanvas(ScriptCommands):
         self.project = project
         self.document = Spds(name="")
         self._picture = ScriptPicture({}, {}, {})
-        self._shapes = Shapes()
+        self._projector = ScriptProjector()
         self._laws = Laws()
         self.origin = ""
         self._copying = ScriptCopying(self, lambda: self.document, self._laws)
@@ -87,18 +88,9 @@ class ScriptCanvas(ScriptCommands):
 
     def render_document(self) -> None:
         old = self._picture
-        new = self._picture = picture(self.document, self._problems, self._shapes)
-        # What did not change keeps its identity, so that it is not built again.
-        for key, node in new.cards.items():
-            if old.cards.get(key) == node:
-                new.cards[key] = old.cards[key]
-        self._fresh = []
-        for id, link in new.links.items():
-            if old.links.get(id) == link:
-                new.links[id] = old.links[id]
-            else:
-                self._fresh.append(id)
-        for id in old.links.keys() - new.links.keys():
+        new = self._picture = self._projector.picture(self.document, self._problems)
+        gone, self._fresh = differing(old.links, new.links)
+        for id in gone:
             self.priorities.forget(id)
         self._rendering = True
         try:
@@ -107,6 +99,14 @@ class ScriptCanvas(ScriptCommands):
             self._rendering = False
         self._on_chosen()
         self._follow_test()
+
+    def arrange_like(self, other: ScriptCanvas) -> None:
+        self._projector.columns.like(other._projector.columns)
+
+    def auto_layout(self) -> None:
+        """Every card near what it belongs to, as when the script was opened; no edit."""
+        self._projector.columns.like(Columns())
+        self.render_document()
 
     def _route(self, moved: Iterable[str] | None = None) -> None:
         if moved is None:

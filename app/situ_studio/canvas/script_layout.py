@@ -1,12 +1,13 @@
 """Where the nodes of a script stand, and the priorities on its pipes. Pure, but for Qt's values.
 
-Situations stand in precedence from top to bottom, everything else near what it belongs to, in the
-measures of mockups/script-light.png; nothing lies on anything.
+Situations stand in precedence from top to bottom, everything else near what it belongs to when it
+is shown first, and there from then on; in the measures of mockups/script-light.png; nothing lies on
+anything.
 """
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 
 from PySide6.QtCore import QRectF
 
@@ -86,6 +87,63 @@ def spread(
     step = pitch if in_rows else GRID
     blocks = [(TOP + round((at - TOP) / step) * step, names) for at, names in blocks]
     return {name: at + pitch * i for at, names in blocks for i, name in enumerate(names)}
+
+
+class Columns:
+    """Where data, modules and resources stand in one drawing of a script, while it is shown.
+
+    A card keeps its place whatever is typed or drawn. One that comes as another goes, as by another
+    name, takes its place, and one that comes back has the place that it had; any other that is new
+    goes to the free place nearest to what it belongs to. A column without cards is arranged as a
+    whole.
+    """
+
+    def __init__(self) -> None:
+        self._shown: dict[str, dict[str, float]] = {}
+        self._known: dict[str, dict[str, float]] = {}
+
+    def like(self, other: Columns) -> None:
+        """The places of another drawing."""
+        self._shown, self._known = dict(other._shown), dict(other._known)
+
+    def place(
+        self,
+        kind: str,
+        names: Sequence[str],
+        wanted: Callable[[str], float | None],
+        pitch: float,
+        in_rows: bool = False,
+    ) -> dict[str, float]:
+        """The tops of a column's cards. wanted: where one that is new belongs, None below all."""
+        before, known = self._shown.get(kind), self._known.get(kind, {})
+        if before:
+            tops = {name: before[name] for name in names if name in before}
+            left = [top for name, top in before.items() if name not in tops]
+        else:
+            at = {name: wanted(name) for name in names}
+            tops = spread([(n, y) for n, y in at.items() if y is not None], pitch, in_rows)
+            left = []
+        step = pitch if in_rows else GRID
+        for name in names:
+            if name not in tops:
+                if name in known:
+                    near: float | None = known[name]
+                else:
+                    near = left.pop(0) if left else wanted(name)
+                tops[name] = _free(near, tops.values(), pitch, step)
+        self._shown[kind], self._known[kind] = tops, {**known, **tops}
+        return tops
+
+
+def _free(near: float | None, taken: Iterable[float], pitch: float, step: float) -> float:
+    """The top nearest to ``near``, else below all, that is a pitch away from those taken."""
+    others = sorted(taken)
+    if near is None:
+        return others[-1] + pitch if others else TOP
+    at = TOP + round((max(near, TOP) - TOP) / step) * step
+    beside = (top + way for top in others for way in (pitch, -pitch))
+    every = sorted((top for top in (at, *beside) if top >= TOP), key=lambda top: abs(top - at))
+    return next(t for t in every if all(abs(t - other) >= pitch for other in others))
 
 
 class Pills:

@@ -1,18 +1,22 @@
 """A script as a picture: data, conditions, situations, modules and resources in five columns. Pure.
 
 Where things stand is ours, not the file's (``script_layout``). The same document always gives the
-same picture.
+same picture, but for cards that keep the place where they were.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import TypeVar
+
+from msgspec import Struct
 
 from situ.document import words
 from situ.document.condition import Condition
 from situ.document.problem import Problem
-from situ.document.spds import Entry, Observed, Situation, Spds
-from situ_studio import kinds, places
+from situ.document.spds import Observed, Situation, Spds
+from situ_studio import kinds
 from situ_studio.canvas.problem_marks import NONE, Mark
 from situ_studio.canvas.script_faces import (
     IN,
@@ -20,7 +24,6 @@ from situ_studio.canvas.script_faces import (
     LOW,
     OUT,
     PITCH,
-    TOP,
     UNTIL,
     Inherited,
     ScriptLink,
@@ -29,25 +32,16 @@ from situ_studio.canvas.script_faces import (
     uid,
 )
 from situ_studio.canvas.script_gestures import note_of
-from situ_studio.canvas.script_layout import Tier, spread, tiers
+from situ_studio.canvas.script_layout import Columns, Tier, tiers
+from situ_studio.canvas.script_marks import marks_of
 from situ_studio.canvas.script_rows import Shapes
 from situ_studio.edit import Place
 from situ_studio.language import say, tr, translated
 
-LAST = 1e6
-"""Below all others."""
 
-
-def picture(
-    script: Spds, problems: Sequence[Problem] = (), shapes: Shapes | None = None
-) -> ScriptPicture:
-    """Nodes and pipes of the whole script, the nodes in the order of reading.
-
-    shapes: what is known of the conditions of the value before.
-    """
-    shapes = shapes if shapes is not None else Shapes()
-    shapes.begin()
-    return _Drawing(script, _marks(problems, script), shapes).picture()
+def picture(script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:
+    """Nodes and pipes of the whole script, the nodes in the order of reading."""
+    return ScriptProjector().picture(script, problems)
 
 
 def named(values: Iterable[str]) -> Iterator[tuple[str, str]]:
@@ -93,62 +87,124 @@ def inherited(script: Spds, situation: Situation, key: str) -> list[Inherited]:
     ]
 
 
-class _Drawing:
-    """One script while it becomes a picture."""
+class ScriptProjector:
+    """Makes pictures of one script after the other: what did not change is the same value, and
+    stands where it stood."""
 
-    def __init__(self, script: Spds, marks: Mapping[Place, Mark], shapes: Shapes) -> None:
+    def __init__(self) -> None:
+        self.columns = Columns()
+        self._shapes = Shapes()
+        self._bands: dict[str, _Band] = {}
+        self._around: object = None
+        self._picture = ScriptPicture({}, {}, {})
+
+    def picture(self, script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:
+        marks = marks_of(problems, script)
+        self._shapes.begin()
+        # What a situation's nodes and pipes depend on beside itself and its place.
+        around = marks, [data.tag for data in script.observe]
+        drawing = _Drawing(script, marks, self._shapes, self._picture)
+        bands = drawing.bands(self._bands if around == self._around else {})
+        drawing.add_data(self.columns)
+        drawing.add_bands(bands)
+        drawing.add_modules(self.columns)
+        self._bands, self._around, self._picture = bands, around, drawing.made
+        return drawing.made
+
+
+class _Band(Struct):
+    """What one situation at its place adds to a picture."""
+
+    situation: Situation
+    number: int
+    top: float
+    cards: dict[str, ScriptNode]
+    links: dict[tuple[str, ...], ScriptLink]
+
+    def add(self, node: ScriptNode) -> None:
+        self.cards[node.uid] = node
+
+    def link(self, made: ScriptLink) -> None:
+        self.links.setdefault(made.id, made)
+
+
+class _Drawing:
+    """One script while it becomes a picture. before: the picture of the script before."""
+
+    def __init__(
+        self, script: Spds, marks: Mapping[Place, Mark], shapes: Shapes, before: ScriptPicture
+    ) -> None:
+        self.made = ScriptPicture({}, {}, {})
         self._script = script
         self._shapes = shapes
         self._marks = marks
+        self._before = before
+        self._tiers = tiers(script.situations, shapes)
         self._observed = {o.tag: o for o in script.observe}
-        self._cards: dict[str, ScriptNode] = {}
-        self._links: dict[tuple[str, ...], ScriptLink] = {}
-        self._uids: dict[Place, str] = {}
-        self._used_by: dict[str, list[float]] = {}
-        self._asked_by: dict[str, list[float]] = {}
+        self._declared = {m.name: m for m in reversed(script.modules)}
 
-    def picture(self) -> ScriptPicture:
-        every = list(
-            zip(keyed(self._script), tiers(self._script.situations, self._shapes), strict=True)
-        )
-        for (situation, _), tier in every:
-            first, second = (self._shapes.of(c) for c in (situation.condition, situation.until))
-            for index, (test, _) in enumerate((*first.tests, *second.tests)):
-                at = tier.top + index
-                self._used_by.setdefault(datum(test.tag, self._observed), []).append(at)
-            for entry in situation.entries:
-                self._asked_by.setdefault(entry.module, []).append(tier.situation[0])
-        self._add_data()
+    def bands(self, before: Mapping[str, _Band]) -> dict[str, _Band]:
+        """By what the situations' nodes go by; those of before that are still right."""
+        made: dict[str, _Band] = {}
+        every = zip(keyed(self._script), self._tiers, strict=True)
         for number, ((situation, key), tier) in enumerate(every, start=1):
-            self._add_condition(situation.condition, situation, key, tier)
-            self._add_condition(situation.until, situation, key, tier, until=True)
-            self._add_situation(situation, key, number, tier)
-        self._add_modules()
-        for situation, key in keyed(self._script):
-            self._add_priorities(situation, key)
-        return ScriptPicture(self._cards, self._links, self._uids)
+            band = before.get(key)
+            if (
+                band is None
+                or band.situation is not situation
+                or (band.number, band.top) != (number, tier.top)
+            ):
+                band = _Band(situation, number, tier.top, {}, {})
+                self._add_condition(band, situation.condition, key, tier)
+                self._add_condition(band, situation.until, key, tier, until=True)
+                self._add_situation(band, key, tier)
+                self._add_priorities(band, key)
+                for name, node in band.cards.items():
+                    band.cards[name] = _same(self._before.cards.get(name), node)
+                for id, link in band.links.items():
+                    band.links[id] = _same(self._before.links.get(id), link)
+            made[key] = band
+        return made
+
+    def add_bands(self, bands: Mapping[str, _Band]) -> None:
+        made = self.made
+        for band in bands.values():
+            made.cards.update(band.cards)
+            made.links.update(band.links)
+            for node in band.cards.values():
+                made.uids.setdefault(node.place, node.uid)
 
     def _add(self, node: ScriptNode) -> None:
-        self._cards[node.uid] = node
-        self._uids.setdefault(node.place, node.uid)
-
-    def _link(self, made: ScriptLink) -> None:
-        self._links.setdefault(made.id, made)
+        self.made.cards[node.uid] = _same(self._before.cards.get(node.uid), node)
+        self.made.uids.setdefault(node.place, node.uid)
 
     # -- from left to right --------------------------------------------------------------
 
-    def _add_data(self) -> None:
+    @cached_property
+    def _used_by(self) -> dict[str, list[float]]:
+        """Data to the heights at which something looks at it."""
+        found: dict[str, list[float]] = {tag: [] for tag in self._observed}
+        for situation, tier in zip(self._script.situations, self._tiers, strict=True):
+            first, second = (self._shapes.of(c) for c in (situation.condition, situation.until))
+            for index, (test, _) in enumerate((*first.tests, *second.tests)):
+                found.setdefault(datum(test.tag, self._observed), []).append(tier.top + index)
+        return found
+
+    @cached_property
+    def _asked_by(self) -> dict[str, list[float]]:
+        """Modules to the heights of the situations that give them a priority."""
+        found: dict[str, list[float]] = {}
+        for situation, tier in zip(self._script.situations, self._tiers, strict=True):
+            for entry in situation.entries:
+                found.setdefault(entry.module, []).append(tier.situation[0])
+        return found
+
+    def add_data(self, columns: Columns) -> None:
         # Every tag: observed ones in the file's order, then those only used.
-        every = dict.fromkeys([*self._observed, *self._used_by])
-        wanted = [(tag, _mean(self._used_by.get(tag, ()), LAST)) for tag in every]
+        every, wanted = list(self._used_by), self._used_by.get
         # In rows, so that most pipes are straight.
-        tops = spread([(tag, y) for tag, y in wanted if y < LAST], PITCH, in_rows=True)
-        below = max(tops.values(), default=TOP - PITCH) + PITCH
-        for tag, y in wanted:
-            if y >= LAST:
-                tops[tag] = below
-                below += PITCH
-        for tag in sorted(every, key=lambda tag: tops[tag]):
+        tops = columns.place("data", every, lambda tag: _mean(wanted(tag)), PITCH, in_rows=True)
+        for tag in sorted(every, key=tops.__getitem__):
             place: Place = ("data", tag)
             self._add(
                 ScriptNode(
@@ -166,8 +222,8 @@ class _Drawing:
 
     def _add_condition(
         self,
+        band: _Band,
         condition: Condition | None,
-        situation: Situation,
         key: str,
         tier: Tier,
         until: bool = False,
@@ -176,14 +232,14 @@ class _Drawing:
         if condition is None or not shape.rows:
             return
         word = "until" if until else "condition"
-        place: Place = ("situation", situation.name, word)
+        place: Place = ("situation", band.situation.name, word)
         top, height = tier.until if until else tier.condition
-        self._add(
+        band.add(
             ScriptNode(
                 uid=uid(word, key),
                 place=place,
                 kind="condition",
-                name=situation.name,
+                name=band.situation.name,
                 x=LEFT["condition"],
                 y=top,
                 height=height,
@@ -196,19 +252,20 @@ class _Drawing:
             )
         )
         goal = uid("situation", key)
-        self._link(ScriptLink(uid(word, key), OUT, goal, UNTIL if until else IN, "holds"))
+        band.link(ScriptLink(uid(word, key), OUT, goal, UNTIL if until else IN, "holds"))
         for test, rest in shape.tests:
             source = uid("data", datum(test.tag, self._observed))
             entry = "/".join(rest)
             where = (*place, *rest)
-            self._link(ScriptLink(source, OUT, uid(word, key), entry, "observes", where))
+            band.link(ScriptLink(source, OUT, uid(word, key), entry, "observes", where))
 
-    def _add_situation(self, situation: Situation, key: str, number: int, tier: Tier) -> None:
+    def _add_situation(self, band: _Band, key: str, tier: Tier) -> None:
+        situation = band.situation
         place: Place = ("situation", situation.name)
         extends = tr("extends {0}").format(situation.extends) if situation.extends else ""
         always = situation.condition is None or not situation.condition.children
         top, height = tier.situation
-        self._add(
+        band.add(
             ScriptNode(
                 uid=uid("situation", key),
                 place=place,
@@ -219,22 +276,38 @@ class _Drawing:
                 height=height,
                 extends=extends or (tr("always") if always else ""),
                 times=_times(situation),
-                number=number,
+                number=band.number,
                 wrong=self._marks.get(place, NONE),
                 note=note_of(situation),
             )
         )
 
-    def _add_modules(self) -> None:
+    def _add_priorities(self, band: _Band, key: str) -> None:
+        for number, entry in enumerate(band.situation.entries):
+            where = ("situation", band.situation.name, "entry", str(number))
+            band.link(
+                ScriptLink(
+                    uid("situation", key),
+                    OUT,
+                    uid("module", entry.module),
+                    IN,
+                    "priority",
+                    place=where,
+                    priority=entry.priority,
+                    none=entry.priority is None,
+                    wrong=self._marks.get(where, NONE),
+                )
+            )
+
+    def add_modules(self, columns: Columns) -> None:
+        """With what they use."""
         every = modules(self._script)
-        last = max((y for ys in self._asked_by.values() for y in ys), default=TOP)
-        wanted = [(m, _mean(self._asked_by.get(m, ()), last)) for m in every]
-        tops = spread(wanted, 60)
+        tops = columns.place("module", list(every), lambda m: _mean(self._asked_by.get(m)), 60)
         needed: dict[str, list[float]] = {}
         for name, top in tops.items():
             for resource in every[name] or ():
                 needed.setdefault(resource, []).append(top)
-        for name in sorted(every, key=lambda name: tops[name]):
+        for name in sorted(every, key=tops.__getitem__):
             place: Place = ("module", name)
             self._add(
                 ScriptNode(
@@ -247,10 +320,11 @@ class _Drawing:
                     height=LOW,
                     detail="" if every[name] is not None else tr("not declared"),
                     wrong=self._marks.get(place, NONE),
-                    note=next((note_of(m) for m in self._script.modules if m.name == name), ""),
+                    note=note_of(self._declared[name]) if name in self._declared else "",
                 )
             )
-        for name, top in spread([(r, _mean(ys, TOP)) for r, ys in needed.items()], 56).items():
+        tops = columns.place("resource", list(needed), lambda r: _mean(needed[r]), 56)
+        for name, top in tops.items():
             self._add(
                 ScriptNode(
                     uid=uid("resource", name),
@@ -266,24 +340,16 @@ class _Drawing:
             for resource in dict.fromkeys(resources or ()):
                 place = ("module", name, "resource", resource)
                 source, goal = uid("module", name), uid("resource", resource)
-                self._link(ScriptLink(source, OUT, goal, IN, "uses", place))
+                made = ScriptLink(source, OUT, goal, IN, "uses", place)
+                self.made.links[made.id] = _same(self._before.links.get(made.id), made)
 
-    def _add_priorities(self, situation: Situation, key: str) -> None:
-        for number, entry in enumerate(situation.entries):
-            where = ("situation", situation.name, "entry", str(number))
-            self._link(
-                ScriptLink(
-                    uid("situation", key),
-                    OUT,
-                    uid("module", entry.module),
-                    IN,
-                    "priority",
-                    place=where,
-                    priority=entry.priority,
-                    none=entry.priority is None,
-                    wrong=self._marks.get(where, NONE),
-                )
-            )
+
+Value = TypeVar("Value")
+
+
+def _same(before: Value | None, now: Value) -> Value:
+    """The very value of before where it is equal, so that it is not shown anew."""
+    return before if before is not None and before == now else now
 
 
 def _type(known: Observed | None) -> str:
@@ -302,49 +368,5 @@ def _times(situation: Situation) -> str:
     return ", ".join(told)
 
 
-def _mean(values: Sequence[float], otherwise: float) -> float:
-    return sum(values) / len(values) if values else otherwise
-
-
-def _marks(problems: Iterable[Problem], script: Spds) -> dict[Place, Mark]:
-    """Marks by place: of nodes, and of entries for their pills, of a tie both."""
-    marks: dict[Place, Mark] = {}
-    for problem in sorted(problems, key=lambda one: one.severity):
-        place = problem.place
-        if place[:1] == ("situation",) and len(place) > 3 and place[2] == "entry":
-            root = place[:4]
-        elif place[:1] == ("situation",) and len(place) > 2 and place[2] in ("condition", "until"):
-            root = place[:3]
-        else:
-            root = place[:2]
-        roots = [root] if root else []
-        if problem.code == "tie":
-            roots += _tied_with(script, place)
-        for one in roots:
-            before = marks.get(one, NONE)
-            if problem.message not in before.messages:
-                messages = (*before.messages, problem.message)
-                marks[one] = Mark(before.sign or problem.severity, messages)
-    return marks
-
-
-def _tied_with(script: Spds, place: Place) -> list[Place]:
-    """The other entries of a tie: those of the same priority in the situation, which can use
-    something that the first can use."""
-    situation = script.situation(place[1])
-    mine = places.get(script, place[:4]) if len(place) > 3 else None
-    if situation is None or not isinstance(mine, Entry):
-        return []
-    uses = {m.name: set(m.resources) for m in script.modules}
-    nothing: set[str] = set()
-    return [
-        ("situation", place[1], "entry", str(number))
-        for number, entry in enumerate(situation.entries)
-        if entry.module != mine.module
-        and entry.priority == mine.priority
-        # What a module declares elsewhere is not known here.
-        and (
-            not {mine.module, entry.module} <= uses.keys()
-            or uses.get(mine.module, nothing) & uses.get(entry.module, nothing)
-        )
-    ]
+def _mean(values: Sequence[float] | None) -> float | None:
+    return sum(values) / len(values) if values else None

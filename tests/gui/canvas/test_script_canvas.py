@@ -23,7 +23,7 @@ from situ_studio.canvas.curves import CurvedPipe, InheritedPipe
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.script import ScriptCanvas
-from situ_studio.canvas.script_projection import picture
+from situ_studio.canvas.script_projection import ScriptProjector
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -72,11 +72,14 @@ def made(desk: Callable[..., Any], script: Spds) -> Any:
 
 
 def agree(desk: Any) -> None:
-    """View = document = NodeGraphQt's model."""
+    """View = document = NodeGraphQt's model. What was drawn edit by edit is what is drawn afresh
+    with every card at its place."""
     canvas = desk.canvas
     graph, viewer = canvas.graph, canvas.viewer
     assert canvas.document is desk.document
-    wanted = picture(canvas.document, canvas._problems)
+    afresh = ScriptProjector()
+    afresh.columns.like(canvas._projector.columns)
+    wanted = afresh.picture(canvas.document, canvas._problems)
     nodes = {n.uid: n for n in graph.model.nodes.values()}
     assert set(nodes) == set(wanted.cards)
     connected = set()
