@@ -45,6 +45,8 @@ class Canvas(Choosing):
     menu_requested = Signal(tuple, QPoint)
     mends_asked = Signal()
     """The sign of a problem was clicked, of what is selected now."""
+    media_asked = Signal(tuple, str, object)
+    """A file is wanted for something new there, as ``StateScreen.media_asked``."""
     module_dropped = Signal(str, tuple)
     """The name of a module that was dragged here, and the place of what it was dropped on."""
     """A right click: the place under it (empty for the ground), where on the screen."""
@@ -389,6 +391,9 @@ class Canvas(Choosing):
     def drop_kind(self, kind: kinds.Kind, spot: QPointF) -> None:
         """Something was dragged here from the palette."""
         place = self.place_at(spot)
+        if kind.file:
+            self.media_asked.emit(place, kind.name, None)
+            return
         try:
             after, made, text = insert(self.document, kind, place)
         except NotHere as error:
