@@ -9,7 +9,7 @@ import sys
 from array import array
 from bisect import bisect_right
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 from msgspec import Struct, field
 
@@ -75,13 +75,25 @@ class Series(Struct):
         del self.y[:index]
 
 
+class Deployed(NamedTuple):
+    """From then on another version of the project ran."""
+
+    t: float
+    seq: int
+    version: int
+
+
 class Lanes(Struct):
-    """All of a trace. states: of an application. data: of a tag whose values are numbers."""
+    """All of a trace. states: of an application. data: of a tag whose values are numbers.
+
+    deployed: every version that took over, also before the first event that is kept.
+    """
 
     situation: Lane = field(default_factory=Lane)
     states: dict[str, Lane] = field(default_factory=dict)
     holders: dict[str, Lane] = field(default_factory=dict)
     data: dict[str, Series] = field(default_factory=dict)
+    deployed: list[Deployed] = field(default_factory=list)
     start: float = 0.0
     end: float = 0.0
 
@@ -135,6 +147,10 @@ def _authority(lanes: Lanes, event: dict[str, Any]) -> None:
     _lane(lanes.holders, event["resource"]).add(event["t"], event["to"])
 
 
+def _deployed(lanes: Lanes, event: dict[str, Any]) -> None:
+    lanes.deployed.append(Deployed(event["t"], event["seq"], event["version"]))
+
+
 def _lane(lanes: dict[str, Lane], name: str) -> Lane:
     lane = lanes.get(name)
     if lane is None:
@@ -147,5 +163,6 @@ TAKE: dict[str, Callable[[Lanes, dict[str, Any]], None]] = {
     "enter": _enter,
     "situation": _situation,
     "authority": _authority,
+    "deployed": _deployed,
 }
 """What a trace event of each kind adds; one of any other kind adds nothing."""

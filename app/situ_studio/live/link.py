@@ -88,6 +88,8 @@ class RobotLink(QObject):
         self.log = TraceLog()
         self.state = LinkState()
         self.files: dict[str, str] | None = None
+        self.known: list[tuple[int, dict[str, str]]] = []
+        """What the robot ran at an event, by its seq: its files each time that it was asked."""
         self._now = now
         self._link: Link | None = None
         self._notifiers: list[QSocketNotifier] = []
@@ -145,6 +147,7 @@ class RobotLink(QObject):
         link.turn()
         link.close()
         self._runtime = self.files = None
+        self.known = []
         self._become(LinkState())
 
     @property
@@ -246,8 +249,9 @@ class RobotLink(QObject):
         new = self.log.add(events)
         if new:
             self._measure(new[-1])
-            if any(e["kind"] == "deployed" and e["seq"] > self._backlog for e in new):
-                self._ask_documents()
+            turned = [e["seq"] for e in new if e["kind"] == "deployed"]
+            if turned and turned[-1] > self._backlog:
+                self._ask_documents(turned[-1])
             self.came.emit(new)
             self.moment_changed.emit()
 
@@ -297,25 +301,30 @@ class RobotLink(QObject):
         assert link is not None
         if runtime != self._runtime:
             self._runtime = runtime
+            self.known = []
             self._begin_anew()
         entries = link.dialog.entries(["**"])
         entries.then(lambda: self._stand(entries))
-        self._ask_documents()
+        self._ask_documents(self._backlog)
 
     def _begin_anew(self) -> None:
         self.log.clear()
         self.began_anew.emit()
 
-    def _ask_documents(self) -> None:
-        """Those that the robot runs now."""
+    def _ask_documents(self, seq: int) -> None:
+        """Those that the robot runs now, after that event."""
         assert self._link is not None
         files = self._link.dialog.documents()
 
         def compared() -> None:
             try:
-                self.files = files.result().files
+                told = files.result().files
             except BlackboardError:
                 return
+            # Most often they are what they were: a robot that is lost and found many times.
+            last = self.known[-1][1] if self.known else None
+            self.files = last if told == last else told
+            self.known.append((seq, self.files))
             self.documents_came.emit(self.files)
 
         files.then(compared)

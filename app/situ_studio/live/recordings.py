@@ -13,6 +13,7 @@ from typing import IO
 from msgspec import Struct
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from situ.decide.inputs import Deploy
 from situ.errors import UsageError
 from situ.rehearse import recorded
 from situ_studio.language import tr
@@ -25,9 +26,10 @@ PIECE = 500
 
 
 class Recording(Struct, frozen=True):
-    """A recorded run. files: the project's documents as they ran, path to text. torn: the file ends
-    without its end, for the robot still runs or was killed. goes_on: another run follows in the
-    file, which is not read.
+    """A recorded run. files: the project's documents as they ran at its beginning, path to text;
+    none where private values are masked. versions: those of all that ran later, by their numbers.
+    torn: the file ends without its end, for the robot still runs or was killed. goes_on: another
+    run follows in the file, which is not read.
     """
 
     path: Path
@@ -37,6 +39,7 @@ class Recording(Struct, frozen=True):
     log: TraceLog
     torn: bool = False
     goes_on: bool = False
+    versions: dict[int, dict[str, str]] = {}
 
     def notice(self) -> str:
         """What of the run is not seen, in words; "" where all is."""
@@ -94,6 +97,7 @@ class ReadingRecording(QObject):
         self._pieces = iter(())
         self._heading = recorded.Heading()
         self._files: dict[str, str] = {}
+        self._versions: dict[int, dict[str, str]] = {}
         self._log = TraceLog()
         self._torn = self._goes_on = False
 
@@ -125,6 +129,8 @@ class ReadingRecording(QObject):
                 self._heading = piece
             elif isinstance(piece, recorded.Document):
                 self._files[piece.path] = piece.data.decode(errors="replace")
+            elif isinstance(piece, recorded.Taken) and isinstance(piece.given, Deploy):
+                self._versions[piece.given.version] = piece.given.files
             elif isinstance(piece, recorded.Torn):
                 self._torn = True
         return bool(pieces) and not self._goes_on
@@ -147,6 +153,7 @@ class ReadingRecording(QObject):
             self._log,
             self._torn,
             self._goes_on,
+            {heading.deployed: self._files, **self._versions},
         )
         self.cancel()
         self.read.emit(read)

@@ -133,8 +133,9 @@ class WhyMenus(QObject):
 
     def _on_timeline(self, at: QPoint) -> None:
         """Of what was there at the moment under the hand."""
-        chart, project = self._robot.timeline.chart, self._side.project
+        chart = self._robot.timeline.chart
         row, t = chart.row_at(at), chart.moment_at(at)
+        project = self._side.project_at(self._viewing.t if t is None else t)
         if row is None or project is None or not self._side.can_ask():
             return
         menu = self._menu([])

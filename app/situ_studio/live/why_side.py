@@ -5,7 +5,6 @@ A long log is looked through in slices; the window stays in use.
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
@@ -17,10 +16,12 @@ from situ.document.project import Project
 from situ.rehearse.reason import Answer, Reason
 from situ.rehearse.scenario import WRITER
 from situ.rehearse.telling import Teller
-from situ_studio import places
+from situ_studio import places, project_documents
 from situ_studio.edit import Document, Place
 from situ_studio.language import said
-from situ_studio.live.viewing import Viewing
+from situ_studio.live.by_clock import by_clock
+from situ_studio.live.counterpart import counterpart
+from situ_studio.live.ran import Ran, WhatRan
 from situ_studio.live.why import Thing, latest, place_of, trail
 from situ_studio.live.why_menus import WhyMenus
 from situ_studio.live.why_not import Question, Wanted, events_until, wanted_at
@@ -38,8 +39,6 @@ PANEL = "why"
 INDENT = "    "
 SLICE = 0.012
 """Seconds of looking at a time."""
-MOMENT = re.compile(r"“[^“”]*”|\b(?P<word>since|at) (?P<t>\d+(?:\.\d+)?) s\b")
-"""A moment in a sentence of the runtime's; or what a person wrote, which may read like one."""
 
 
 class WhySide(QObject):
@@ -49,11 +48,14 @@ class WhySide(QObject):
         super().__init__(window)
         self._window, self._robot = window, window.robot
         self._viewing = window.robot.follower.viewing
+        self._ran = WhatRan(window)
         self.panel = Why(window.theme)
         self.panel.chosen.connect(self._go)
         window.bottom.add(PANEL, self.tr("Why?"), self.panel)
         self._looking: Iterator[int | None] = iter(())
         self._other: Thing | None = None
+        self._of: Ran | None = None
+        """What ran at the moment that was asked about."""
         self._slices = QTimer(self)
         self._slices.setInterval(0)
         self._slices.timeout.connect(self._look)
@@ -88,27 +90,25 @@ class WhySide(QObject):
 
     @property
     def project(self) -> Project | None:
-        """What is asked: of a rehearsal the project that runs, though another may be drawn by now;
-        else the open one.
+        """What is asked: what ran at the cursor, though another may be open by now; the open one
+        only where nothing is known of that.
         """
-        running = self._window.rehearsing.running
-        if running is not None and self._viewing.log is running.course.log:
-            return running.course.project
-        return self._window.session.project
+        return self.project_at(self._viewing.t)
+
+    def project_at(self, t: float) -> Project | None:
+        """The same for another moment."""
+        ran = self._ran.at(t)
+        return ran.project if ran is not None else None
 
     def document(self, file: str) -> Document | None:
         """A document of that project; None where it has none of the name."""
         project = self.project
-        if project is None:
-            return None
-        if file == project.spds_file:
-            return project.spds
-        return project.applications.get(file) or project.parts.get(file)
+        return project_documents.document(project, file) if project is not None else None
 
     def teller(self, project: Project) -> Teller:
         """Tells events of what is looked at; what who sits here did is told as *you*."""
-        running, link = self._window.rehearsing.running, self._robot.link
-        if running is not None and self._viewing.log is running.course.log:
+        link = self._robot.link
+        if self._ran.course is not None:
             return Teller(project, WRITER)
         return Teller(project, link.writer if self._viewing.log is link.log else None)
 
@@ -122,27 +122,45 @@ class WhySide(QObject):
         """About the current row of the table that has the keyboard; else what is selected."""
         if self.menus.ask():
             return
-        thing, other = self._selected()
+        meant = self._meant()
+        if meant is None:
+            return
+        thing, other = self._selected(*meant)
         if thing is None:
             self._window.say(self.tr("A trace tells nothing of that."))
         else:
             self.ask_about(thing, other)
 
-    def _selected(self) -> tuple[Thing | None, Thing | None]:
+    def _meant(self) -> tuple[Project, str, Document, Place] | None:
+        """What ran, and its document and place that are those which are selected here; None where
+        there is nothing of it, which is then said.
+        """
+        window, project = self._window, self.project
+        view, mine = window.current_view, window.current_document
+        if project is None or view is None or mine is None:
+            return None
+        theirs = self.document(view.file)
+        if theirs is None:
+            self._window.say(self.tr("What ran had no {0}.").format(view.file))
+            return None
+        place = counterpart(mine, self._place_meant(view), theirs)
+        if place is None:
+            self._window.say(self.tr("What ran had nothing of that in {0}.").format(view.file))
+            return None
+        return project, view.file, theirs, place
+
+    def _selected(
+        self, project: Project, file: str, document: Document, place: Place
+    ) -> tuple[Thing | None, Thing | None]:
         """What is meant, and what is told of where that never was."""
-        window, project = self._window, self._window.session.project
-        view, document = window.current_view, window.current_document
-        if project is None or view is None or document is None:
-            return None, None
-        place = self._place_meant(view)
-        thing = thing_at(project, view.file, document, place)
+        thing = thing_at(project, file, document, place)
         if thing is None and document is project.spds and not place:
             current = self._viewing.moment().situation
             return (Thing("situation", current) if current is not None else None), None
         if thing is not None and thing.kind == "application" and self._stands_still(thing.name):
             return Thing("halt", thing.name), thing
         if places.is_component(place):
-            return thing, thing_at(project, view.file, document, places.root(place))
+            return thing, thing_at(project, file, document, places.root(place))
         return thing, None
 
     def _stands_still(self, application: str) -> bool:
@@ -162,18 +180,17 @@ class WhySide(QObject):
         """What kept the selected thing from happening at the cursor."""
         if self.menus.ask_not():
             return
-        window, project = self._window, self._window.session.project
-        view, document = window.current_view, window.current_document
-        if project is None or view is None or document is None:
+        meant = self._meant()
+        if meant is None:
             return
-        place = self._place_meant(view)
-        wanted = wanted_at(project, view.file, document, place, self._viewing.moment())
+        _, file, _, place = meant
+        wanted = wanted_at(*meant, self._viewing.moment())
         if wanted is None:
             self._window.say(
                 self.tr("Select a state, a transition, a situation, a module or a resource.")
             )
         else:
-            self.ask_why_not(wanted, (view.file, place))
+            self.ask_why_not(wanted, (file, place))
 
     # -- answering -----------------------------------------------------------------------
 
@@ -182,7 +199,7 @@ class WhySide(QObject):
         project = self.project
         if project is None:
             return
-        self._begin()
+        self._begin(self._viewing.t)
         self._other = other
         self._looking = latest(self._viewing.log, project, thing, self._viewing.t)
         self._slices.start()
@@ -192,8 +209,9 @@ class WhySide(QObject):
         """Where the event of that seq is in the log that is looked at."""
         return place_of(self._viewing.log, seq)
 
-    def _begin(self) -> None:
+    def _begin(self, t: float) -> None:
         self._stop()
+        self._of = self._ran.at(t)
         self._window.bottom.choose(PANEL)
         self.panel.table.setFocus()
         self.panel.tell(self.tr("Looking…"))
@@ -219,9 +237,9 @@ class WhySide(QObject):
                 return
 
     def _answer(self, place: int) -> None:
-        project, log = self.project, self._viewing.log
-        if project is None:
+        if self._of is None:
             return
+        project, log = self._of.project, self._viewing.log
         teller = self.teller(project)
         every = trail(log, place)
         links = [self._link(teller, project, one) for one in every]
@@ -232,6 +250,7 @@ class WhySide(QObject):
             more = self.tr("{0}, {1} s after what began it").format(more, f"{passed:.3f}")
         if since >= 0.1:
             more = self.tr("{0}; {1} ago").format(more, ago(since))
+        more = self._asked_of(more)
         self.panel.answer(said(teller.tell(log[place])), more, links, len(links) - 1)
 
     def _link(self, teller: Teller, project: Project, place: int) -> Link:
@@ -266,7 +285,7 @@ class WhySide(QObject):
         project, t = self.project, self._viewing.t
         if project is None:
             return
-        self._begin()
+        self._begin(t)
         self._about = where
         self._asking.ask(Question(project, events_until(self._viewing.log, t), wanted, t))
 
@@ -274,9 +293,9 @@ class WhySide(QObject):
         self.panel.tell(self.tr("There is no answer."), self.tr("The log says what went wrong."))
 
     def _answer_not(self, answer: Answer | str) -> None:
-        project = self.project
-        if project is None:
+        if self._of is None:
             return
+        project = self._of.project
         if isinstance(answer, str):
             self.panel.tell(said(answer))
             return
@@ -288,10 +307,19 @@ class WhySide(QObject):
         more = self.tr("at {0}").format(self._viewing.written(answer.at))
         if answer.reasons and answer.reasons[0].code == "already":
             more = self.tr("{0}: it was so already").format(more)
-        elif self._robot.follower.same is False:
-            more = self.tr("{0}; the documents here are not the robot's").format(more)
+        more = self._asked_of(more)
         links = [self._reason(project, one, depth) for one, depth in _flat(answer.reasons)]
         self.panel.answer(title, more, links, 0)
+
+    def _asked_of(self, more: str) -> str:
+        """With a word about the documents, where those that are open are not those that ran."""
+        ran = self._of
+        if ran is not None and ran.differs:
+            return self.tr("{0}; by the documents that ran, not those open here").format(more)
+        if ran is not None and not ran.own:
+            words = self.tr("{0}; by the documents open here: those that ran are not known")
+            return words.format(more)
+        return more
 
     def question(self, teller: Teller, wanted: Wanted) -> str:
         """What is asked, in words."""
@@ -335,24 +363,31 @@ class WhySide(QObject):
     def _go(self, link: Link) -> None:
         """To the moment of a link, and to the element that it is about."""
         self._viewing.seek(link.t)
-        if link.where is not None and self._window.session.document(link.where[0]) is not None:
-            self._window.go_to(*link.where)
+        if link.where is not None and self._of is not None:
+            self._go_to(self._of.project, *link.where)
         self.panel.table.setFocus()
 
-
-def by_clock(text: str, viewing: Viewing) -> str:
-    """The runtime's sentence with its moments as all other times here are written: the runtime
-    knows seconds of the trace alone. What a person wrote stays.
-    """
-    if viewing.wall() is None:
-        return text
-
-    def written(found: re.Match[str]) -> str:
-        if found["t"] is None:
-            return found[0]
-        return f"{found['word']} {viewing.written(float(found['t']))}"
-
-    return MOMENT.sub(written, text)
+    def _go_to(self, project: Project, file: str, place: Place) -> None:
+        """To what a place of what ran is in the open documents; where they have no such thing, that
+        is said, and what is nearest to it is shown.
+        """
+        theirs = project_documents.document(project, file)
+        mine = self._window.session.document(file)
+        if theirs is None:
+            return
+        if mine is None:
+            self._window.say(self.tr("{0} is not open here: only what ran has it.").format(file))
+            return
+        found = counterpart(theirs, place, mine)
+        if found is not None:
+            self._window.go_to(file, found)
+            return
+        near: Place | None = None
+        while near is None:
+            place = places.nearest(theirs, place[:-1])
+            near = counterpart(theirs, place, mine)
+        self._window.go_to(file, near)
+        self._window.say(self.tr("Only what ran has that: {0} here has not.").format(file))
 
 
 def _flat(reasons: Iterable[Reason], depth: int = 0) -> Iterator[tuple[Reason, int]]:

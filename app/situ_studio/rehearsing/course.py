@@ -151,6 +151,10 @@ class Course:
         """What the robot runs now."""
         return self._versions[self._rehearsal.robot.version].project
 
+    def version(self, number: int) -> Project:
+        """That of a number, of those that ran; 0 is what it began with."""
+        return self._versions[number].project
+
     @property
     def deployment(self) -> Deployment:
         """Which version runs, and what another waits for."""

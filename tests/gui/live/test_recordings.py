@@ -22,14 +22,19 @@ from situ_studio.live.viewing import Viewing
 PATIENCE = 10_000
 
 
-def recording(file: Path, events: list[dict[str, Any]], project: Path, whole: bool = True) -> Path:
-    """A file as ``situ run --record`` writes it, of these events."""
+def recording(
+    file: Path, events: list[dict[str, Any]], project: Path | None, whole: bool = True
+) -> Path:
+    """A file as ``situ run --record`` writes it, of these events; without a project as it is
+    written for those who may not see what is private.
+    """
     with file.open("wb") as stream:
         writer: Any = Writer(stream, chunk_size=20_000)
         writer.start()
-        heading = {"runtime": "r", "project": project.name, "file": "situ.toml"}
+        name = "" if project is None else project.name
+        heading = {"runtime": "r", "project": name, "file": "situ.toml", "masked": project is None}
         writer.add_metadata("situ", {"heading": msgspec.json.encode(heading).decode()})
-        for path, text in deployable(load_ready(project)).items():
+        for path, text in ({} if project is None else deployable(load_ready(project))).items():
             writer.add_attachment(0, 0, path, "text/plain", text)
         channel = writer.register_channel("/trace", "json", 0)
         for event in events:

@@ -14,11 +14,11 @@ from tests.gui.live.test_log import played
 from tests.gui.live.test_why import FLOW, SCRIPT, Clicks, replayed, seen
 
 import situ
+from situ_studio.live.by_clock import by_clock
 from situ_studio.live.log import TraceLog
 from situ_studio.live.viewing import Viewing
 from situ_studio.live.why_not import Question, answered, events_until, wanted_at
 from situ_studio.live.why_not_asking import AskingWhyNot
-from situ_studio.live.why_side import by_clock
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 HEAD = {"kind": "authority", "to": "nod", "resource": "head"}
@@ -88,7 +88,9 @@ def test_what_kept_a_module_a_situation_and_a_state(replayed: Any) -> None:
     assert panel.title.text() == "Why does nod not hold head?"
     assert panel.more.text() == f"at {viewing.written(slap['t'])}"
     (gave,) = [e for e in events if e["kind"] == "abandon" and e["module"] == "nod"]
-    assert seen(it)[0].startswith(f"nod gave head back at {viewing.written(gave['t'])}")
+    (asked,) = [e for e in events if e["kind"] == "acquire" and e["module"] == "nod"]
+    began, ended = viewing.written(asked["t"]), viewing.written(gave["t"])
+    assert seen(it)[0].startswith(f"nod asked for head from {began} to {ended} in vain")
     # The third click goes to the moment of it.
     it.click_row(panel.table, panel.table.rows.index(0, 1))
     assert viewing.t == gave["t"]

@@ -77,3 +77,9 @@ def test_while_an_edit_is_not_taken_in_what_runs_is_asked(desk: Any) -> None:
     hand.menu(used.desk.screen_, used.desk.screen_.rect().bottomLeft())
     hand.choose(menus.shown, "Why?")
     assert seen(it)[-1].startswith("converse enters 1 welcome")
+    # Of before that, what ran before.
+    turned = side._viewing.log.lanes.deployed[-1].t
+    assert [
+        side.project_at(t).applications["converse.rbd.xml"].states[0].name
+        for t in (turned - 0.001, turned)
+    ] == ["hello", "welcome"]
