@@ -30,7 +30,7 @@ class Person:
         self.robot.give(Touch())
         self.robot.give(Use("room", 12))
         self.robot.give(Use("pin", "1234"))
-        self.answer("login", {"user": {**JACK, "limits": limits}})
+        self.answer("login", {"user": {**JACK, "limits": limits}, "messages": []})
         self.use("continue")
 
     @property

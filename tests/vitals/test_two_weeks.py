@@ -82,7 +82,7 @@ class Ward:
     def _end(self, application: str, action: str, name: str | None) -> Finish:
         well = self.chance.random() < 0.85
         if action != "service" or not well:
-            status = self.chance.choice((401, 429, None)) if action == "service" else None
+            status = self.chance.choice((401, 410, 429, None)) if action == "service" else None
             return Finish(action, name, application, ok=well, status=status)
         return Finish(action, name, application, result=self._answer(name or ""))
 
@@ -100,8 +100,9 @@ class Ward:
             "stories": [{"kind": "story", "title": "A story", "pages": ["Once.", "The end."]}],
         }
         told = {"begins": "10:00", "what": "tea", "reminder": 1, "at": "00:00", "id": 2, "room": 12}
+        messages = [{"reminder": n, "days": n, "begins": "10:00", "what": "tea"} for n in range(3)]
         answers: dict[str, Any] = {
-            "login": {"user": person},
+            "login": {"user": person, "messages": messages[: roll(0, 3)]},
             "visitLogin": {"user": person},
             "whoNeeds": {"round": [{**one, "round": "morning"} for one in people]},
             "schedule": {"notices": [told][: roll(0, 1)], "reminders": [told][: roll(0, 1)]},
