@@ -36,7 +36,7 @@ from situ_studio.menus import Actions
 from situ_studio.opening import Found
 from situ_studio.pages import PagesSide
 from situ_studio.panels.beside import ScreenBeside
-from situ_studio.panels.fields import Line, Paragraph
+from situ_studio.panels.fields import Choice, Line, Paragraph
 from situ_studio.panels.project_tree import look, stem
 from situ_studio.parts import PartsSide
 from situ_studio.project_menu import ProjectMenu
@@ -398,7 +398,7 @@ class MainWindow(Frame):
         focus = QApplication.focusWidget()
         if isinstance(focus, Line):
             focus.on_finished()
-        elif isinstance(focus, Paragraph):
+        elif isinstance(focus, Paragraph | Choice):
             focus.finish()
 
     # -- changes -----------------------------------------------------------------------

@@ -249,11 +249,15 @@ class Person:
 
     def menu(self, name: str, entry: str) -> None:
         """Presses a button that opens a menu and goes to an entry by the arrow keys."""
+        self.choose_in_menu(entry, lambda: self.click(name))
+
+    def choose_in_menu(self, entry: str, opened: Callable[[], None]) -> None:
+        """By the arrow keys, in the menu that is open until ``opened`` comes back."""
 
         def choose(tries: int) -> None:
             menu = QApplication.activePopupWidget()
             if not isinstance(menu, QMenu):
-                assert tries, f"{name} opened no menu"
+                assert tries, f"no menu with {entry!r} opened"
                 QTimer.singleShot(0, lambda: choose(tries - 1))
                 return
             for _ in range(20):
@@ -265,7 +269,7 @@ class Person:
             raise AssertionError(f"no {entry!r} in the menu")
 
         QTimer.singleShot(0, lambda: choose(TRIES))
-        self.click(name)
+        opened()
 
 
 def _near(one: QColor, other: QColor) -> bool:

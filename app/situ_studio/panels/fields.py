@@ -6,12 +6,11 @@ finished a different one: at Enter, at leaving the field, at a choice.
 
 from __future__ import annotations
 
-from functools import lru_cache
 from itertools import compress, count
 from operator import ne
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QStringListModel, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, QStringListModel, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QDropEvent,
@@ -34,12 +33,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ.document.rbd import AGAIN, BACK
 from situ_studio import icons
-from situ_studio.language import translated
 from situ_studio.panels.tag_completion import TagCompletion
 from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+
+_SHIFT = Qt.KeyboardModifier.ShiftModifier
+_BETWEEN = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
+"""Another window, or a menu, comes between: what is in the field stays as it is."""
 
 
 class Line(QLineEdit):
@@ -66,7 +66,15 @@ class Line(QLineEdit):
             self.setTextMargins(0, 0, width + 6, 0)
 
     def show_value(self, value: Any) -> None:
-        self._shown = self.written(value)
+        """Shows a value; what somebody is writing over the same one stays."""
+        written = self.written(value)
+        if written == self._shown and self.text() != self._shown and _has_cursor(self):
+            return
+        self._shown = written
+        self.put_back()
+
+    def put_back(self) -> None:
+        """Shows the value that was shown, where something else has been written."""
         if self.text() != self._shown:
             self.setText(self._shown)
             self.setCursorPosition(0)
@@ -152,9 +160,7 @@ class Line(QLineEdit):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        # Another window, or a menu, comes between: the selection stays as it is.
-        between = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
-        if event.reason() not in between:
+        if event.reason() not in _BETWEEN:
             self.setCursorPosition(0)
         if self.property("role") == "refused":
             self.setText(self._shown)
@@ -228,7 +234,14 @@ class Paragraph(QPlainTextEdit):
         self.on_size_changed()
 
     def show_value(self, value: Any) -> None:
+        """Shows a text; what somebody is writing over the same one stays."""
+        if (value or "") == self._shown and self.toPlainText() != self._shown and _has_cursor(self):
+            return
         self._shown = value or ""
+        self.put_back()
+
+    def put_back(self) -> None:
+        """Shows the text that was shown, where something else has been written."""
         if self.toPlainText() != self._shown:
             self.setPlainText(self._shown)
 
@@ -274,7 +287,11 @@ class Paragraph(QPlainTextEdit):
 
 
 class Choice(QComboBox):
-    """One of several; what is not among them is shown too, as it stands."""
+    """One of several; what is not among them is shown too, as it stands.
+
+    Letters go to what begins with them, or has a word that does, however slowly they are typed;
+    it is taken as what is typed into a line is.
+    """
 
     committed = Signal(object)
 
@@ -283,6 +300,7 @@ class Choice(QComboBox):
         self._theme = theme
         self._value: Any = None
         self._offered: tuple[tuple[Any, str], ...] = ()
+        self._typed = ""
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(4)
         # The style's own delegate does not know the style sheet's colours.
@@ -299,6 +317,7 @@ class Choice(QComboBox):
         if choices == self._offered and self.count() == len(choices):
             return
         shown, self._offered = self._offered, choices
+        self._typed = ""
         self.blockSignals(True)
         if self.count() == len(shown) == len(choices):
             # One state of thousands has another name: the others stand as they are.
@@ -315,6 +334,9 @@ class Choice(QComboBox):
     def show_value(self, value: Any) -> None:
         # What a document writes as nothing is nothing chosen.
         value = None if value == "" else value
+        if self._typed and value == self._value:
+            return
+        self._typed = ""
         self._value = value
         index = self.findData(value)
         if index < 0 and value is not None:
@@ -322,11 +344,50 @@ class Choice(QComboBox):
             index = self.count() - 1
         self.setCurrentIndex(index)
 
+    def put_back(self) -> None:
+        """Shows what is chosen, where letters went to another."""
+        if self._typed:
+            self._typed = ""
+            self.show_value(self._value)
+
+    def finish(self) -> None:
+        """Takes that to which letters went."""
+        if self._typed:
+            self.on_activated(self.currentIndex())
+
     def on_activated(self, index: int) -> None:
+        self._typed = ""
         value = self.itemData(index)
         if value != self._value:
             self._value = value
             self.committed.emit(value)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        key, letter = event.key(), event.text()
+        command = event.modifiers() & ~(_SHIFT | Qt.KeyboardModifier.KeypadModifier)
+        if letter.isprintable() and letter.strip(" " if not self._typed else "") and not command:
+            self._go_to(letter)
+        elif self._typed and key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.finish()
+        elif self._typed and key == Qt.Key.Key_Escape:
+            self.put_back()
+        else:
+            super().keyPressEvent(event)
+
+    def _go_to(self, letter: str) -> None:
+        entries = [self.itemText(index).casefold() for index in range(self.count())]
+        for typed in (self._typed + letter.casefold(), letter.casefold()):
+            begins = [i for i, entry in enumerate(entries) if entry.startswith(typed)]
+            inside = [i for i, entry in enumerate(entries) if f" {typed}" in entry]
+            if begins or inside:
+                self._typed = typed
+                self.setCurrentIndex((begins or inside)[0])
+                return
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if event.reason() not in _BETWEEN:
+            self.finish()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         # A form that is scrolled must not change what lies under the pointer.
@@ -392,72 +453,9 @@ class Swatch(Line):
         painter.end()
 
 
-@lru_cache(maxsize=4)
-def _states(states: tuple[tuple[str, str], ...]) -> tuple[tuple[str, str], ...]:
-    """Numbers, and what stands for each; one list for all fields of a form."""
-    return tuple((no, f"{no} {name}".strip()) for no, name in states)
-
-
-def next_choices(vocabulary: Vocabulary, stay: str) -> tuple[tuple[Any, str], ...]:
-    """What an event can lead to."""
-    return (
-        (None, stay),
-        *_states(vocabulary.states),
-        (AGAIN, QCoreApplication.translate("fields", "the same state, anew")),
-        (BACK, QCoreApplication.translate("fields", "back to where it came from")),
-    )
-
-
 FieldWidget = Line | Paragraph | Choice | Flag
 
 
-def make_field(
-    editor: str, theme: Theme, label: str, unit: str = "", parent: QWidget | None = None
-) -> FieldWidget:
-    """The widget for an editor of the kinds' table."""
-    if editor in ("number", "seconds"):
-        return Number(parent, unit, above=editor == "seconds")
-    if editor == "whole":
-        return Number(parent, unit, whole=True)
-    if editor == "long":
-        return Paragraph(parent)
-    if editor == "flag":
-        return Flag(theme, label, parent)
-    if editor in ("choice", "state", "next", "situation", "module"):
-        return Choice(theme, parent)
-    if editor == "resources":
-        return Words(parent, unit)
-    return Swatch(parent) if editor == "color" else Line(parent, unit)
-
-
-def offer(
-    widget: FieldWidget,
-    editor: str,
-    vocabulary: Vocabulary,
-    choices: tuple[tuple[str, str], ...] = (),
-    empty: str = "",
-) -> None:
-    """Gives a field the words that it can complete or choose from."""
-    if isinstance(widget, Choice):
-        if editor == "choice":
-            widget.offer(tuple((value or None, translated(text)) for value, text in choices))
-        elif editor == "next":
-            widget.offer(next_choices(vocabulary, empty))
-        elif editor == "state":
-            widget.offer(((None, empty), *_states(vocabulary.states)))
-        elif editor == "situation":
-            widget.offer(((None, empty), *((s, s) for s in vocabulary.situations)))
-        else:
-            widget.offer(tuple((m, m) for m in vocabulary.modules))
-    elif isinstance(widget, Paragraph) or editor == "text":
-        assert isinstance(widget, Line | Paragraph)
-        widget.complete_tags(vocabulary.tags)
-    elif isinstance(widget, Line):
-        words = {
-            "event": vocabulary.events,
-            "tag": vocabulary.tags,
-            "resource": vocabulary.resources,
-            "media": vocabulary.media,
-        }.get(editor)
-        if words is not None:
-            widget.complete_from(words)
+def _has_cursor(field: QWidget) -> bool:
+    """Whether somebody writes there, or will go on to when the window is in front again."""
+    return field.window().focusWidget() is field

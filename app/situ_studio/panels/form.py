@@ -27,14 +27,8 @@ from situ_studio.language import translated
 from situ_studio.layouts import rule
 from situ_studio.letters import px
 from situ_studio.panels.component_sections import SECTIONS, ComponentSection
-from situ_studio.panels.fields import (
-    FieldWidget,
-    Flag,
-    Line,
-    Paragraph,
-    make_field,
-    offer,
-)
+from situ_studio.panels.field_making import make_field, offer
+from situ_studio.panels.fields import Choice, FieldWidget, Flag, Line, Paragraph
 from situ_studio.panels.section import SectionEditor
 from situ_studio.panels.subject import LABEL, MARGIN, Subject
 from situ_studio.panels.test_box import TestBox
@@ -111,6 +105,8 @@ class Form(QWidget):
 
     def show_subject(self, subject: Subject) -> None:
         """Shows another value of the same kind."""
+        if self._subject is not None and self._subject.place != subject.place:
+            self._put_back()
         self._subject = subject
         for field, widget, _ in self._fields:
             offer(widget, field.editor, subject.vocabulary, field.choices, self._empty(field))
@@ -123,6 +119,12 @@ class Form(QWidget):
             section.show_subject(subject)
         for told in self._told:
             told.show_subject(subject)
+
+    def _put_back(self) -> None:
+        """What is being written is of another value than comes now."""
+        focus = self.window().focusWidget()
+        if isinstance(focus, Line | Paragraph | Choice) and self.isAncestorOf(focus):
+            focus.put_back()
 
     def minimumSizeHint(self) -> QSize:
         # Never wider than the panel: what is too long in it is shortened with ….

@@ -54,6 +54,7 @@ class Inspector(QWidget):
         self.setAccessibleName(self.tr("Inspector"))
         self._theme = theme
         self._place: Place = ()
+        self._moved: Place = ()
         self._form: Form | None = None
         self._subject: Subject | None = None
         self._device = USUAL
@@ -144,6 +145,9 @@ class Inspector(QWidget):
                 self.several.show_count(len(selected))
             return
         place = places.nearest(document, selected[0]) if selected else ()
+        if self._moved and places.get(document, self._moved) is not None:
+            # What the form shows has got another name: the field with the focus stays.
+            place = self._moved
         value = places.get(document, place)
         kind = kinds.kind_of(value)
         while kind is None and place:
@@ -157,7 +161,7 @@ class Inspector(QWidget):
         if self._form is None or self._form.kind is not kind:
             self._drop_form()
             form = Form(kind, self._theme)
-            form.edited.connect(self.edited)
+            form.edited.connect(self._on_edited)
             form.place_asked.connect(self.place_asked)
             form.screen_asked.connect(self.screen_asked)
             form.added.connect(self.added)
@@ -219,6 +223,11 @@ class Inspector(QWidget):
             form.deleteLater()
         self._form = None
         self._place = ()
+
+    def _on_edited(self, document: Document, text: str, place: Place) -> None:
+        self._moved = place if place != self._place else ()
+        self.edited.emit(document, text, place)
+        self._moved = ()
 
     def _on_back(self) -> None:
         place = self._place

@@ -10,20 +10,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractItemView,
-    QApplication,
-    QComboBox,
-    QFileDialog,
-    QLineEdit,
-)
-from tests.gui.test_newcomer import CONTROL, LEFT, Person
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QAbstractButton, QFileDialog
+from tests.gui.drawing.draughtsman import Draughtsman
+from tests.gui.test_newcomer import CONTROL
 
 from situ.resources import example
-from situ_studio.canvas.test_editor import TestEditor
 from situ_studio.dialogs import Dialogs
 
 DATA = (
@@ -54,88 +46,6 @@ NOTES = {
 }
 """By what each is about; "" is the script."""
 MODULES = ("transfer", "face-caller", "gaze-sound", "nod", "converse", "chase-face")
-
-
-class Draughtsman(Person):
-    """Draws a script; knows where on a card one pulls, and where the ground is free."""
-
-    def drag(self, start: QPoint, end: QPoint) -> None:
-        widget, at = self._at(start)
-        way = QPointF(end - start)
-        QTest.mouseMove(widget, at)
-        QTest.mousePress(widget, LEFT, pos=at)
-        for part in range(1, 6):
-            QTest.mouseMove(widget, at + (way * (part / 5)).toPoint())
-        QTest.mouseRelease(widget, LEFT, pos=at + (end - start))
-        self.settle()
-
-    def out(self, card: str) -> QPoint:
-        """Where a pipe begins: the middle of its right edge."""
-        area = self.drawn(card)
-        return QPoint(area.right(), area.center().y())
-
-    def pull(self, source: str, target: str) -> None:
-        area = self.drawn(target)
-        self.drag(self.out(source), area.topLeft() + QPoint(60, 20))
-
-    def pull_to_ground(self, source: str, above: str, typed: str) -> None:
-        """Between two columns, a little above a situation; what is typed is taken."""
-        spot = self.drawn(above).topLeft() + QPoint(-14, -6)
-        self.drag(self.out(source), spot)
-        self.type(typed)
-
-    def twice(self, spot: QPoint) -> None:
-        widget, at = self._at(spot)
-        QTest.mouseClick(widget, LEFT, pos=at)
-        QTest.mouseDClick(widget, LEFT, pos=at)
-        self.settle()
-
-    def twice_on(self, part: str) -> None:
-        self.twice(self.drawn(part).center())
-
-    def run(self, command: str) -> None:
-        """A command by its name, in the field that finds anything."""
-        self.key(Qt.Key.Key_K, CONTROL)
-        self.type(command)
-
-    def test(self, row: str, test: str = "", **fields: str) -> None:
-        """Writes into the fields of a line of a condition; Enter closes them."""
-        self.twice_on(row)
-        editor = self.widget("Test", TestEditor)
-        if test:
-            box = editor.findChildren(QComboBox)[0]
-            self.click_at(box.mapToGlobal(box.rect().center()))
-            self.choose(test)
-        for name, text in fields.items():
-            inside = editor.findChildren(QLineEdit)
-            field = next(one for one in inside if one.accessibleName().lower() == name)
-            self.click_at(field.mapToGlobal(field.rect().center()))
-            self.key(Qt.Key.Key_A, CONTROL)
-            self.type(text, None)
-        self.key(Qt.Key.Key_Return)
-
-    def choose(self, wanted: str) -> None:
-        """From the list that is open, with the arrow keys."""
-        view = QApplication.focusWidget()
-        assert isinstance(view, QAbstractItemView)
-        self.key(Qt.Key.Key_Home)
-        while view.currentIndex().data() != wanted:
-            self.key(Qt.Key.Key_Down)
-        self.key(Qt.Key.Key_Return)
-
-    def note(self, card: str, text: str) -> None:
-        self.click_card(card or "stopped")
-        if not card:
-            self.key(Qt.Key.Key_Escape)
-        self.run("Situation: Note")
-        self.type(text)
-
-    def priority(self, situation: str, module: str, number: int) -> None:
-        """The number is typed at once: with its first figure the pill takes it."""
-        self.pull(situation, module)
-        first, rest = str(number)[0], str(number)[1:]
-        self.type(first, None)
-        self.type(rest)
 
 
 def test_the_conversation_is_drawn_by_hand(

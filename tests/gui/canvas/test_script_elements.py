@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox
-from tests.gui.canvas.test_draw_conversation import Draughtsman
+from tests.gui.drawing.draughtsman import Draughtsman
 from tests.gui.test_newcomer import CONTROL
 
 from situ.document import codec, elements

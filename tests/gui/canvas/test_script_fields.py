@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication
-from tests.gui.canvas.test_draw_conversation import Draughtsman
+from tests.gui.drawing.draughtsman import Draughtsman
 from tests.gui.test_newcomer import CONTROL
 
 from situ.document.condition import Test as Check

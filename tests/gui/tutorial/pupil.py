@@ -7,21 +7,19 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import shiboken6
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QInputMethodEvent, QPainter
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
-    QAbstractItemView,
     QApplication,
     QPlainTextEdit,
     QTreeView,
     QWidget,
 )
-from tests.gui.canvas.test_draw_conversation import Draughtsman
+from tests.gui.drawing.draughtsman import Draughtsman
 from tests.gui.test_looks import without_mouse
-from tests.gui.test_newcomer import CONTROL, NONE
+from tests.gui.test_newcomer import CONTROL
 from tests.gui.tutorial.small import keep
 
 from situ_studio.rehearsing.robot_screen import RobotScreen
@@ -32,17 +30,12 @@ PATIENCE = 20_000
 
 
 class Pupil(Draughtsman):
-    """``gestures``: how many clicks, drags, keys and texts it took; a text is one.
-
-    ``written``: what the tutorial has to say for a person to do the same: each text that was
+    """``written``: what the tutorial has to say for a person to do the same: each text that was
     typed and each name that was pressed, in the current step; ``looked``: its pictures.
     """
 
-    window: Any
-
     def __init__(self, window: Any, pictures: Path | None) -> None:
         super().__init__(window)
-        self.gestures = 0
         self.written: list[str] = []
         self.looked: list[str] = []
         self._pictures = pictures
@@ -67,9 +60,10 @@ class Pupil(Draughtsman):
     @contextmanager
     def _counts(self, gestures: int, *words: str) -> Iterator[None]:
         """What is done inside is so many gestures, however it is done."""
-        before, written = self.gestures, list(self.written)
-        yield
-        self.gestures, self.written = before + gestures, [*written, *words]
+        written = list(self.written)
+        with self.counts(gestures):
+            yield
+        self.written = [*written, *words]
 
     def settle(self) -> None:
         asking = QApplication.activeModalWidget()
@@ -80,18 +74,6 @@ class Pupil(Draughtsman):
         QApplication.processEvents()
 
     # -- counted ------------------------------------------------------------------------
-
-    def click_at(self, spot: QPoint) -> None:
-        self.gestures += 1
-        super().click_at(spot)
-
-    def twice(self, spot: QPoint) -> None:
-        self.gestures += 1
-        super().twice(spot)
-
-    def drag(self, start: QPoint, end: QPoint) -> None:
-        self.gestures += 1
-        super().drag(start, end)
 
     def drag_new(self, source: str, target: str) -> None:
         with self._counts(2):
@@ -106,15 +88,10 @@ class Pupil(Draughtsman):
         """A button, where others are called so too."""
         self.click(name, QAbstractButton)
 
-    def key(self, key: Qt.Key, held: Qt.KeyboardModifier = NONE) -> None:
-        self.gestures += 1
-        QTest.keyClick(self._hears(), key, held)
-        self.settle()
-
     def type(self, text: str, end: Qt.Key | None = Qt.Key.Key_Return) -> None:
         with self._counts(1, text):
             for letter in text:
-                QTest.keyClicks(self._hears(), letter)
+                QTest.keyClicks(self.hears(), letter)
                 self.settle()
             if end is not None:
                 self.key(end)
@@ -124,7 +101,7 @@ class Pupil(Draughtsman):
         with self._counts(1, text):
             done = QInputMethodEvent()
             done.setCommitString(text)
-            QApplication.sendEvent(self._hears(), done)
+            QApplication.sendEvent(self.hears(), done)
             self.key(Qt.Key.Key_Return)
 
     def write_into(self, name: str, text: str) -> None:
@@ -165,13 +142,6 @@ class Pupil(Draughtsman):
         self.type(name)
 
     # -- places -------------------------------------------------------------------------
-
-    def _hears(self) -> QWidget:
-        """As of a system: while a list of words is open the keys are the list's."""
-        popup = QApplication.activePopupWidget()
-        if isinstance(popup, QAbstractItemView) and shiboken6.isValid(popup):
-            return popup
-        return QApplication.focusWidget() or self.window
 
     def on_sheet(self, x: int, y: int) -> QPoint:
         """In percent of the screen that is drawn."""
