@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
 from situ.document.project import Project
-from situ.document.rbd import Application
 from situ.errors import SituError, UsageError
+from situ.rehearse.telling import Teller
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.language import said
@@ -35,6 +35,9 @@ USUAL = "tcp://127.0.0.1:5570"
 
 class RobotSide(QObject):
     """One window's link to a robot; ``link`` is there from the start, connected or not."""
+
+    settled = Signal()
+    """What there is to be looked at may be something else."""
 
     def __init__(self, window: MainWindow, link: RobotLink | None = None) -> None:
         super().__init__(window)
@@ -158,14 +161,8 @@ class RobotSide(QObject):
         return self._window.session.project
 
     def state_name(self, application: str, state: str) -> str:
-        """What a designer calls it: its number and name, as the open documents have it."""
-        for document in self.live_documents().values():
-            if isinstance(document, Application) and document.name == application:
-                no, inside, within = state.partition("/")
-                found = document.state(no)
-                own = f"{no} {found.name}" if found is not None and found.name else no
-                return f"{own} / {within}" if inside else own
-        return state
+        """By number and name, as the open project has it: in what is told of traces too."""
+        return Teller(self._window.session.project).state(application, state)
 
     def show_live(self, file: str, live: LiveView | LiveScript | None) -> None:
         for view in self._window.sides.views_of(file):
@@ -184,4 +181,5 @@ class RobotSide(QObject):
         """The robot's panels are there while there is something live."""
         for name in PANELS:
             self._window.bottom.set_shown(name, self.follower.shows)
+        self.settled.emit()
         self._window.actions_.refresh()

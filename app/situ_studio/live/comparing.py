@@ -20,6 +20,7 @@ from situ.rehearse.telling import Teller
 from situ_studio.live.alike import Alike, alike
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
+from situ_studio.live.recordings import Recording
 from situ_studio.live.timeline.bookmarks import Bookmark
 from situ_studio.live.viewing import Viewing
 from situ_studio.worker import Worker, module
@@ -47,12 +48,15 @@ START, COMMON, AGREED = Way
 
 
 class Compared(Struct, frozen=True):
-    """A run beside. project: what ran, for the names of states; None: not known."""
+    """A run beside. project: what ran, for the names of states; None: not known. recording: where
+    it comes from; None: from a robot, or a rehearsal.
+    """
 
     name: str
     log: TraceLog
     project: Project | None = None
     bookmarks: tuple[Bookmark, ...] = ()
+    recording: Recording | None = None
 
 
 class Gathering:

@@ -52,7 +52,6 @@ class ComparingSide(QObject):
         )
         self._seen: list[tuple[TraceLog, str, Recording | None]] = []
         """The runs that were looked at last, what they are called; the one of now first."""
-        self._recording: Recording | None = None
         self._runs: tuple[RunBeside, ...] = ()
         self._shown: list[Compared] = []
         self._reading = ReadingRecording(self)
@@ -93,18 +92,22 @@ class ComparingSide(QObject):
         self._work.begin(self._window.status.work, words)
         self._reading.start(path)
 
-    def swap(self) -> None:
-        """All views show the recording beside, at the same moment, and what they showed is beside
-        it."""
+    def swap(self, run: int) -> None:
+        """All views show that run of those beside, at the same moment, and what they showed stands
+        where it was. Nothing where it is no recording: a robot goes on, a rehearsal has ended.
+        """
         comparing, viewing = self.comparing, self._robot.follower.viewing
-        other, recording = comparing.own, self._recording
-        if other is None or recording is None:
+        own, others, way = comparing.own, list(comparing.others), comparing.way
+        recording = others[run].recording
+        if own is None or recording is None:
             return
-        t, way, before = viewing.t + comparing.shifts[0], comparing.way, self._robot.recording
+        t = viewing.t + comparing.shifts[run]
+        others[run] = own
         self._robot.show_recording(recording)
         viewing.seek(t)
         comparing.line_up(way)
-        self._add(other, before)
+        for one in others:
+            self._add(one.log, one.name, one.recording)
 
     def end(self) -> None:
         """The timeline shows one run only."""
@@ -112,7 +115,6 @@ class ComparingSide(QObject):
         self._projects.end()
         self._work.end()
         self._remember()
-        self._recording = None
         self.comparing.end()
 
     def _remember(self) -> None:
@@ -138,7 +140,7 @@ class ComparingSide(QObject):
             words = self.tr("With {0}").format(name).replace("&", "&&")
             menu.addAction(words).triggered.connect(
                 lambda _=False, log=log, name=name, recording=recording: self._add(
-                    self._compared(log, name, recording), recording
+                    log, name, recording
                 )
             )
         for action in menu.actions():
@@ -152,18 +154,16 @@ class ComparingSide(QObject):
         if recording is None:
             return Compared(name, log, project)
         theirs = self._projects.of(recording)
-        return Compared(name, log, theirs or project, _bookmarks(recording.path))
+        return Compared(name, log, theirs or project, _bookmarks(recording.path), recording)
 
     def _add_recording(self, recording: Recording) -> None:
         self._work.end()
-        self._add(self._compared(recording.log, recording.path.name, recording), recording)
+        self._add(recording.log, recording.path.name, recording)
 
-    def _add(self, other: Compared, recording: Recording | None) -> None:
+    def _add(self, log: TraceLog, name: str, recording: Recording | None) -> None:
         self._remember()
-        if not self.comparing.goes:
-            self._recording = recording
-        own = self._compared(*self._seen[0])
-        self.comparing.add(replace(own, bookmarks=tuple(self._bookmarks.every)), other)
+        own = replace(self._compared(*self._seen[0]), bookmarks=tuple(self._bookmarks.every))
+        self.comparing.add(own, self._compared(log, name, recording))
         self._window.bottom.choose(PANEL)
         self._make_room()
         self._chart.show_all()
@@ -213,7 +213,6 @@ class ComparingSide(QObject):
             for run, difference in comparing.marks
         )
         self._chart.show_beside(self._runs, marks)
-        self.strip.swap.setEnabled(self._recording is not None and len(self._runs) == 1)
         self._window.actions_.refresh()
 
 

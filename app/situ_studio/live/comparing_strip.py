@@ -19,8 +19,8 @@ from situ_studio.theme import Theme
 class ComparingStrip(QWidget):
     """Shows ``comparing``, and moves from difference to difference; hidden while it has none."""
 
-    swap_asked = Signal()
-    """The second run shall be the one whose moment all views show."""
+    swap_asked = Signal(int)
+    """That run of those beside shall be the one whose moment all views show."""
     end_asked = Signal()
 
     def __init__(self, theme: Theme, comparing: Comparing, clock: Callable[[float], str]) -> None:
@@ -38,7 +38,8 @@ class ComparingStrip(QWidget):
         self.menu.aboutToShow.connect(self._fill)
         tip = tr("Which moments of the runs stand above one another")
         self.way = opens(self.menu, tr("Line up"), tip)
-        self.swap = IconButton(theme, "swap", tr("Let all views show the other run"))
+        self.swap = IconButton(theme, "swap", "")
+        self.shown = QMenu(self)
         self.close_ = IconButton(theme, "close", tr("Compare no more"))
         line = QHBoxLayout()
         line.setContentsMargins(12, 0, 8, 2)
@@ -59,7 +60,7 @@ class ComparingStrip(QWidget):
             row.addWidget(told, 1)
         self.before.clicked.connect(lambda: comparing.go(-1))
         self.next.clicked.connect(lambda: comparing.go(1))
-        self.swap.clicked.connect(self.swap_asked)
+        self.swap.clicked.connect(self._swap)
         self.close_.clicked.connect(self.end_asked)
         comparing.changed.connect(self._tell)
         self._tell()
@@ -75,6 +76,7 @@ class ComparingStrip(QWidget):
         names = [comparing.own.name, *(one.name for one in comparing.others)]
         pairs = (tr("{0}: {1}").format(*pair) for pair in zip(LETTERS, names, strict=False))
         self.runs.setText(" · ".join(pairs))
+        self._offer_swap()
         self.count.setText(self._count())
         self.before.setEnabled(bool(comparing.marks))
         self.next.setEnabled(bool(comparing.marks))
@@ -86,6 +88,31 @@ class ComparingStrip(QWidget):
             ours, theirs = parting.at[0], parting.at[1] - comparing.shifts[run]
             self.first.setText(self._words(0, ours, parting.first))
             self.second.setText(self._words(run + 1, theirs, parting.second))
+
+    def _offer_swap(self) -> None:
+        others = self._comparing.others
+        able = any(one.recording is not None for one in others)
+        words = tr("Let all views show the other run")
+        if not able:
+            words = tr("Of the runs beside, none is a recording that all views could show")
+        elif len(others) > 1:
+            words = tr("Let all views show another of the runs")
+        self.swap.show_icon("swap", words)
+        self.swap.setEnabled(able)
+
+    def _swap(self) -> None:
+        """The other run; one of several is chosen by its letter."""
+        others, menu = self._comparing.others, self.shown
+        if len(others) == 1:
+            self.swap_asked.emit(0)
+            return
+        menu.clear()
+        for run, one in enumerate(others):
+            words = tr("{0}: {1}").format(LETTERS[run + 1], one.name).replace("&", "&&")
+            action = menu.addAction(words)
+            action.setEnabled(one.recording is not None)
+            action.triggered.connect(lambda _=False, run=run: self.swap_asked.emit(run))
+        menu.popup(self.swap.mapToGlobal(self.swap.rect().bottomLeft()))
 
     def _words(self, run: int, t: float, done: tuple[str, ...]) -> str:
         what = "; ".join(map(said, done)) or tr("nothing of that")

@@ -172,7 +172,7 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     until(link.moment_changed, lambda: "robot.stop" in link.log.now.board)
     go()
     until(link.moment_changed, lambda: now.paused)
-    assert window.operating.waiting.text().startswith("reception is paused at 16 ")
+    assert window.operating.waiting.text().startswith("reception is paused at 16/2 last name")
     window.robot.follower.refresh()
     assert window.views[PART].canvas.look.live.paused == {"2"}
     # What can not be judged at a moment is not offered.

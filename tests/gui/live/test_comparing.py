@@ -10,20 +10,25 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QEventLoop, QObject, QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 from tests.gui.live.test_log import played
 from tests.gui.live.test_recordings import PATIENCE, recording, until_shown
 
+from situ.rehearse.comparing import differences
+from situ.rehearse.deeds import Deeds
 from situ_studio.live.comparing import AGREED, COMMAND, COMMON, START, Compared, Comparing
 from situ_studio.live.comparing_projects import RecordedProjects
+from situ_studio.live.comparing_strip import ComparingStrip
 from situ_studio.live.log import TraceLog
 from situ_studio.live.recordings import Recording
 from situ_studio.live.timeline.beside import LETTERS
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
 from situ_studio.live.timeline.painting import GUTTER
 from situ_studio.live.viewing import Viewing
+from situ_studio.theme import LIGHT
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -347,19 +352,71 @@ def test_three_runs_stand_below_one_another_and_differences_lead_through_all_of_
     # Ours is compared with each: what parts from either is gone to, in the order of time.
     assert {run for run, _ in comparing.marks} == {0, 1}
     assert {mark.run for mark in chart.differences} == {1, 2}
-    viewing.seek(0.0)
-    letters = set()
-    for _ in comparing.marks:
-        it.window.commands.next_difference(1)
-        letters.add(side.strip.second.text()[0])
-    assert letters == {"B", "C"}
-    # Which of two would be swapped with ours, nobody has said.
-    assert not side.strip.swap.isEnabled()
+    # Any of them can be the one that the others are compared with: they trade places.
+    names = ["monday.mcap", "tuesday.mcap", "wednesday.mcap"]
+    for chosen in (None, 1, 0, 1):
+        if chosen is not None:
+            viewing.seek(14.0)
+            t = viewing.t + comparing.shifts[chosen]
+            it.click(side.strip.swap)
+            offered = side.strip.shown.actions()
+            assert [one.text()[0] for one in offered] == ["B", "C"]
+            assert offered[chosen].text().endswith(names[chosen + 1])
+            it.click(side.strip.shown, side.strip.shown.actionGeometry(offered[chosen]).center())
+            assert viewing.t == t
+            until(comparing, lambda: len(comparing.others) == 2 and comparing.ready)
+            names[0], names[chosen + 1] = names[chosen + 1], names[0]
+        assert [one.name for one in (comparing.own, *comparing.others)] == names
+        assert it.window.robot.recording.path.name == names[0]
+        log = viewing.log
+        parts = sorted(
+            (found.at[0], run, found.at[1])
+            for run, one in enumerate(comparing.others)
+            for found in differences(deeds(log), deeds(one.log))
+        )
+        assert len(parts) > 6
+        viewing.seek(0.0)
+        for at, run, theirs in parts:
+            it.window.commands.next_difference(1)
+            # Ours may have ended before the other did what it did not.
+            assert viewing.t == min(at, log.lanes.end)
+            assert side.strip.second.text().startswith(f"{LETTERS[run + 1]}, ")
+            assert comparing.chosen[1].at == (at, theirs)
     # Another can be added until the letters end; let go of, ours is alone.
     assert side.can_compare()
     QTest.mouseClick(side.strip.close_, LEFT)
     it.settle()
     assert {row.run for row in chart.rows} == {0}
+
+
+def deeds(log: TraceLog) -> Deeds:
+    found = Deeds()
+    for event in log:
+        found.add(event)
+    return found
+
+
+def test_a_run_beside_that_is_no_recording_can_not_be_shown_by_all_views(qt: Any) -> None:
+    one, other = (logged("conversation", name) for name in ("fig5.jsonl", "stopped.jsonl"))
+    comparing = Comparing(Viewing(one))
+    strip = ComparingStrip(LIGHT, comparing, str)
+    asked: list[int] = []
+    strip.swap_asked.connect(asked.append)
+    own, beside_ = Compared("a", one), Compared("the robot", other)
+    comparing.add(own, beside_)
+    until(comparing)
+    assert not strip.swap.isEnabled()
+    assert "none is a recording" in strip.swap.toolTip()
+    comparing.add(own, replace(beside_, recording=Recording(Path("b"), "", False, {}, other)))
+    until(comparing)
+    assert strip.swap.isEnabled()
+    QTest.mouseClick(strip.swap, LEFT)
+    assert [action.isEnabled() for action in strip.shown.actions()] == [False, True]
+    strip.shown.actions()[1].trigger()
+    assert asked == [1]
+    strip.shown.close()
+    comparing.end()
+    strip.deleteLater()
 
 
 def test_runs_are_lined_up_at_a_bookmark_that_was_added_meanwhile(beneath: Any) -> None:
@@ -391,7 +448,7 @@ def test_another_run_that_is_opened_is_seen_whole_whatever_was_beside_the_one_be
     it.window.commands.open_recording()
     until_shown(it)
     start, end = chart.viewing.span
-    assert chart.axis.start < start < end < chart.axis.end
+    assert chart.axis.start == start < end < chart.axis.end
     assert chart.axis.seen < 1.1 * (end - start)
 
 
