@@ -1,4 +1,4 @@
-"""The window's part of the screen designer: its panel at the left, and files from a dialog."""
+"""The window's part of the screen designer: its panel at the left."""
 
 from __future__ import annotations
 
@@ -6,12 +6,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject
 
 from situ.errors import UsageError
-from situ_studio import places, words
 from situ_studio.edit import Place
-from situ_studio.screens import media_import
 from situ_studio.screens.devices import USUAL
 from situ_studio.screens.own_templates import OwnTemplates
 
@@ -24,8 +22,6 @@ PANEL = "designer"
 """The dock of what can be put on a screen, and the piece of the view to which it belongs."""
 VIEW = "screen"
 """The view that has that piece."""
-AWAY = ("project", "outline", "palette")
-"""Docks that make room for it."""
 
 
 class DesigningSide(QObject):
@@ -34,11 +30,10 @@ class DesigningSide(QObject):
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
         self._window = window
-        self._away: tuple[str, ...] | None = None
-        self._unfolds = False
+        self._unfolds: bool | None = None
+        """Whether what is below is unfolded again afterwards; None while no designer is seen."""
         self._templates = OwnTemplates(Path(window.settings.fileName()).parent)
         window.docks[PANEL].toggleViewAction().setVisible(False)
-        window.inspector.file_asked.connect(self.choose_file)
         window.inspector.screen_asked.connect(self.open)
         window.inspector.align_asked.connect(lambda edge: window.commands.align(edge))
 
@@ -71,18 +66,11 @@ class DesigningSide(QObject):
             designer.template_asked.connect(partial(self._keep, designer))
             designer.device_changed.connect(self._window.inspector.look_at)
         stack.setCurrentWidget(designer.side)
-        docks = self._window.docks
-        if self._away is None:
-            self._away = tuple(name for name in AWAY if not docks[name].isHidden())
-            wide = max((docks[name].width() for name in self._away), default=0)
-            for name in self._away:
-                docks[name].hide()
+        if self._unfolds is None:
             # The screen gets the room; a person opens the panel again where it is wanted.
             self._unfolds = not self._window.bottom.is_folded
             self._window.bottom.set_folded(True)
-            docks[PANEL].show()
-            if wide:
-                self._window.resizeDocks([docks[PANEL]], [wide], Qt.Orientation.Horizontal)
+            self._window.left_place.want(PANEL, True)
 
     def _keep(self, designer: Designer, usual: str) -> None:
         """Asks what the template shall be called."""
@@ -97,13 +85,10 @@ class DesigningSide(QObject):
 
     def leave(self) -> None:
         """The panels are where they are without a designer."""
-        if self._away is not None:
-            docks, away = self._window.docks, self._away
-            self._away = None
-            docks[PANEL].hide()
-            for name in away:
-                docks[name].show()
-            if self._unfolds:
+        unfolds, self._unfolds = self._unfolds, None
+        if unfolds is not None:
+            self._window.left_place.want(PANEL, False)
+            if unfolds:
                 self._window.bottom.set_folded(False)
 
     def open(self, place: Place) -> None:
@@ -113,26 +98,6 @@ class DesigningSide(QObject):
     def _show(self, mode: str, place: Place) -> None:
         self._window.show_mode(mode)
         self._window.select(place)
-
-    def choose_file(self, place: Place, attribute: str) -> None:
-        """Asks for a picture, movie or sound and brings it into the project, for ``place``."""
-        window, document = self._window, self._window.current_document
-        project = window.session.project
-        if document is None or project is None:
-            return
-        value = places.get(document, place)
-        kinds = {"movie": media_import.MOVIES, "sound": media_import.SOUNDS}
-        endings = kinds.get(getattr(value, "element", ""), media_import.PICTURES)
-        chosen = window.dialogs.media_file(endings)
-        if chosen is None:
-            return
-        try:
-            src = media_import.bring(project, Path(chosen), endings)
-        except UsageError as error:
-            window.say(str(error))
-            return
-        after = places.change(document, place, **{attribute: src})
-        window.commit(after, words.change_words(document, place, attribute, self.tr("File")))
 
 
 def _designer(view: DocumentView | None) -> Designer | None:

@@ -39,6 +39,9 @@ class DocumentView(QWidget):
     """Something goes on beside the window: what, and the job, as ``working.follow`` takes it."""
     filled_in = Signal(tuple)
     """The place whose form is wanted."""
+    media_asked = Signal(tuple, str, object)
+    file_asked = Signal(tuple, str, QPoint)
+    """A file is to be chosen, as ``StateScreen`` tells it."""
 
     origin: str
     """The path of the file, for what is copied from here."""
@@ -228,6 +231,8 @@ class DocumentView(QWidget):
             "module_dropped",
             "part_asked",
             "filled_in",
+            "media_asked",
+            "file_asked",
             "screen_asked",
             "work_begun",
         ):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from situ_studio import kinds, places
+from situ_studio.edit import Place
 from situ_studio.insert import NotHere, insert
 from situ_studio.panels.palette import offered
 from situ_studio.robot_commands import RobotCommands
@@ -71,7 +72,16 @@ class InsertCommands(RobotCommands):
             if len(view.selected) == 1:
                 self._window.fill_in(view.selected[0])
             return
-        at = view.selected[0] if view.selected else ()
+        self.insert_into(view.selected[0] if view.selected else (), name)
+
+    def insert_into(self, at: Place, name: str) -> None:
+        """Puts a new thing into what stands at a place, and selects it to be filled in."""
+        document = self._window.current_document
+        if document is None:
+            return
+        if kinds.kind(name).file:
+            self._window.media_choice.add(at, name)
+            return
         try:
             after, place, text = insert(document, kinds.kind(name), at)
         except NotHere as refused:

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 from situ.document.rbd import Application
 from situ_studio import leftovers, places, problem_rows
 from situ_studio.checking import CheckWork
+from situ_studio.choosing_media import ChoosingMedia
 from situ_studio.claim import Claim
 from situ_studio.commands import Commands
 from situ_studio.context_menus import ContextMenus
@@ -104,6 +105,7 @@ class MainWindow(Frame):
         CheckWork(session.checker, self.status.work)
         self.modules = ScriptModules(self)
         self.designing = DesigningSide(self)
+        self.media_choice = ChoosingMedia(self)
         self.parts = PartsSide(self)
         self.pages = PagesSide(self)
         self.finding = FindingSide(self)
@@ -138,7 +140,7 @@ class MainWindow(Frame):
         self.palette_.kind_asked.connect(self.commands.insert)
         self.inspector.edited.connect(self._on_form)
         self.inspector.place_asked.connect(self.select)
-        self.inspector.added.connect(self.fill_in)
+        self.inspector.kind_asked.connect(self.commands.insert_into)
         self.inspector.refused.connect(self.say)
         self.inspector.usages_asked.connect(self.commands.find_usages)
         self.status.problems_asked.connect(lambda: self.bottom.choose("problems"))
@@ -270,6 +272,8 @@ class MainWindow(Frame):
         view.status.connect(self.say)
         view.filled_in.connect(self.fill_in)
         view.screen_asked.connect(self.designing.open)
+        view.media_asked.connect(self.media_choice.add)
+        view.file_asked.connect(self.media_choice.change)
         view.work_begun.connect(partial(follow, self.status.work))
         view.part_asked.connect(self.parts.insert)
         view.menu_requested.connect(self.context_menus.open)

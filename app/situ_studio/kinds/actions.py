@@ -214,6 +214,7 @@ SOUND = Kind(
     make=lambda _: rbd.Sound(src="chime.ogg"),
     summary=lambda v: str(v.src),
     palette="action",
+    file="src",
 )
 SET = Kind(
     name="set",

@@ -84,6 +84,7 @@ class Kind(Struct, frozen=True, kw_only=True):
         (a state's number, a component's id, a situation's name).
     summary: what a list shows behind the kind's title, one line.
     palette: the part of the palette it stands in, "" for none.
+    file: the attribute of the file that is asked for before a new one is put in, "" for none.
     """
 
     name: str
@@ -97,3 +98,4 @@ class Kind(Struct, frozen=True, kw_only=True):
     make: Callable[[str], Any] = str
     summary: Callable[[Any], str] = str
     palette: Literal["", "application", "action", "screen", "drawing", "script", "modules"] = ""
+    file: Literal["", "src"] = ""

@@ -176,6 +176,7 @@ IMAGE = Kind(
     make=lambda name: rbd.Image(id=name, src="picture.png", **_box(60, 30, 30, 40)),
     summary=lambda v: str(v.src),
     palette="screen",
+    file="src",
 )
 MOVIE = Kind(
     name="movie",
@@ -197,6 +198,7 @@ MOVIE = Kind(
     make=lambda name: rbd.Movie(id=name, src="movie.webm", **_box(10, 30, 45, 40)),
     summary=lambda v: str(v.src),
     palette="screen",
+    file="src",
 )
 INPUT = Kind(
     name="input",

@@ -34,6 +34,9 @@ class ScreenBeside(QScrollArea):
     """What was asked for can not be done: why, in one line."""
     filled_in = Signal(tuple)
     """The place of the component that is to be filled in."""
+    media_asked = Signal(tuple, str, object)
+    file_asked = Signal(tuple, str, QPoint)
+    """As ``StateScreen`` tells them."""
     menu_requested = Signal(tuple, QPoint)
     """A context menu is wanted: of a component, or of the screen, and where on the desktop."""
 
@@ -60,6 +63,8 @@ class ScreenBeside(QScrollArea):
         self._shown.edited.connect(self.edited)
         self._shown.status.connect(self.status)
         self._shown.filled_in.connect(self.filled_in)
+        self._shown.media_asked.connect(self.media_asked)
+        self._shown.file_asked.connect(self.file_asked)
         self._shown.menu_requested.connect(self.menu_requested)
         column.addWidget(self.sheet)
         self._speech = QVBoxLayout()

@@ -43,7 +43,8 @@ class Form(QWidget):
     """The new document, the step's name, the place at which the value stands now."""
     place_asked = Signal(tuple)
     screen_asked = Signal(tuple)
-    added = Signal(tuple)
+    kind_asked = Signal(tuple, str)
+    """Something new of a kind is wanted, in what stands at the place."""
     file_asked = Signal(tuple, str)
     """A file is wanted: for which place, and for which attribute of what stands there."""
     refused = Signal(str)
@@ -96,7 +97,7 @@ class Form(QWidget):
                 made.changed.connect(self._on_section)
                 made.place_asked.connect(self.place_asked)
                 made.screen_asked.connect(self.screen_asked)
-                made.added.connect(self.added)
+                made.kind_asked.connect(self._on_kind_asked)
                 made.refused.connect(self.refused)
                 self._sections.append(made)
                 editor = made
@@ -302,6 +303,10 @@ class Form(QWidget):
         document = places.put(subject.document, subject.place, test)
         where = words.place_words(subject.document, subject.place)
         self.edited.emit(document, self.tr("Change {0}").format(where), subject.place)
+
+    def _on_kind_asked(self, name: str) -> None:
+        if self._subject is not None:
+            self.kind_asked.emit(self._subject.place, name)
 
     def _on_section(self, attribute: str, value: Any, text: str) -> None:
         subject = self._subject

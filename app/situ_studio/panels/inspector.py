@@ -39,8 +39,8 @@ class Inspector(QWidget):
     place_asked = Signal(tuple)
     screen_asked = Signal(tuple)
     """As ``SectionEditor`` tells it."""
-    added = Signal(tuple)
-    """A new thing's place: shown, then typed into at once."""
+    kind_asked = Signal(tuple, str)
+    """As ``Form.kind_asked``."""
     refused = Signal(str)
     align_asked = Signal(str)
     """How the selected components shall lie, as ``placing.aligned`` has it."""
@@ -164,7 +164,7 @@ class Inspector(QWidget):
             form.edited.connect(self._on_edited)
             form.place_asked.connect(self.place_asked)
             form.screen_asked.connect(self.screen_asked)
-            form.added.connect(self.added)
+            form.kind_asked.connect(self.kind_asked)
             form.refused.connect(self.refused)
             form.file_asked.connect(self.file_asked)
             self._scroll.setWidget(form)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from msgspec.structs import replace
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QMenu, QVBoxLayout, QWidget
 
 from situ.document import rbd, spds
-from situ_studio import kinds, places, words
+from situ_studio import kinds, words
 from situ_studio.edit import Place
 from situ_studio.icon_widgets import IconButton
 from situ_studio.kinds import Kind, Section
@@ -34,8 +33,8 @@ class SectionEditor(QWidget):
     place_asked = Signal(tuple)
     screen_asked = Signal(tuple)
     """The place of a screen that is to be drawn, in the view made for it."""
-    added = Signal(tuple)
-    """A new member, that a person wants to fill in."""
+    kind_asked = Signal(str)
+    """A new member of that kind is wanted."""
 
     def __init__(self, section: Section, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -102,7 +101,7 @@ class SectionEditor(QWidget):
 
     def _add_button(self) -> IconButton:
         if self.section.editor == "events":
-            return self._plus(self.tr("Add an event"), lambda: self.add_member("event"))
+            return self._plus(self.tr("Add an event"), lambda: self.kind_asked.emit("event"))
         button = IconButton(self._theme, "plus", self.tr("Add"), "text3", 16)
         button.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         menu = QMenu(button)
@@ -124,7 +123,7 @@ class SectionEditor(QWidget):
         for kind in self.offered():
             action = menu.addAction(translated(kind.title))
             action.setToolTip(translated(kind.help))
-            action.triggered.connect(lambda _=False, k=kind: self.add_member(k.name))
+            action.triggered.connect(lambda _=False, k=kind: self.kind_asked.emit(k.name))
 
     # -- showing -----------------------------------------------------------------
 
@@ -179,29 +178,6 @@ class SectionEditor(QWidget):
 
     def _tell(self, value: Any, text: str) -> None:
         self.changed.emit(self.section.attribute, value, text)
-
-    def add_member(self, name: str) -> None:
-        """Adds a new member of that kind at the end and opens it."""
-        if self._subject is None:
-            return
-        kind = kinds.kind(name)
-        members = self._members()
-        if isinstance(self._subject.value, rbd.Screen):
-            taken = {c.id for c in members}
-            number = 1
-            while f"{name}{number}" in taken:
-                number += 1
-            made = kind.make(f"{name}{number}")
-            if isinstance(made, rbd.Button):
-                part = places.get(self._subject.document, self._subject.place[:-1])
-                made = replace(made, event=words.sent_next(part) or made.event)
-        elif name == "event":
-            made = kind.make(words.expected_next(self._subject.value))
-        else:
-            made = kind.make("")
-        place = (*self._subject.place, *self._step(len(members), made))
-        self._tell((*members, made), self.tr("Add {0}").format(translated(kind.title).lower()))
-        self.added.emit(place)
 
     def _remove_row(self, index: int) -> None:
         members = self._members()

@@ -50,6 +50,8 @@ class Designer(QWidget):
     selection_changed = Signal(tuple)
     status = Signal(str)
     filled_in = Signal(tuple)
+    media_asked = Signal(tuple, str, object)
+    file_asked = Signal(tuple, str, QPoint)
     menu_requested = Signal(tuple, QPoint)
     device_changed = Signal(object)
     """Another device is looked at."""
@@ -108,6 +110,8 @@ class Designer(QWidget):
         shown.selection_changed.connect(self.selection_changed)
         shown.status.connect(self.status)
         shown.filled_in.connect(self.filled_in)
+        shown.media_asked.connect(self.media_asked)
+        shown.file_asked.connect(self.file_asked)
         shown.menu_requested.connect(self.menu_requested)
         sheet.tag_dropped.connect(self._on_tag_dropped)
         sheet.files_dropped.connect(self._on_files)

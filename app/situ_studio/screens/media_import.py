@@ -17,6 +17,8 @@ PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".avif", ".svg")
 MOVIES = (".webm", ".mp4", ".ogv")
 SOUNDS = (".wav", ".ogg", ".oga", ".mp3", ".m4a")
 """What the robot's page shows and plays (situ.engine.screen.server has the same)."""
+ENDINGS = {"image": PICTURES, "movie": MOVIES, "sound": SOUNDS}
+"""By the kind of what shows or plays a file."""
 LARGEST = 64 * 2**20
 """Bytes of one file: a robot gets a project over the network, in one piece."""
 FOLDER = "media"

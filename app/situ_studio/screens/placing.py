@@ -57,6 +57,11 @@ def inside(box: Box) -> Box:
     return Box(x, y, width, height)
 
 
+def centred(box: Box, x: float, y: float) -> Box:
+    """The box with its middle there, as near as it lies on the screen."""
+    return inside(box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2)))
+
+
 GAP = 2.0
 """What is put into free room stays so far from others."""
 

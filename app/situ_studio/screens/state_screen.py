@@ -33,6 +33,11 @@ class StateScreen(QObject):
     """Another application, and the name of the step."""
     status = Signal(str)
     """What was asked for can not be done: why, in one line."""
+    media_asked = Signal(tuple, str, object)
+    """A picture or movie is wanted for a new component: in which state, of which kind, and where
+    its middle shall be, None in free room."""
+    file_asked = Signal(tuple, str, QPoint)
+    """Another file is wanted: for which component and attribute, and where it is asked."""
     filled_in = Signal(tuple)
     """The place of the component that is to be filled in."""
     menu_requested = Signal(tuple, QPoint)
@@ -54,7 +59,7 @@ class StateScreen(QObject):
         sheet.chosen.connect(self._on_chosen)
         sheet.edited.connect(self._on_edited)
         sheet.dropped.connect(self._on_dropped)
-        sheet.opened.connect(lambda id: self.filled_in.emit((*self.place, "screen", id)))
+        sheet.opened.connect(self._on_opened)
         sheet.menu_asked.connect(self._on_menu)
 
     @property
@@ -141,20 +146,24 @@ class StateScreen(QObject):
     ) -> Place | None:
         """Puts a new component of a kind there with its middle, as one step, and selects it.
 
-        at: None: into free room, as ``insert`` does. Its place; None where it can not be there.
+        at: None: into free room, as ``insert`` does. Its place; None where it can not be there, or
+        its file is asked for first.
         """
         if self.application is None:
+            return None
+        file = kinds.kind(name).file
+        if file and file not in fields:
+            self.media_asked.emit(self.place, name, at)
             return None
         try:
             after, place, text = insert(self.application, kinds.kind(name), self.place)
         except NotHere as refused:
             self.status.emit(str(refused))
             return None
-        box = placing.box_of(places.get(after, place))
         if at is not None:
-            x, y = at
-            box = box._replace(x=round(x - box.width / 2), y=round(y - box.height / 2))
-        after = places.change(after, place, **placing.inside(box)._asdict(), **fields)
+            box = placing.centred(placing.box_of(places.get(after, place)), *at)
+            fields |= box._asdict()
+        after = places.change(after, place, **fields)
         self.edited.emit(after, text)
         self.selection_changed.emit((place,))
         return place
@@ -162,6 +171,15 @@ class StateScreen(QObject):
     def _on_chosen(self, ids: tuple[str, ...]) -> None:
         places_ = tuple((*self.place, "screen", id) for id in ids)
         self.selection_changed.emit(places_ or (self.place,))
+
+    def _on_opened(self, id: str) -> None:
+        """A component without words: what it shows is chosen, else its form is filled in."""
+        place = (*self.place, "screen", id)
+        kind = kinds.kind_of(self.sheet.component(id))
+        if kind is not None and kind.file:
+            self.file_asked.emit(place, kind.file, self.sheet.menu_corner())
+        else:
+            self.filled_in.emit(place)
 
     def _on_menu(self, at: QPoint) -> None:
         self.menu_requested.emit((*self.place, "screen", *self.sheet.selected[:1]), at)

@@ -107,10 +107,10 @@ def test_a_component_from_the_palette_lies_where_it_was_dropped_and_is_selected(
     table: Table,
 ) -> None:
     count = len(table.components)
-    assert table.drop("image", table.at(50, 50))
+    assert table.drop("button", table.at(50, 50))
     assert len(table.components) == count + 1
     made = table.components[-1]
-    assert made.element == "image"
+    assert made.element == "button"
     assert abs(made.x + made.width / 2 - 50) <= 1
     assert abs(made.y + made.height / 2 - 50) <= 1
     assert table.used.window.inspector.place == ("state", "11", "screen", made.id)

@@ -1,0 +1,152 @@
+"""The window's part of choosing pictures, movies and sounds: for what is new, or is there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QPoint
+
+from situ.errors import UsageError
+from situ_studio import kinds, places, words
+from situ_studio.edit import Document, Place
+from situ_studio.insert import NotHere, insert
+from situ_studio.screens import media_import, placing
+from situ_studio.screens.media_picker import IMPORT, MediaPicker
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+
+class ChoosingMedia(QObject):
+    """What needs a file is made once the file is chosen: without one there is nothing, no step
+    and no error. Where the project has no file that fits, one from elsewhere is asked for at once.
+    """
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self.picker: MediaPicker | None = None
+        """While it is seen."""
+        window.inspector.file_asked.connect(self.change)
+
+    def add(self, at: Place, name: str, middle: tuple[float, float] | None = None) -> None:
+        """Asks for the file of a new component or action of a kind, and puts it in.
+
+        middle: where a component's shall be, percent of the screen; None: in free room.
+        """
+        document = self._window.current_document
+        kind = kinds.kind(name)
+        if document is None:
+            return
+        try:
+            insert(document, kind, at)
+        except NotHere as refused:
+            self._window.say(str(refused))
+            return
+        spot = self._spot(middle)
+        self._ask(name, spot, partial(self._put, kind, at, middle))
+
+    def change(self, place: Place, attribute: str, spot: QPoint | None = None) -> None:
+        """Asks for another file for what stands at a place."""
+        document = self._window.current_document
+        if document is None:
+            return
+        value = places.get(document, place)
+        kind = getattr(value, "element", "")
+        kind = kind if kind in ("movie", "sound") else "image"
+        form = self._window.inspector.form
+        if spot is None and form is not None:
+            field = form.field(attribute)
+            spot = field.mapToGlobal(QPoint(0, field.height() + 2))
+        now = getattr(value, attribute, None) or ""
+        self._ask(kind, spot, partial(self._set, place, attribute), now)
+
+    # -- asking ----------------------------------------------------------------------
+
+    def _ask(
+        self, kind: str, spot: QPoint | None, then: Callable[[Document, str], None], now: str = ""
+    ) -> None:
+        """then: is told the document and the file."""
+        window = self._window
+        project, document = window.session.project, window.current_document
+        if project is None or document is None:
+            return
+
+        def done(src: str) -> None:
+            if window.current_document is document:
+                then(document, src)
+            else:
+                window.say(self.tr("The document has changed meanwhile: choose the file again."))
+
+        endings = media_import.ENDINGS[kind]
+        names = [one for one in media_import.names_of(project) if one.lower().endswith(endings)]
+        if not names:
+            self._import(kind, done)
+            return
+        home = media_import.home_of(project)
+        picker = self.picker = MediaPicker(kind, names, home, window.theme, window, now)
+        picker.chosen.connect(lambda key: self._take(key, kind, done))
+        picker.closed.connect(self._on_closed)
+        middle = window.mapToGlobal(window.rect().center() - picker.rect().center())
+        picker.popup(spot or middle)
+
+    def _on_closed(self) -> None:
+        self.picker = None
+
+    def _take(self, key: str, kind: str, then: Callable[[str], None]) -> None:
+        if key == IMPORT:
+            self._import(kind, then)
+        else:
+            then(key)
+
+    def _import(self, kind: str, then: Callable[[str], None]) -> None:
+        """Asks for a file from elsewhere, and brings it into the project."""
+        window = self._window
+        endings = media_import.ENDINGS[kind]
+        found = window.dialogs.media_file(endings)
+        project = window.session.project
+        if found is None or project is None:
+            return
+        try:
+            src = media_import.bring(project, Path(found), endings)
+        except UsageError as error:
+            window.say(str(error))
+            return
+        then(src)
+
+    def _spot(self, middle: tuple[float, float] | None) -> QPoint | None:
+        """Where it is asked: at what shall be there, else in the middle of the screen, if seen."""
+        sheet = self._window.commands.components.sheet
+        if sheet is None:
+            return None
+        return sheet.mapToGlobal(sheet.scale.point(*(middle or (50.0, 50.0))).toPoint())
+
+    # -- what is done ----------------------------------------------------------------
+
+    def _put(
+        self,
+        kind: kinds.Kind,
+        at: Place,
+        middle: tuple[float, float] | None,
+        document: Document,
+        src: str,
+    ) -> None:
+        after, place, text = insert(document, kind, at)
+        after = places.change(after, place, **{kind.file: src})
+        if middle is not None:
+            box = placing.centred(placing.box_of(places.get(after, place)), *middle)
+            after = places.change(after, place, **box._asdict())
+        self._window.commit(after, text)
+        if middle is None:
+            self._window.fill_in(place)
+        else:
+            # As after any drop: arrows move it.
+            self._window.select(place)
+
+    def _set(self, place: Place, attribute: str, document: Document, src: str) -> None:
+        after = places.change(document, place, **{attribute: src})
+        text = words.change_words(document, place, attribute, self.tr("File"))
+        self._window.commit(after, text)
