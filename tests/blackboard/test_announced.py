@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import ipaddress
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from zeroconf import ServiceStateChange
+from zeroconf import ServiceStateChange, Zeroconf
 from zeroconf.asyncio import AsyncServiceInfo
 
 from situ.blackboard import keys, nearby
@@ -164,6 +165,45 @@ def test_a_name_that_no_robot_can_have_takes_nobodys_place_and_steers_no_termina
 
         async with nearby.Nearby(told), asyncio.timeout(20):
             await heard_of.wait()
+
+    asyncio.run(look())
+    assert there == ["ward at rob1"]
+
+
+def test_a_robot_that_can_not_be_told_of_takes_nobodys_place(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    wrong = "wrong at rob0"
+    there: list[str] = []
+
+    async def look() -> None:
+        asked = asyncio.Event()
+
+        class Torn(Answering):
+            """Of one the answer can not be read."""
+
+            def parsed_addresses(self, *given: Any) -> list[str]:
+                if self.name.startswith(wrong):
+                    asked.set()
+                    raise ValueError("no addresses")
+                return super().parsed_addresses(*given)
+
+        monkeypatch.setattr(nearby, "AsyncServiceInfo", Torn)
+        monkeypatch.setattr(nearby, "MOST", 1)
+        robots = nearby.Nearby(lambda name, _: there.append(name))
+
+        async def comes(name: str) -> None:
+            full = f"{name}.{SERVICE}"
+            robots._on_change(Zeroconf.__new__(Zeroconf), SERVICE, full, ServiceStateChange.Added)
+            (task,) = robots._asking.values()
+            await asyncio.wait({task})
+            assert robots._asking == {}
+            with contextlib.suppress(ValueError):
+                task.result()
+
+        await comes(wrong)
+        assert asked.is_set()
+        await comes("ward at rob1")
 
     asyncio.run(look())
     assert there == ["ward at rob1"]

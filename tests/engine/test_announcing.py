@@ -28,10 +28,15 @@ class Seen:
     def __init__(self) -> None:
         self.project = f"ward-{uuid.uuid4().hex[:12]}"
         self.robots: dict[str, Announced] = {}
+        self.names: set[str] = set()
         self.gone: list[str] = []
         self._told = asyncio.Event()
 
     def told(self, name: str, robot: Announced | None) -> None:
+        if robot is None:
+            self.names.discard(name)
+        else:
+            self.names.add(name)
         if robot is None:
             if self.robots.pop(name, None) is not None:
                 self.gone.append(name)
@@ -65,7 +70,7 @@ def test_robots_are_found_with_what_they_tell_two_of_one_name_as_two_and_gone_wh
         keyed = Announced(seen.project, "rob1", 5570, key=key)
         first.begin(Announcement(keyed, HERE))
         # Once is enough, however often a robot was started again.
-        first.begin(Announcement(Announced("another", "rob1", 5570), HERE))
+        first.begin(Announcement(keyed, HERE))
         second.begin(Announcement(Announced(seen.project, "rob1", 5580), HERE))
         await seen.until(lambda: len(seen.robots) == 2)
         assert {one.port: one for one in seen.robots.values()} == {
@@ -83,6 +88,25 @@ def test_robots_are_found_with_what_they_tell_two_of_one_name_as_two_and_gone_wh
     finally:
         first.close()
         second.close()
+
+
+def test_a_robot_that_is_started_again_under_another_name_is_announced_by_that_one_alone() -> None:
+    announcing = Announcing()
+
+    async def renamed(seen: Seen) -> None:
+        before = Announced(f"{seen.project}-before", "rob1", 5570)
+        announcing.begin(Announcement(before, HERE))
+        announcing.begin(Announcement(Announced(seen.project, "rob1", 5570), HERE))
+        await seen.until(lambda: len(seen.robots) == 1)
+        # Its goodbye may be heard after.
+        await seen.until(lambda: f"{before.project} at rob1" not in seen.names)
+        announcing.close()
+        await seen.until(lambda: not seen.robots)
+
+    try:
+        run(renamed)
+    finally:
+        announcing.close()
 
 
 def test_a_robot_that_gets_another_address_is_found_there() -> None:

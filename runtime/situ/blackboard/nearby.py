@@ -93,10 +93,15 @@ class Nearby:
 
     async def _ask(self, zeroconf: Zeroconf, info: AsyncServiceInfo) -> None:
         name = info.name
-        if await info.async_request(zeroconf, ANSWER * 1000):
-            found = tuple(info.parsed_addresses(IPVersion.V4Only))
-            self._tell(name, heard(best_first(found, own_networks()), info.port, info.properties))
-        del self._asking[name]
+        try:
+            if await info.async_request(zeroconf, ANSWER * 1000):
+                found = tuple(info.parsed_addresses(IPVersion.V4Only))
+                robot = heard(best_first(found, own_networks()), info.port, info.properties)
+                self._tell(name, robot)
+        finally:
+            # Whoever has cancelled it asks anew by now, or tells that it has gone.
+            if self._asking.get(name) is asyncio.current_task():
+                del self._asking[name]
 
     def _tell(self, name: str, robot: Announced | None) -> None:
         """Each that was told goes once."""

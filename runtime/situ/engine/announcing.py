@@ -66,12 +66,15 @@ class Announcing:
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
+        self._told: Announcement | None = None
 
     def begin(self, announcement: Announcement) -> None:
-        """Announces it, unless that has begun. What goes wrong is told on standard error; the
-        robot runs all the same."""
-        if self._process is not None:
+        """Announces it, unless that has begun; what was announced before says goodbye. What goes
+        wrong is told on standard error; the robot runs all the same."""
+        if self._process is not None and announcement == self._told:
             return
+        self.close()
+        self._told = announcement
         command = [sys.executable, "-m", "situ.engine.announcer"]
         # A group of its own: what the terminal says is for us, and it ends by its input.
         try:
