@@ -81,6 +81,13 @@ def allow(robot: Path) -> None:
         file.write_text(f"video-call = {json.dumps(command)}\n", "utf-8")
 
 
+def as_whom(robot: Path) -> str:
+    """With which rights whoever connects to the robot comes in."""
+    if (robot / "keys").exists():
+        return "with a key that the robot knows"
+    return "from this machine, as operator"
+
+
 def start_broker(programs: Programs, url: str) -> None:
     host, port = urlsplit(url).hostname or "127.0.0.1", urlsplit(url).port or 1883
     with socket.socket() as look:
@@ -117,7 +124,8 @@ def main() -> int:
             programs.python(HERE / "modules" / f"{device}.py", ready["requests"])
         seen = ("--records", records, "--tokens", state / "records" / "tokens.json")
         programs.python(HERE / "modules" / "monitor.py", ready["requests"], *seen)
-        print(f"the robot's screen: {ready['http']}\nthe nurse's page: {nurse}", flush=True)
+        print(f"the robot's screen: {ready['http']}\nthe nurse's page: {nurse}")
+        print(f"the editor (Robot, Connect): {ready['requests']}, {as_whom(state)}", flush=True)
         os.wait()
     return 0
 

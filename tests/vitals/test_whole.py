@@ -101,10 +101,11 @@ def started(tmp_path: Path, mosquitto: str) -> Iterator[Started]:
     )
     try:
         assert one.stdout is not None
-        lines = [one.stdout.readline() for _ in range(2)]
-        screen, nurse = (re.search(r"http\S+", line) for line in lines)
+        lines = [one.stdout.readline() for _ in range(3)]
+        screen, nurse = (re.search(r"http\S+", line) for line in lines[:2])
         assert screen is not None, lines
         assert nurse is not None, lines
+        assert f"tcp://127.0.0.1:{board}" in lines[2]
         yield Started(screen[0], nurse[0], f"tcp://127.0.0.1:{board}", broker, state)
     finally:
         one.terminate()
@@ -175,6 +176,7 @@ def test_every_service_is_used_by_clicks_and_the_nurse_sees_what_came_of_it(
                 score = await play(jack, started)
                 await be_entertained(jack)
                 await jack.touches("help", "back", "goodbye")
+                await be_told_and_move_out(jack, nurse)
                 haru = jack
                 await haru.logs_in("japanese", "21", "2121", "木村はる様、こんにちは")
                 await expect(haru.sees("pressure")).to_have_text("血圧")
@@ -309,6 +311,30 @@ async def be_entertained(jack: Resident) -> None:
     await jack.touches("stop", "back")
 
 
+async def be_told_and_move_out(bea: Resident, nurse: Page) -> None:
+    """What was for her when nobody could tell it is told as she logs in; then the nurse removes
+    her, and the robot lets her do nothing more."""
+    await nurse.get_by_role("link", name="Ward").click()
+    await nurse.get_by_role("link", name="Medicine").click()
+    await nurse.get_by_label("At").fill("09:30")
+    await nurse.get_by_label("Message").fill("your sister has called")
+    await nurse.get_by_label("For").select_option(label="Room 12, Bea Lee")
+    await nurse.get_by_role("button", name="Add").click()
+    await bea.logs_in("english", "12", "4321", "Hello Bea Lee")
+    await expect(bea.sees("at")).to_have_text("For you, today at 09:30")
+    await expect(bea.sees("what")).to_have_text("your sister has called")
+    await bea.touches("good")
+    await expect(bea.sees("pressure")).to_be_visible()
+    await nurse.get_by_role("link", name="Ward").click()
+    await nurse.get_by_role("link", name="Bea Lee").click()
+    await nurse.get_by_role("link", name="Remove this resident").click()
+    await nurse.get_by_role("button", name="Remove Bea Lee").click()
+    await expect(nurse.get_by_role("link", name="Bea Lee")).to_have_count(0)
+    await expect(bea.sees("sorry")).to_have_text("I am sorry, I can not go on.")
+    await bea.touches("continue")
+    await nurse.get_by_role("link", name="Jack Nilsen").click()
+
+
 async def night(haru: Resident, started: Started) -> None:
     """Quiet hours begin as soon as the settings say so; who touches the dark screen is asked."""
     await haru.sees("touch").wait_for()
@@ -345,7 +371,7 @@ async def look_on(page: Page, started: Started) -> None:
     token = json.loads((started.state / "records" / "tokens.json").read_text("utf-8"))["viewer"]
     await page.goto(f"{started.nurse.partition('?')[0]}?token={token}")
     hidden = page.locator("#residents tbody tr")
-    await expect(hidden).to_have_count(5)
+    await expect(hidden).to_have_count(4)
     for path in ("", "today", "residents/3"):
         await page.goto(started.nurse.partition("?")[0] + path)
         await expect(page.locator("body")).to_contain_text("•••")
