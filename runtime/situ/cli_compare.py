@@ -31,7 +31,7 @@ def run(args: argparse.Namespace) -> int:
     import msgspec
 
     from situ.document.ready import load_ready
-    from situ.rehearse.comparing import differences
+    from situ.rehearse.comparing import alike
     from situ.rehearse.deeds import Deeds
     from situ.rehearse.parting import lines, told
     from situ.rehearse.recording import read_trace
@@ -47,7 +47,7 @@ def run(args: argparse.Namespace) -> int:
     (first, ones), (second, others) = runs
     found = [
         told(one, (teller, teller), (ones.__getitem__, others.__getitem__))
-        for one in differences(first, second)
+        for one in alike(first, second).differences
     ]
     if args.json:
         print(msgspec.json.format(msgspec.json.encode(found), indent=2).decode())

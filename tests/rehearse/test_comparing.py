@@ -17,7 +17,7 @@ from tests.rehearse.recorded_robot import ROOT
 from situ import cli
 from situ.document.ready import load_ready
 from situ.rehearse import scenario
-from situ.rehearse.comparing import Difference, common, differences, matched
+from situ.rehearse.comparing import Difference, alike, matched
 from situ.rehearse.deeds import Deeds
 from situ.rehearse.parting import lines, told
 from situ.rehearse.recording import record
@@ -93,11 +93,11 @@ def test_a_run_does_not_differ_from_itself_and_two_do_so_either_way_round(
     name: str, one: str, other: str
 ) -> None:
     a, b = deeds(played(name, one)), deeds(played(name, other))
-    assert differences(a, a) == []
-    found, back = differences(a, b), differences(b, a)
+    assert alike(a, a).differences == []
+    found, back = alike(a, b).differences, alike(b, a).differences
     assert found
     assert [turned(each) for each in back] == [kept(each) for each in found]
-    assert common(a, b) == (common(b, a) or ())[::-1] == (0.0, 0.0)
+    assert alike(a, b).common == (alike(b, a).common or ())[::-1] == (0.0, 0.0)
 
 
 @pytest.mark.parametrize(("name", "script", "_"), SCRIPTS)
@@ -119,7 +119,7 @@ def test_neither_when_nor_in_which_order_strands_went_on_counts(
     for seq, strand in enumerate(order, 1):
         t += dice.random()
         slower.append({**next(left[strand]), "seq": seq, "t": t})
-    assert differences(deeds(events), deeds(slower)) == []
+    assert alike(deeds(events), deeds(slower)).differences == []
 
 
 @given(st.data())
@@ -130,7 +130,7 @@ def test_a_deed_that_is_left_out_is_the_one_difference(data: st.DataObject) -> N
     ]
     gone = data.draw(st.sampled_from(events))
     rest = [event for event in events if event is not gone]
-    (one,) = differences(deeds(events), deeds(rest))
+    (one,) = alike(deeds(events), deeds(rest)).differences
     (stretch,) = one.stretches
     assert [deed.seq for deed in stretch.first] == [gone["seq"]]
     assert stretch.second == ()
@@ -148,11 +148,11 @@ def test_the_numbers_of_a_modules_commands_do_not_count_but_its_words_do() -> No
         return deeds(events)
 
     stream = steered(("nav", {"vx": 0.2}), ("nav", None), ("nav", {"vx": 0.25}))
-    assert differences(stream, steered(("nav", {"vx": 0.1}))) == []
-    assert differences(stream, steered(("nav", {"vx": 0.2, "to": "lobby"})))
-    assert differences(stream, steered(("other", {"vx": 0.2})))
+    assert alike(stream, steered(("nav", {"vx": 0.1}))).differences == []
+    assert alike(stream, steered(("nav", {"vx": 0.2, "to": "lobby"}))).differences
+    assert alike(stream, steered(("other", {"vx": 0.2}))).differences
     # What a designer wrote counts as it stands.
-    assert differences(steered(("desk", {"x": 1})), steered(("desk", {"x": 2})))
+    assert alike(steered(("desk", {"x": 1})), steered(("desk", {"x": 2}))).differences
 
 
 def test_what_comes_of_one_moment_is_one_difference_states_first() -> None:
@@ -160,7 +160,7 @@ def test_what_comes_of_one_moment_is_one_difference_states_first() -> None:
         played("reception", "known-user.jsonl"),
         played("reception", "walked-away.jsonl"),
     )
-    found = differences(deeds(known), deeds(second))
+    found = alike(deeds(known), deeds(second)).differences
     for one in found:
         kinds = [stretch.strand.kind for stretch in one.stretches]
         assert kinds == sorted(kinds, key=["state", "situation", "resource"].index)
@@ -182,11 +182,11 @@ def test_what_comes_of_one_moment_is_one_difference_states_first() -> None:
 def test_what_moves_a_resource_is_told_in_words(value: Any, said: str) -> None:
     event: dict[str, Any] = {"kind": "mapping", "seq": 1, "t": 2.5, "cause": None, "resource": "r"}
     event |= {"module": "desk", "value": value}
-    (one,) = differences(deeds([event]), deeds([]))
+    (one,) = alike(deeds([event]), deeds([])).differences
     parting = told(one, (Teller(), Teller()), ({1: event}.__getitem__, {1: event}.__getitem__))
     assert (parting.first, parting.second) == ((said,), ())
     assert lines(parting, ("a", "bcd"))[1:] == [f"  a:   {said}", "  bcd: nothing of that"]
-    assert common(deeds([event]), deeds([])) is None
+    assert alike(deeds([event]), deeds([])).common is None
 
 
 # -- the command ---------------------------------------------------------------------------

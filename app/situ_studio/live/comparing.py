@@ -13,11 +13,10 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.document.project import Project
-from situ.rehearse.comparing import Difference
+from situ.rehearse.comparing import Alike, Difference, alike
 from situ.rehearse.deeds import Deeds
 from situ.rehearse.parting import Parting, told
 from situ.rehearse.telling import Teller
-from situ_studio.live.alike import Alike, alike
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
 from situ_studio.live.recordings import Recording
@@ -266,7 +265,7 @@ class Comparing(QObject):
         own, *others = (one.deeds for one in self._gathered)
         for run, other in enumerate(others):
             if own.count + other.count <= self._at_once:
-                self._take(run, alike((own, other)))
+                self._take(run, alike(own, other))
             else:
                 self._worker(run).ask((own, other))
 

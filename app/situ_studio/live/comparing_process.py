@@ -7,15 +7,15 @@ Started as ``python -m situ_studio.live.comparing_process`` by ``Comparing`` and
 from __future__ import annotations
 
 from situ.document.project import Project
+from situ.rehearse.comparing import Alike, alike
 from situ.rehearse.deeds import Deeds
 from situ_studio.answering import answer
-from situ_studio.live.alike import Alike, alike
 from situ_studio.live.comparing_projects import project_in
 
 
 def answered(asked: tuple[Deeds, Deeds] | dict[str, str]) -> Alike | Project | None:
     """Of two runs where they part, of a project's files the project."""
-    return project_in(asked) if isinstance(asked, dict) else alike(asked)
+    return project_in(asked) if isinstance(asked, dict) else alike(*asked)
 
 
 def main() -> None:

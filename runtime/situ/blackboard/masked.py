@@ -15,7 +15,7 @@ from situ.blackboard import protocol
 from situ.blackboard.backlog import Backlog
 from situ.decide.board import Board
 from situ.decide.expected import Expectation
-from situ.decide.masking import Mask, written
+from situ.decide.masking import Mask
 from situ.document.project import Project
 
 
@@ -31,8 +31,7 @@ _data = msgspec.json.Decoder(_Data)
 def learned(project: Project, board: Board, backlog: Backlog) -> Mask:
     """The mask of a project, which knows what stands on the board now and what the backlog has
     of what stood there before."""
-    names = (application.name for application in project.applications.values())
-    mask = Mask(project.private, written(project), names)
+    mask = Mask.of(project)
     for line in backlog:
         if line.startswith(_DATA):
             event = _data.decode(line)

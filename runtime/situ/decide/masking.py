@@ -79,6 +79,12 @@ class Mask:
         self._within: dict[str, None] = {}
         self._alone: dict[str, None] = {}
 
+    @classmethod
+    def of(cls, project: Project) -> Mask:
+        """That of what a project says is private, with its texts and applications."""
+        applications = (application.name for application in project.applications.values())
+        return cls(project.private, written(project), applications)
+
     def know(self, tag: str, value: Any) -> Any:
         """Learns what is private in a tag's value; the value without it."""
         if self._is_private(tag):

@@ -42,25 +42,32 @@ class Difference(Struct, frozen=True):
     stretches: tuple[Stretch, ...]
 
 
-def differences(first: Deeds, second: Deeds) -> list[Difference]:
-    """All of them, in the order of both times together.
+class Alike(Struct, frozen=True):
+    """Where two runs part, in the order of both times together; common: when each did the first
+    thing that both did, None where there is nothing.
+    """
 
-    A run has none to itself, and the other way round they are the same, turned.
+    differences: list[Difference]
+    common: tuple[float, float] | None
+
+
+def alike(first: Deeds, second: Deeds) -> Alike:
+    """Puts two runs beside one another.
+
+    A run has no difference to itself, and the other way round all is the same, turned.
     """
     found: list[Stretch] = []
+    both: list[tuple[float, float]] = []
     for strand in sorted(first.strands.keys() | second.strands.keys(), key=_order):
-        found += _stretches(strand, first.strands.get(strand, []), second.strands.get(strand, []))
+        a, b = first.strands.get(strand, []), second.strands.get(strand, [])
+        pairs = matched(_what(a), _what(b))
+        found += _stretches(strand, a, b, pairs)
+        both += [(a[i].t, b[j].t) for i, j in pairs[:1]]
     gathered = [_joined(stretches) for stretches in _at_once(found)]
-    return sorted(gathered, key=lambda one: (sum(one.at), min(one.at), one.stretches[0].strand))
-
-
-def common(first: Deeds, second: Deeds) -> tuple[float, float] | None:
-    """When each did the first thing that both did; None where there is nothing."""
-    found = []
-    for strand in first.strands.keys() & second.strands.keys():
-        a, b = first.strands[strand], second.strands[strand]
-        found += [(a[i].t, b[j].t) for i, j in matched(_what(a), _what(b))[:1]]
-    return min(found, key=lambda one: (sum(one), min(one)), default=None)
+    return Alike(
+        sorted(gathered, key=lambda one: (sum(one.at), min(one.at), one.stretches[0].strand)),
+        min(both, key=lambda one: (sum(one), min(one)), default=None),
+    )
 
 
 def _order(strand: Strand) -> tuple[int, str]:
@@ -71,9 +78,11 @@ def _what(deeds: Iterable[Deed]) -> list[str]:
     return [deed.what for deed in deeds]
 
 
-def _stretches(strand: Strand, a: list[Deed], b: list[Deed]) -> Iterator[Stretch]:
+def _stretches(
+    strand: Strand, a: list[Deed], b: list[Deed], pairs: list[tuple[int, int]]
+) -> Iterator[Stretch]:
     before = (-1, -1)
-    for i, j in [*matched(_what(a), _what(b)), (len(a), len(b))]:
+    for i, j in [*pairs, (len(a), len(b))]:
         one, other = tuple(a[before[0] + 1 : i]), tuple(b[before[1] + 1 : j])
         if one or other:
             agreed = (a[before[0]].t, b[before[1]].t) if before[0] >= 0 else (0.0, 0.0)

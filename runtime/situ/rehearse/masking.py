@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 import msgspec
+from msgspec.structs import replace
 
-from situ.decide.masking import Mask, written
+from situ.decide.masking import Mask
 from situ.rehearse.recorded import (
     Document,
     Heading,
@@ -30,8 +31,7 @@ def masked(recording: Iterable[Piece]) -> Iterator[Piece]:
         if documents and isinstance(piece, (Line, Snapshot)):
             project = loaded(heading, documents)
             if project is not None:
-                names = (application.name for application in project.applications.values())
-                mask = Mask(heading.private, written(project), names)
+                mask = Mask.of(replace(project, private=heading.private))
             documents = []
         if isinstance(piece, Line):
             event = msgspec.json.decode(piece.text)
@@ -41,7 +41,7 @@ def masked(recording: Iterable[Piece]) -> Iterator[Piece]:
             moment.append((piece, event))
         elif isinstance(piece, Heading):
             heading, mask = piece, Mask(piece.private)
-            yield msgspec.structs.replace(piece, tags={}, masked=True)
+            yield replace(piece, tags={}, masked=True)
         elif isinstance(piece, Document):
             documents.append(piece)
         elif isinstance(piece, Snapshot):

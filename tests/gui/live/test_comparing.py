@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QToolButton
 from tests.gui.live.test_log import played
 from tests.gui.live.test_recordings import PATIENCE, recording, until_shown
 
-from situ.rehearse.comparing import differences
+from situ.rehearse.comparing import alike
 from situ.rehearse.deeds import Deeds
 from situ_studio.live.comparing import AGREED, COMMAND, COMMON, START, Compared, Comparing
 from situ_studio.live.comparing_projects import RecordedProjects
@@ -372,7 +372,7 @@ def test_three_runs_stand_below_one_another_and_differences_lead_through_all_of_
         parts = sorted(
             (found.at[0], run, found.at[1])
             for run, one in enumerate(comparing.others)
-            for found in differences(deeds(log), deeds(one.log))
+            for found in alike(deeds(log), deeds(one.log)).differences
         )
         assert len(parts) > 6
         viewing.seek(0.0)
