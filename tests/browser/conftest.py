@@ -22,6 +22,7 @@ from situ.decide.effects import Map
 from situ.decide.inputs import AnyInput
 from situ.document.project import Project
 from situ.document.ready import load_ready
+from situ.engine.deciding import Setup
 from situ.engine.live import Live
 from situ.engine.perform import Performer
 from situ.engine.voices.espeak import EspeakNg
@@ -208,10 +209,8 @@ async def robot(folder: Path, keys: RobotKeys | None) -> AsyncIterator[tuple[str
     project = load_ready(folder)
     live = Live(
         project,
-        "tcp://127.0.0.1:0",
-        "tcp://127.0.0.1:0",
+        Setup(keys=keys),
         lambda submit, tag: Performer(project, submit, tag=tag, services=("screen",)),
-        keys=keys,
     )
     addresses = await live.start()
     assert addresses.http is not None

@@ -11,6 +11,7 @@ import pytest
 
 from situ.blackboard.client import AsyncBoard, connect_async
 from situ.document.ready import load_ready
+from situ.engine.deciding import Setup
 from situ.engine.live import Live
 
 pytestmark = pytest.mark.chromium
@@ -47,7 +48,7 @@ address => new Promise((resolve, reject) => {
 @asynccontextmanager
 async def core(stage: Any) -> AsyncIterator[AsyncBoard]:
     """A core behind the stage's door; gives somebody else at its blackboard."""
-    live = Live(load_ready(LAB), "tcp://127.0.0.1:0", "tcp://127.0.0.1:0")
+    live = Live(load_ready(LAB), Setup())
     addresses = await live.start()
     try:
         stage.performer.open_door(addresses)

@@ -12,6 +12,7 @@ from playwright.async_api import expect
 
 from situ.blackboard.client import connect_async
 from situ.document.ready import load_ready
+from situ.engine.deciding import Setup
 from situ.engine.live import Live
 from situ.engine.perform import Performer
 from situ.resources import example
@@ -64,7 +65,7 @@ def test_a_film_that_was_interrupted_begins_again_and_says_when_it_has_ended(
             assert change is not None
 
     async def whole() -> None:
-        robot = Live(project, "tcp://127.0.0.1:0", "tcp://127.0.0.1:0", performer)
+        robot = Live(project, Setup(), performer)
         try:
             async with asyncio.timeout(3 * DEADLINE):
                 await within(robot)

@@ -16,7 +16,7 @@ import pytest
 
 import situ
 from situ.document.ready import load_ready
-from situ.engine.deciding import Deciding
+from situ.engine.deciding import Deciding, Setup
 from situ.engine.waking import Waking
 
 DEADLINE = 20.0
@@ -107,10 +107,9 @@ def test_it_tells_when_it_is_to_be_called_next() -> None:
     time = Time()
     deciding = Deciding(
         load_ready(LAB),
-        *("inproc://requests", "inproc://notices"),
+        Setup(endpoint="inproc://requests", notify="inproc://notices", wall=time.wall),
         time.clock,
         lambda call: None,
-        wall=time.wall,
     )
     deciding.start(deciding.bind())
     try:
@@ -151,10 +150,9 @@ def test_a_robot_that_never_keeps_up_with_its_timeouts_lets_others_have_their_tu
     time = Passing()
     deciding = Deciding(
         load_ready(tmp_path / "restless.rbd.xml"),
-        *("inproc://requests", "inproc://notices"),
+        Setup(endpoint="inproc://requests", notify="inproc://notices", wall=time.wall),
         time.clock,
         lambda call: None,
-        wall=time.wall,
     )
     deciding.start(deciding.bind())
     try:

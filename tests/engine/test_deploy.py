@@ -75,17 +75,19 @@ class Desk:
         self._beside.get(timeout=DEADLINE)()
         self.deployer.settle()
 
-    def ask(self, request: protocol.Deploying, who: str = "operator:ann") -> Any:
-        reply = self.deployer.answer(request, who)
+    def ask(
+        self, request: protocol.Deploying, who: str = "operator:ann", session: str = "a"
+    ) -> Any:
+        reply = self.deployer.answer(request, who, session)
         self.deployer.settle()
         return reply
 
     def send(self, files: dict[str, bytes], main: str | None = "situ.toml", **of: Any) -> None:
-        who = of.get("who", "operator:ann")
+        who, session = of.get("who", "operator:ann"), of.get("session", "a")
         sent = {p: protocol.Sent(len(d), hashlib.sha256(d).hexdigest()) for p, d in files.items()}
-        wanted = self.ask(protocol.Stage(id=1, files=sent, main=main), who).wanted
+        wanted = self.ask(protocol.Stage(id=1, files=sent, main=main), who, session).wanted
         for path in wanted:
-            self.ask(protocol.Piece(id=2, path=path, offset=0, data=files[path]), who)
+            self.ask(protocol.Piece(id=2, path=path, offset=0, data=files[path]), who, session)
 
     def deploy(self, files: dict[str, bytes], force_after: float | None = None) -> None:
         self.send(files)
@@ -158,6 +160,25 @@ def test_another_operators_version_is_in_the_way_until_nothing_of_it_comes(desk:
     desk.send(files, who="operator:bob")
     with pytest.raises(Refused, match="nothing of yours"):
         desk.ask(protocol.Deploy(id=1))
+
+
+def test_two_editors_of_one_operator_do_not_send_between_each_others_pieces(desk: Desk) -> None:
+    files, others = desk.files(4000), desk.files(5000)
+    desk.send(files)
+    with pytest.raises(Refused, match="operator:ann is sending a version"):
+        desk.send(others, session="b")
+    with pytest.raises(Refused, match="nothing of yours"):
+        desk.ask(protocol.Deploy(id=1), session="b")
+    # What the end of another session leaves alone, that of its own gives to the next one.
+    desk.deployer.left("b")
+    with pytest.raises(Refused, match="operator:ann is sending a version"):
+        desk.send(others, session="c")
+    desk.deployer.left("a")
+    with pytest.raises(Refused, match="operator:ann is sending a version"):
+        desk.send(others, who="operator:bob", session="d")
+    assert desk.ask(protocol.Deploy(id=1), session="c").stands == "checking"
+    desk.checked()
+    assert desk.progress.version == 1
 
 
 def test_one_version_is_checked_at_a_time(desk: Desk) -> None:

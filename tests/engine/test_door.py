@@ -31,6 +31,7 @@ from situ.blackboard.keys import (
 from situ.blackboard.link import Link
 from situ.blackboard.protocol import Addresses
 from situ.document.ready import load_ready
+from situ.engine.deciding import Setup
 from situ.engine.live import Live
 from situ.engine.perform import Performer
 from situ.engine.screen import door as doors
@@ -118,10 +119,8 @@ def receive(scenario: Callable[[House], Awaitable[None]], keys: RobotKeys | None
     async def run() -> None:
         live = Live(
             project,
-            "tcp://127.0.0.1:0",
-            "tcp://127.0.0.1:0",
+            Setup(keys=keys),
             lambda submit, tag: Performer(project, submit, tag=tag, services=("screen",)),
-            keys=keys,
         )
         addresses = await live.start()
         async with asyncio.timeout(DEADLINE), aiohttp.ClientSession() as client:
@@ -367,7 +366,7 @@ def test_the_door_of_a_screen_on_another_machine_leaves_to_the_core_whom_it_lets
     own = Curve(pair.public.encode(), pair.secret.encode(), keys.public, "screen")
 
     async def run() -> None:
-        live = Live(project, "tcp://127.0.0.1:0", "tcp://127.0.0.1:0", keys=keys)
+        live = Live(project, Setup(keys=keys))
         core = await live.start()
         person = Person(role="service", services=("screen",))
         apart = ServicesApart(

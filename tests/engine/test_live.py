@@ -26,7 +26,9 @@ from situ.decide.effects import AnyEffect, Begin, Map
 from situ.decide.trace import TraceEvent, to_line
 from situ.document.project import Project
 from situ.document.ready import load_ready
-from situ.engine.live import Live
+from situ.engine.deciding import Setup
+from situ.engine.live import Broker, Live
+from situ.engine.performing import Performing
 from situ.engine.script import Script
 from situ.errors import Unreachable, UsageError
 from situ.rehearse import scenario
@@ -76,8 +78,13 @@ class Hasty:
         self.closed = True
 
 
-def live(project: Project, **options: Any) -> Live:
-    return Live(project, "tcp://127.0.0.1:0", "tcp://127.0.0.1:0", **options)
+def live(
+    project: Project,
+    performer: Callable[..., Performing] | None = None,
+    broker: Callable[..., Broker] | None = None,
+    **setup: Any,
+) -> Live:
+    return Live(project, Setup(**setup), performer, broker=broker)
 
 
 def go(test: Callable[[], Awaitable[None]]) -> None:

@@ -27,6 +27,7 @@ from situ.decide import inputs
 from situ.decide.trace import TraceEvent, to_fields
 from situ.document.project import Project
 from situ.document.ready import load_ready
+from situ.engine.deciding import Setup
 from situ.engine.live import Live
 from situ.engine.perform import Performer
 from situ.engine.robots import Surroundings
@@ -52,10 +53,8 @@ class Ward:
         self._project = project
         self.live = Live(
             project,
-            "tcp://127.0.0.1:0",
-            "tcp://127.0.0.1:0",
+            Setup(heard=self._heard),
             self._performer,
-            heard=self._heard,
         )
 
     def _performer(self, submit: Any, tag: Any) -> Performer:

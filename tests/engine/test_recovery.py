@@ -22,6 +22,7 @@ from situ.document import codec
 from situ.document.project import Project
 from situ.document.rbd import Application, Set, State
 from situ.document.ready import load_ready
+from situ.engine.deciding import Setup
 from situ.engine.folder import StateFolder
 from situ.engine.live import Live
 from situ.engine.recovery import AGAIN, INPUTS, Recovery, identity
@@ -291,12 +292,12 @@ def go(test: Callable[[], Awaitable[None]]) -> None:
 def robot_of(project: Project, folder: Path, carrying: Carrying, **more: Any) -> Live:
     return Live(
         project,
-        "tcp://127.0.0.1:0",
-        "tcp://127.0.0.1:0",
+        Setup(
+            recovery=Recovery(folder, project, boot=BOOT),
+            durable=DurableTags(folder, project.durable),
+            **more,
+        ),
         lambda submit, tag: carrying,
-        recovery=Recovery(folder, project, boot=BOOT),
-        durable=DurableTags(folder, project.durable),
-        **more,
     )
 
 
@@ -314,7 +315,7 @@ def test_a_durable_tag_is_acknowledged_when_it_is_kept_and_others_do_not_wait(
     store = Slow(tmp_path, errand.durable)
 
     async def test() -> None:
-        robot = Live(errand, "tcp://127.0.0.1:0", "tcp://127.0.0.1:0", durable=store)
+        robot = Live(errand, Setup(durable=store))
         addresses = await robot.start()
         async with (
             connect_async(addresses.requests) as board,

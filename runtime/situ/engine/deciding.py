@@ -10,6 +10,7 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import zmq
@@ -39,7 +40,48 @@ from situ.engine.deploy import Deployer
 from situ.engine.record import Recorder, Run
 from situ.engine.recovery import Kept, Recovery
 
+FREE = "tcp://127.0.0.1:0"
+"""A free port, for this machine only."""
+
 _log = logging.getLogger("situ.run")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Setup:
+    """How a live robot is set up.
+
+    endpoint, notify: where to bind, port 0 for a free one. keys, insecure: as in ``Server``.
+    files, patience: as in ``Core``.
+
+    scripted: a scenario client gives the time (``Sessions``); what actions and adapters
+    answer is then left out, for the scenario says what ends and what is measured.
+
+    heard: is told each step's trace events with the UNIX time. wall: UNIX time, which may jump;
+    used for the time of day and ``time`` in the trace only.
+
+    durable: keeps durable tags. recovery: keeps what is needed to go on after the process was
+    killed; where it has found such a run, this one goes on from there (docs/architecture.md,
+    *How the core comes back*). Both only where nothing is scripted.
+
+    recorders: record every step; the robot's end ends them. deployer: takes other versions of
+    the project.
+    """
+
+    endpoint: str = FREE
+    notify: str = FREE
+    keys: RobotKeys | None = None
+    insecure: bool = False
+    files: dict[str, str] | None = None
+    patience: float = PATIENCE
+    scripted: bool = False
+    seed: int = 0
+    auto_finish: float | None = None
+    heard: Heard | None = None
+    wall: Callable[[], float] = time.time
+    durable: DurableTags | None = None
+    recovery: Recovery | None = None
+    recorders: Sequence[Recorder] = ()
+    deployer: Deployer | None = None
 
 
 class Deciding:
@@ -48,53 +90,24 @@ class Deciding:
     Wait until one of ``descriptors()`` is readable or the time that ``turn`` told last has come,
     then call ``turn``; and call it after ``submit`` and ``move``.
 
-    endpoint, notify: where to bind, port 0 for a free one. clock: seconds that never go back,
-    the system's own where there is a recovery. soon: calls something later in this thread, from
-    any thread. services: those that are carried out in this process, by ``carry`` of ``start``.
-    The rest is as in ``situ.engine.live.Live``.
+    clock: seconds that never go back, the system's own where there is a recovery. soon: calls
+    something later in this thread, from any thread. services: those that are carried out in this
+    process, by ``carry`` of ``start``.
     """
 
     def __init__(
         self,
         project: Project,
-        endpoint: str,
-        notify: str,
+        setup: Setup,
         clock: Callable[[], float],
         soon: Callable[[Callable[[], None]], None],
-        *,
         services: Collection[str] = (),
-        files: dict[str, str] | None = None,
-        scripted: bool = False,
-        seed: int = 0,
-        auto_finish: float | None = None,
-        heard: Heard | None = None,
-        wall: Callable[[], float] = time.time,
-        durable: DurableTags | None = None,
-        recovery: Recovery | None = None,
-        keys: RobotKeys | None = None,
-        insecure: bool = False,
-        patience: float = PATIENCE,
-        recorders: Sequence[Recorder] = (),
-        deployer: Deployer | None = None,
     ) -> None:
         self._project = project
-        self._bind = endpoint, notify
+        self._setup = setup
         self._clock = clock
         self._soon = soon
         self._services = frozenset(services)
-        self._files = files
-        self._scripted = scripted
-        self._seed = seed
-        self._auto_finish = auto_finish
-        self._heard = heard
-        self._wall = wall
-        self._durable = durable
-        self._recovery = recovery
-        self._keys = keys
-        self._insecure = insecure
-        self._patience = patience
-        self._recorders = recorders
-        self._deployer = deployer
         self._turned: Callable[[Project], None] = _nobody
         self._carry: Callable[[Carried], None] = _nobody
         self._started = 0.0
@@ -106,10 +119,15 @@ class Deciding:
 
     def bind(self) -> Addresses:
         """The addresses as bound. Raises UsageError where one can not be."""
+        setup = self._setup
         self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
         try:
             self._server = Server(
-                *self._bind, context=self._context, keys=self._keys, insecure=self._insecure
+                setup.endpoint,
+                setup.notify,
+                context=self._context,
+                keys=setup.keys,
+                insecure=setup.insecure,
             )
         except BaseException:
             self._context.term()
@@ -125,9 +143,9 @@ class Deciding:
         """Goes on where the process before was killed, or takes the first step. turned: is told
         the project when another version of it runs."""
         project = self._project
-        if not self._scripted:
+        if not self._setup.scripted:
             # The first situation may depend on the time of day.
-            project = replace(project, tags={**time_of_day(self._wall()), **project.tags})
+            project = replace(project, tags={**time_of_day(self._setup.wall()), **project.tags})
         if carry is not None:
             self._carry = carry
         if turned is not None:
@@ -136,7 +154,7 @@ class Deciding:
         if not self._goes_on(project, addresses):
             self._begins(project, addresses)
         self._flush()
-        if not self._scripted:
+        if not self._setup.scripted:
             self._keep_clock()
 
     def end(self, *, forget: bool) -> None:
@@ -145,12 +163,12 @@ class Deciding:
         self._stopping = True
         self._core.end()
         self._flush()
-        for recorder in self._recorders:
+        for recorder in self._setup.recorders:
             recorder.close()
-        if self._recovery is not None and forget:
-            self._recovery.forget()
-        if self._deployer is not None:
-            self._deployer.end()
+        if self._setup.recovery is not None and forget:
+            self._setup.recovery.forget()
+        if self._setup.deployer is not None:
+            self._setup.deployer.end()
 
     def close(self) -> None:
         """Closes the sockets; also after ``bind`` alone. Durable tags are kept by then, and what
@@ -162,36 +180,38 @@ class Deciding:
         """The first step of a run."""
         self._started = self._clock()
         self._make_core(project, addresses, 0)
-        self._core.heard = self._heard
+        self._core.heard = self._setup.heard
         self._record(project, None)
         self._sessions.start(
-            self._seed,
-            self._auto_finish,
-            self._durable.restored if self._durable is not None else None,
+            self._setup.seed,
+            self._setup.auto_finish,
+            self._setup.durable.restored if self._setup.durable is not None else None,
         )
         self._take_snapshot()
         self._deploys()
 
     def _goes_on(self, project: Project, addresses: Addresses) -> bool:
         """Goes on where the process before was killed; False where there is no such run."""
-        if self._recovery is None or self._recovery.found is None:
+        if self._setup.recovery is None or self._setup.recovery.found is None:
             return False
-        kept, past = self._recovery.found
-        self._recovery.found = None
+        kept, past = self._setup.recovery.found
+        self._setup.recovery.found = None
         try:
             self._started = kept.began
             self._make_core(project, addresses, kept.seq)
-            self._core.backlog.restore(self._recovery.trace(kept))
-            if self._deployer is not None:
+            self._core.backlog.restore(self._setup.recovery.trace(kept))
+            if self._setup.deployer is not None:
                 for _, given in past:
                     if isinstance(given, inputs.Deploy):
-                        self._deployer.prepare(self._robot, given.version)
+                        self._setup.deployer.prepare(self._robot, given.version)
             self._robot.restore(kept.robot)
             # What is done again may not have been recorded yet when the process died.
             self._record(project, kept)
             self._sessions.restore(kept.sessions, past, self._now())
-            behind = self._durable.behind(self._robot.board.state) if self._durable else []
-            self._core.heard = self._heard
+            behind = (
+                self._setup.durable.behind(self._robot.board.state) if self._setup.durable else []
+            )
+            self._core.heard = self._setup.heard
             self._take_snapshot()
             _log.warning(
                 "the robot goes on from %g s, where it was killed", self._core.moment / SECOND
@@ -202,7 +222,7 @@ class Deciding:
             self._deploys()
         except Exception as error:
             # Whatever it is, it would be there again after the next start.
-            self._recovery.set_aside(error)
+            self._setup.recovery.set_aside(error)
             self._robot = self._make_robot(project)
             return False
         if behind:
@@ -210,15 +230,15 @@ class Deciding:
         return True
 
     def _make_robot(self, project: Project) -> Robot:
-        if self._deployer is None:
+        if self._setup.deployer is None:
             return Robot(project)
-        return Robot(project, self._deployer.begun, self._deployer.texts(project))
+        return Robot(project, self._setup.deployer.begun, self._setup.deployer.texts(project))
 
     def _deploys(self) -> None:
         """From here on other versions may come."""
-        if self._deployer is not None:
-            self._core.deployer = self._deployer
-            self._deployer.begin(
+        if self._setup.deployer is not None:
+            self._core.deployer = self._setup.deployer
+            self._setup.deployer.begin(
                 self._robot,
                 lambda given: self._sessions.submit(given, self._now()),
                 self._beside,
@@ -243,9 +263,9 @@ class Deciding:
         self._sessions.turn_to(project, files)
         if others:
             self._server.subscribe_anew()
-        if self._recovery is not None:
-            self._recovery.turn_to(project)
-        for recorder in self._recorders:
+        if self._setup.recovery is not None:
+            self._setup.recovery.turn_to(project)
+        for recorder in self._setup.recorders:
             recorder.turn_to(project, self._robot.version, texts)
         self._turned(project)
 
@@ -253,16 +273,16 @@ class Deciding:
         self._core = Core(
             self._robot,
             project,
-            epoch=self._wall() - self._now() / SECOND,
-            files=self._files,
+            epoch=self._setup.wall() - self._now() / SECOND,
+            files=self._setup.files,
             backlog=Backlog(begin=seq),
-            durability=self._durable,
-            patience=self._patience,
+            durability=self._setup.durable,
+            patience=self._setup.patience,
         )
         gate = self._server.gate
         guard = None if gate is None else Guard(Rights(project), gate.audit)
         self._sessions = Sessions(
-            self._core, addresses, scripted=self._scripted, own=self._services, guard=guard
+            self._core, addresses, scripted=self._setup.scripted, own=self._services, guard=guard
         )
         self._server.may_subscribe = self._sessions.may_subscribe
 
@@ -289,11 +309,14 @@ class Deciding:
         """Takes what has come and does what has fallen due, with what follows; when it is to be
         called next at the latest, by the clock. None: not before something comes."""
         due = self._work()
-        for recorder in self._recorders:
+        for recorder in self._setup.recorders:
             then = recorder.tend(self._clock())
             if then is not None:
                 due = then if due is None else min(due, then)
-        if self._deployer is not None and (then := self._deployer.tend(self._clock())) is not None:
+        if (
+            self._setup.deployer is not None
+            and (then := self._setup.deployer.tend(self._clock())) is not None
+        ):
             due = then if due is None else min(due, then)
         return due
 
@@ -318,7 +341,9 @@ class Deciding:
 
     def submit(self, given: inputs.AnyInput) -> None:
         """An input from the runtime's own parts."""
-        if self._stopping or (self._scripted and isinstance(given, (inputs.Finish, inputs.Set))):
+        if self._stopping or (
+            self._setup.scripted and isinstance(given, (inputs.Finish, inputs.Set))
+        ):
             return
         refused = self._sessions.submit(given, self._now())
         if refused is not None:
@@ -364,7 +389,7 @@ class Deciding:
     def _flush(self) -> None:
         """Sends and carries out what follows from the last steps; to be drained after it."""
         out = self._sessions.take()
-        recovery = self._recovery
+        recovery = self._setup.recovery
         if out.past and recovery is not None:
             recovery.append(out.past)
         if out.durable:
@@ -372,7 +397,7 @@ class Deciding:
         self._server.send(out.replies, out.notices)
         for effect in out.effects:
             self._carry(effect)
-        deployer = self._deployer
+        deployer = self._setup.deployer
         if deployer is not None and deployer.unsettled:
             self._take_snapshot()
             deployer.settle()
@@ -382,21 +407,21 @@ class Deciding:
     # -- what outlives the process -------------------------------------------
 
     def _take_snapshot(self) -> None:
-        if self._recovery is not None:
-            for recorder in self._recorders:
+        if self._setup.recovery is not None:
+            for recorder in self._setup.recorders:
                 recorder.flush(self._clock())
             state = self._sessions.state()
-            self._recovery.snapshot(self._started, self._robot, state, self._core.backlog)
+            self._setup.recovery.snapshot(self._started, self._robot, state, self._core.backlog)
             self._core.remembers = True
 
     def _keep(self, changes: list[Changed], held: list[Held]) -> None:
-        assert self._durable is not None
+        assert self._setup.durable is not None
         soon = self._soon
 
         def done(why: str | None) -> None:
             soon(lambda: self._was_kept(held, why))
 
-        self._durable.keep(changes, done)
+        self._setup.durable.keep(changes, done)
 
     def _was_kept(self, held: list[Held], why: str | None) -> None:
         replies = [(one.peer, one.reply if why is None else one.no(why)) for one in held]
@@ -404,19 +429,19 @@ class Deciding:
 
     def _record(self, project: Project, kept: Kept | None) -> None:
         """Every step from here on is recorded; kept: where a robot that was killed goes on."""
-        if not self._recorders:
+        if not self._setup.recorders:
             return
         runtime = self._sessions.runtime if kept is None else kept.sessions.runtime
         run = Run(runtime, project, self._robot.version)
         state = None if kept is None else kept.robot
-        for recorder in self._recorders:
-            recorder.begin(run, self._robot, self._wall(), state=state)
+        for recorder in self._setup.recorders:
+            recorder.begin(run, self._robot, self._setup.wall(), state=state)
         self._core.taken = self._taken
 
     def _taken(
         self, us: int, given: inputs.AnyInput | None, events: list[TraceEvent], moment: float
     ) -> None:
-        for recorder in self._recorders:
+        for recorder in self._setup.recorders:
             recorder.step(us, given, events, moment)
 
     # -- the time of day -----------------------------------------------------
@@ -425,14 +450,14 @@ class Deciding:
         """``clock.time``, ``clock.date`` and ``clock.weekday``, anew with each minute."""
         changed = {
             tag: value
-            for tag, value in time_of_day(self._wall()).items()
+            for tag, value in time_of_day(self._setup.wall()).items()
             if (entry := self._robot.board.get(tag)) is None or entry.value != value
         }
         # The clock on the wall may have been set; the trace follows it.
-        self._core.epoch = self._wall() - self._now() / SECOND
+        self._core.epoch = self._setup.wall() - self._now() / SECOND
         if changed:
             self.submit(inputs.Set(changed, RUNTIME))
-        left = 60 - self._wall() % 60
+        left = 60 - self._setup.wall() % 60
         self._minute = self._clock() + left + 0.01
 
 

@@ -4,25 +4,18 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import time
-from collections.abc import Callable, Collection, Coroutine, Sequence
+from collections.abc import Callable, Collection, Coroutine
 from typing import Any, Protocol
 
 from msgspec.structs import replace
 
-from situ.blackboard.core import Heard
-from situ.blackboard.journal import DurableTags
-from situ.blackboard.keys import RobotKeys
 from situ.blackboard.protocol import Addresses
-from situ.blackboard.services import PATIENCE, SERVICES, Carried
+from situ.blackboard.services import SERVICES, Carried
 from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.document.project import Project
-from situ.engine.deciding import Deciding
-from situ.engine.deploy import Deployer
+from situ.engine.deciding import Deciding, Setup
 from situ.engine.performing import Performing, Submit
-from situ.engine.record import Recorder
-from situ.engine.recovery import Recovery
 
 CLOSING = 2.0
 """Seconds that the performer has to end what it does."""
@@ -43,79 +36,31 @@ class Broker(Protocol):
 class Live:
     """One robot on one asyncio loop, from ``start`` to ``stop``.
 
-    endpoint, notify: where to bind, port 0 for a free one. performer(submit, tag) makes
-    who carries out effects; tag reads the blackboard. heard: is told each step's trace
-    events with the UNIX time. files: as in ``Core``. wall: UNIX time, which may jump; used for
-    the time of day and ``time`` in the trace only.
+    performer(submit, tag) makes who carries out effects; tag reads the blackboard. services:
+    those that it carries out; the others are left to clients. broker(submit) makes who else is
+    told the messages of applications, and tells of events and tags from elsewhere.
 
-    services: those that the performer carries out; where there is one. The others are left to
-    clients.
-
-    scripted: a scenario client gives the time (``Sessions``); what actions and adapters
-    answer is then left out, for the scenario says what ends and what is measured.
-
-    keys, insecure: as in ``Server``.
-
-    broker(submit) makes who else is told the messages of applications, and tells of events and
-    tags from elsewhere.
-
-    patience: as in ``Core``.
-
-    durable: keeps durable tags; ``stop`` closes it. recovery: keeps what is needed to go on
-    after the process was killed; where it has found such a run, this one goes on from there
-    (docs/architecture.md, *How the core comes back*). Both only where nothing is scripted.
-
-    recorders: record every step; ``stop`` ends them. deployer: takes other versions of the project.
+    ``stop`` closes what keeps durable tags.
     """
 
     def __init__(
         self,
         project: Project,
-        endpoint: str,
-        notify: str,
+        setup: Setup,
         performer: Callable[[Submit, Callable[[str], Any]], Performing] | None = None,
-        *,
         services: Collection[str] = SERVICES,
-        files: dict[str, str] | None = None,
-        scripted: bool = False,
-        seed: int = 0,
-        auto_finish: float | None = None,
-        heard: Heard | None = None,
-        wall: Callable[[], float] = time.time,
-        durable: DurableTags | None = None,
-        recovery: Recovery | None = None,
-        keys: RobotKeys | None = None,
-        insecure: bool = False,
         broker: Callable[[Submit], Broker] | None = None,
-        patience: float = PATIENCE,
-        recorders: Sequence[Recorder] = (),
-        deployer: Deployer | None = None,
     ) -> None:
         self._loop: asyncio.AbstractEventLoop
         self._deciding = Deciding(
             project,
-            endpoint,
-            notify,
+            setup,
             lambda: self._loop.time(),
             self._soon,
-            services=services if performer is not None else (),
-            files=files,
-            scripted=scripted,
-            seed=seed,
-            auto_finish=auto_finish,
-            heard=heard,
-            wall=wall,
-            durable=durable,
-            recovery=recovery,
-            keys=keys,
-            insecure=insecure,
-            patience=patience,
-            recorders=recorders,
-            deployer=deployer,
+            services if performer is not None else (),
         )
+        self._setup = setup
         self._make = performer
-        self._durable = durable
-        self._keys = keys
         self._broker = broker(self._submit) if broker is not None else None
         self._performer: Performing | None = None
         self._timer: asyncio.TimerHandle | None = None
@@ -135,7 +80,9 @@ class Live:
                 self._performer = self._make(self._submit, deciding.look)
                 await self._performer.start()
                 addresses = replace(addresses, http=self._performer.screen_url)
-                self._performer.open_door(addresses, self._keys.door if self._keys else None)
+                self._performer.open_door(
+                    addresses, self._setup.keys.door if self._setup.keys else None
+                )
         except BaseException:
             deciding.close()
             raise
@@ -163,8 +110,8 @@ class Live:
             await _in_time(self._performer.close())
         if self._broker is not None:
             await _in_time(self._broker.close())
-        if self._durable is not None:
-            await asyncio.to_thread(self._durable.close)
+        if self._setup.durable is not None:
+            await asyncio.to_thread(self._setup.durable.close)
         self._deciding.close()
 
     async def clients(self, count: int) -> None:

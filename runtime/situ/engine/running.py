@@ -26,10 +26,12 @@ if TYPE_CHECKING:
     import asyncio
 
     from situ.blackboard.client import AsyncBoard
+    from situ.blackboard.core import Heard
     from situ.blackboard.journal import DurableTags
     from situ.blackboard.keys import RobotKeys
     from situ.blackboard.protocol import Addresses
     from situ.document.project import Project
+    from situ.engine.deciding import Setup
     from situ.engine.deploy import Deployer
     from situ.engine.live import Live
     from situ.engine.perform import Performer
@@ -210,6 +212,27 @@ class Run:
         logging.getLogger("situ.audit").setLevel(logging.INFO)
         return RobotKeys(folder)
 
+    def _setup(self, keys: RobotKeys | None, heard: Heard | None) -> Setup:
+        from situ.engine.deciding import Setup
+
+        options, kept = self._options, self._kept
+        return Setup(
+            endpoint=self._endpoint,
+            notify=options.notify or _beside(self._endpoint),
+            keys=keys,
+            insecure=options.insecure,
+            files=sources(self._project),
+            patience=options.patience,
+            scripted=self._lines is not None,
+            seed=options.seed,
+            auto_finish=options.auto_finish,
+            heard=heard,
+            durable=kept.durable,
+            recovery=kept.recovery,
+            recorders=kept.recorders,
+            deployer=self._deployer(),
+        )
+
     # -- the three ways ----------------------------------------------------------
 
     def _decide(self, out: Any) -> int:
@@ -229,22 +252,9 @@ class Run:
             if out is not None:
                 name = options.trace or ""
                 trace = TraceOut(name, out, lambda: waking.came.append(signal.SIGPIPE))
+            heard = None if trace is None else trace.heard
             deciding = Deciding(
-                self._project,
-                self._endpoint,
-                options.notify or _beside(self._endpoint),
-                time.monotonic,
-                waking.soon,
-                files=sources(self._project),
-                seed=options.seed,
-                heard=None if trace is None else trace.heard,
-                durable=kept.durable,
-                recovery=kept.recovery,
-                recorders=kept.recorders,
-                keys=keys,
-                insecure=options.insecure,
-                patience=options.patience,
-                deployer=self._deployer(),
+                self._project, self._setup(keys, heard), time.monotonic, waking.soon
             )
             core_loop.run(
                 deciding,
@@ -264,7 +274,7 @@ class Run:
         from situ.engine.trace_out import TraceOut
 
         loop, stopped = asyncio.get_running_loop(), _until_signal()
-        options, kept, project = self._options, self._kept, self._project
+        options, project = self._options, self._project
         keys = self._keys()
         self._check_screen(keyed=keys is not None)
         script = None if self._lines is None else _script(self._lines, options.speed)
@@ -278,23 +288,10 @@ class Run:
 
         live = Live(
             project,
-            self._endpoint,
-            options.notify or _beside(self._endpoint),
+            self._setup(keys, heard),
             self._performer() if len(options.services) > 1 else None,
-            services=[one for one in options.services if one != "core"],
-            files=sources(self._project),
-            scripted=script is not None,
-            seed=options.seed,
-            auto_finish=options.auto_finish,
-            heard=heard,
-            durable=kept.durable,
-            recovery=kept.recovery,
-            recorders=kept.recorders,
-            keys=keys,
-            insecure=options.insecure,
-            patience=options.patience,
-            broker=partial(self._broker, loop) if _has_broker(project) else None,
-            deployer=self._deployer(),
+            [one for one in options.services if one != "core"],
+            partial(self._broker, loop) if _has_broker(project) else None,
         )
         addresses = await live.start()
         try:
