@@ -65,8 +65,11 @@ class Deployer(Protocol):
     @property
     def version(self) -> int: ...
 
-    def answer(self, request: protocol.Deploying, who: str, /) -> protocol.Reply:
+    def answer(self, request: protocol.Deploying, who: str, session: str, /) -> protocol.Reply:
         """Raises Refused."""
+
+    def left(self, session: str, /) -> None:
+        """That session has ended."""
 
     def swapped(self, events: list[trace.TraceEvent], /) -> None:
         """Another version runs; events: of the step."""

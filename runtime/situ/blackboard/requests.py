@@ -304,7 +304,7 @@ def _deploying(core: Core, session: Session, request: protocol.Deploying) -> pro
             "refused", "a robot that plays a scenario has no versions: run it without --script"
         )
     try:
-        return core.deployer.answer(request, session.writer)
+        return core.deployer.answer(request, session.writer, session.id)
     except Refused as error:
         raise No("refused", str(error)) from None
 

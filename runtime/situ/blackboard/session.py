@@ -481,6 +481,8 @@ class Sessions:
     def _end(self, session: Session) -> None:
         self._forget(session)
         self._core.remember(Ended(session.id))
+        if self._core.deployer is not None:
+            self._core.deployer.left(session.id)
         if session.module is not None:
             self._core.asking.lost(session.module, self._core.now)
             self._core.step(inputs.Lost(session.module))

@@ -101,6 +101,8 @@ class Deployer:
         self._projects: dict[int, Project] = {}
         self._staging: Staging | None = None
         self._sender = ""
+        # None: that session has ended, and another one of the same sender may go on.
+        self._session: str | None = None
         self._main: str | None = None
         self._heard = 0.0
         self._wish: Wish | None = None
@@ -167,12 +169,17 @@ class Deployer:
 
     # -- what clients ask --------------------------------------------------------
 
-    def answer(self, request: protocol.Deploying, who: str) -> protocol.Reply:
+    def left(self, session: str) -> None:
+        """That session has ended: what it was sending its operator may go on with in another."""
+        if session == self._session:
+            self._session = None
+
+    def answer(self, request: protocol.Deploying, who: str, session: str) -> protocol.Reply:
         """Raises Refused."""
         if isinstance(request, protocol.Stage):
-            return self._stage(request, who)
+            return self._stage(request, who, session)
         if isinstance(request, protocol.Piece):
-            return self._piece(request, who)
+            return self._piece(request, who, session)
         if isinstance(request, protocol.Bundle):
             number = self._robot.version
             main, files = self._versions.files(number)
@@ -181,7 +188,7 @@ class Deployer:
             data = self._versions.read(request.version, request.path, request.offset)
             return protocol.Fetched(id=request.id, data=data)
         if isinstance(request, protocol.Deploy):
-            self._deploy(request, who)
+            self._deploy(request, who, session)
         elif isinstance(request, protocol.Rollback):
             self._roll_back(request, who)
         elif isinstance(request, protocol.History):
@@ -194,9 +201,9 @@ class Deployer:
             )
         return self._progress(request.id)
 
-    def _stage(self, request: protocol.Stage, who: str) -> protocol.Reply:
+    def _stage(self, request: protocol.Stage, who: str, session: str) -> protocol.Reply:
         self._check_free()
-        others = self._staging is not None and who != self._sender
+        others = self._staging is not None and not self._is_of(who, session)
         if others and self._clock() < self._heard + IDLE:
             raise Refused(f"{self._sender} is sending a version: try again when that is done")
         self._forget()
@@ -204,14 +211,15 @@ class Deployer:
             raise Refused(f"{request.main}: the project is read from it, and it is not there")
         versions = self._versions
         staging = Staging(versions.staging, request.files, versions.contents())
-        self._staging, self._sender, self._main = staging, who, request.main
+        self._staging, self._main = staging, request.main
+        self._sender, self._session = who, session
         self._heard = self._clock()
         return protocol.Staged(id=request.id, wanted=tuple(staging.wanted))
 
-    def _piece(self, request: protocol.Piece, who: str) -> protocol.Reply:
+    def _piece(self, request: protocol.Piece, who: str, session: str) -> protocol.Reply:
         if len(request.data) > PIECE:
             raise Refused(f"a piece has at most {PIECE} bytes: send it in several")
-        staging = self._of(who)
+        staging = self._of(who, session)
         self._heard = self._clock()
         try:
             staging.piece(request.path, request.offset, request.data)
@@ -221,8 +229,8 @@ class Deployer:
             raise
         return protocol.Done(id=request.id)
 
-    def _deploy(self, request: protocol.Deploy, who: str) -> None:
-        staging = self._of(who)
+    def _deploy(self, request: protocol.Deploy, who: str, session: str) -> None:
+        staging = self._of(who, session)
         self._check_force(request.force_after)
         self._check_free()
         staging.check_whole()
@@ -280,10 +288,16 @@ class Deployer:
             restart=() if wish is None else wish.restart,
         )
 
-    def _of(self, who: str) -> Staging:
-        if self._staging is None or who != self._sender:
+    def _of(self, who: str, session: str) -> Staging:
+        if self._staging is None or not self._is_of(who, session):
             raise Refused("nothing of yours is on its way any more: send it again from its start")
+        self._session = session
         return self._staging
+
+    def _is_of(self, who: str, session: str) -> bool:
+        """Whether what is on its way is theirs: nobody's other editor, or terminal, sends between
+        its pieces."""
+        return who == self._sender and self._session in (None, session)
 
     def _check_free(self) -> None:
         if self._thread is not None:
