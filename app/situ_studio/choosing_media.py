@@ -19,6 +19,8 @@ from situ_studio.screens.media_picker import IMPORT, MediaPicker
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
+EVERY = (*media_import.PICTURES, *media_import.MOVIES, *media_import.SOUNDS)
+
 
 class ChoosingMedia(QObject):
     """What needs a file is made once the file is chosen: without one there is nothing, no step
@@ -64,6 +66,17 @@ class ChoosingMedia(QObject):
         now = getattr(value, attribute, None) or ""
         self._ask(kind, spot, partial(self._set, place, attribute), now)
 
+    def bring(self) -> None:
+        """Asks for a file from elsewhere and brings it into the project, for nothing yet."""
+        found = self._window.dialogs.media_file(EVERY)
+        if found is not None:
+            self.bring_files((Path(found),))
+
+    def bring_files(self, files: tuple[Path, ...]) -> None:
+        """Copies files into the project's media, as ``media_import.bring``; says why not."""
+        for file in files:
+            self._bring(file, EVERY)
+
     # -- asking ----------------------------------------------------------------------
 
     def _ask(
@@ -107,15 +120,22 @@ class ChoosingMedia(QObject):
         window = self._window
         endings = media_import.ENDINGS[kind]
         found = window.dialogs.media_file(endings)
-        project = window.session.project
-        if found is None or project is None:
-            return
+        src = self._bring(Path(found), endings) if found is not None else None
+        if src is not None:
+            then(src)
+
+    def _bring(self, file: Path, endings: tuple[str, ...]) -> str | None:
+        """What the project calls the file then; None, and said why, where it can not have it."""
+        project = self._window.session.project
+        if project is None:
+            return None
         try:
-            src = media_import.bring(project, Path(found), endings)
+            src = media_import.bring(project, file, endings)
         except UsageError as error:
-            window.say(str(error))
-            return
-        then(src)
+            self._window.say(str(error))
+            return None
+        self._window.pages.settle_media(src)
+        return src
 
     def _spot(self, middle: tuple[float, float] | None) -> QPoint | None:
         """Where it is asked: at what shall be there, else in the middle of the screen, if seen."""

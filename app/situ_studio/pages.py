@@ -1,4 +1,4 @@
-"""The pages of a project: tabs that show no drawing, but all texts, and what the project is."""
+"""The pages of a project: tabs that show no drawing, but all texts, media, what the project is."""
 
 from __future__ import annotations
 
@@ -17,9 +17,11 @@ from situ.document.texts import read_out
 from situ_studio.application_list import ApplicationList
 from situ_studio.edit import Place, Written
 from situ_studio.find import Find
+from situ_studio.panels.project_tree import MEDIA
 from situ_studio.project_form.form import ProjectForm
 from situ_studio.project_form.found import sections
 from situ_studio.project_form.going import go_to_place
+from situ_studio.screens.media_page import MediaPage
 from situ_studio.sides import Group
 from situ_studio.texts.exchange import Exchange
 from situ_studio.texts.listening import Listening
@@ -33,6 +35,7 @@ if TYPE_CHECKING:
 
 TEXTS = TEXTS_FOLDER
 """What the tab of all texts goes by, as others go by their file."""
+KEYS = (TEXTS, PROJECT_FILE, MEDIA)
 
 
 class PagesSide(QObject):
@@ -57,7 +60,7 @@ class PagesSide(QObject):
     def has(self, key: str) -> bool:
         """Whether the project has that page."""
         project = self._session.project
-        return project is not None and project.toml is not None and key in (TEXTS, PROJECT_FILE)
+        return project is not None and project.toml is not None and key in KEYS
 
     def key(self, file: str) -> str:
         """The page on which a file is shown; the file itself where it is a document."""
@@ -69,6 +72,8 @@ class PagesSide(QObject):
         """A page's words, icon and its colour, for its tab."""
         if key == TEXTS:
             return self.tr("Texts"), "language", "text2"
+        if key == MEDIA:
+            return self.tr("Media"), "image", "text2"
         return self.tr("Project"), "folder", "text2"
 
     def page(self, key: str) -> QWidget | None:
@@ -78,6 +83,8 @@ class PagesSide(QObject):
         group = self._window.sides.current
         if key == TEXTS:
             return self._texts_of(group) or self._make_texts(group)
+        if key == MEDIA:
+            return self._media_of(group) or self._make_media(group)
         return self._form_of(group) or self._make_form(group)
 
     def _texts_of(self, group: Group) -> TextsPage | None:
@@ -86,6 +93,9 @@ class PagesSide(QObject):
 
     def _form_of(self, group: Group) -> ProjectForm | None:
         return group.documents.findChild(ProjectForm)
+
+    def _media_of(self, group: Group) -> MediaPage | None:
+        return group.documents.findChild(MediaPage)
 
     def shows(self, file: str) -> bool:
         """Whether what changed in a file can be seen on the page that is shown."""
@@ -117,8 +127,12 @@ class PagesSide(QObject):
         words, icon, token = self.look(TEXTS)
         more = self.tr("languages, translations")
         texts = Find(words, icon, token, "", partial(self._window.open_file, TEXTS), more)
+        words, icon, token = self.look(MEDIA)
+        media = Find(
+            words, icon, token, "", partial(self._window.open_file, MEDIA), self.tr("pictures")
+        )
         project, icon, token = self.look(PROJECT_FILE)
-        return [texts] + [
+        return [texts, media] + [
             Find(title, icon, token, project, partial(self.go_to_field, PROJECT_FILE, place), more)
             for place, title, more in sections()
         ]
@@ -129,7 +143,7 @@ class PagesSide(QObject):
 
     def set_theme(self, theme: Theme) -> None:
         for group in self._window.sides.groups:
-            for page in (self._texts_of(group), self._form_of(group)):
+            for page in (self._texts_of(group), self._form_of(group), self._media_of(group)):
                 if page is not None:
                     page.set_theme(theme)
 
@@ -163,7 +177,8 @@ class PagesSide(QObject):
     def _on_tab(self, key: str) -> None:
         self._settle()
         group = self._window.sides.current
-        page = self._texts_of(group) if key == TEXTS else self._form_of(group)
+        every = {TEXTS: self._texts_of, MEDIA: self._media_of}
+        page = every.get(key, self._form_of)(group)
         if self.has(key) and page is not None:
             self._window.project_tree.show_current(key)
             page.begin()
@@ -177,6 +192,9 @@ class PagesSide(QObject):
             texts = self._texts_of(group)
             if texts is not None and group.tabs.chosen_file == TEXTS:
                 texts.show_project(project, self._catalogues())
+            media = self._media_of(group)
+            if media is not None and group.tabs.chosen_file == MEDIA:
+                media.show_project(project)
         self._settle_forms()
 
     def _settle_forms(self) -> None:
@@ -236,6 +254,27 @@ class PagesSide(QObject):
             # What is to be translated is told text by text, and not that there is no file.
             changed[file] = catalogue.empty(project.name, code)
         session.commit_all(changed, self.tr("Add {0}").format(language_name(code)))
+
+    # -- media -------------------------------------------------------------------
+
+    def _make_media(self, group: Group) -> MediaPage:
+        page = MediaPage(self._window.theme)
+        page.go_asked.connect(self._window.go_to)
+        page.import_asked.connect(self._window.media_choice.bring)
+        page.dropped.connect(self._window.media_choice.bring_files)
+        group.documents.addWidget(page)
+        return page
+
+    def settle_media(self, name: str) -> None:
+        """A file has come: what shows the project's media shows it, too."""
+        window, project = self._window, self._session.project
+        if project is not None:
+            window.project_tree.show_media(project)
+        self._settle()
+        for group in window.sides.groups:
+            media = self._media_of(group)
+            if media is not None:
+                media.choose(name)
 
     # -- the form ----------------------------------------------------------------
 

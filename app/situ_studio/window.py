@@ -135,6 +135,7 @@ class MainWindow(Frame):
         self.sides.view_chosen.connect(self.show_mode)
         self.sides.beside_asked.connect(lambda file, moved: show_beside(self, file, moved))
         self.project_tree.file_asked.connect(self.open_file)
+        self.project_tree.panel_asked.connect(self.bottom.choose)
         self.outline.selected.connect(self._on_outline)
         self.outline.activated.connect(self._on_outline_activated)
         self.palette_.kind_asked.connect(self.commands.insert)

@@ -17,7 +17,13 @@ from situ_studio import icons
 from situ_studio.edit import Document
 from situ_studio.letters import px
 from situ_studio.panels.lists import COUNT, ICON, MARKS, PLACE, RowDelegate
+from situ_studio.screens.media_import import names_of
 from situ_studio.theme import Theme
+
+MEDIA = "media/"
+"""What the tab of the media goes by, as others go by their file."""
+SCENARIOS = "scenarios"
+"""The panel of the scenarios."""
 
 
 def look(document: Document, part: bool = False) -> tuple[str, str, int]:
@@ -80,6 +86,7 @@ class ProjectTree(QWidget):
     """Tells which document is asked for; marks the one that is shown."""
 
     file_asked = Signal(str)
+    panel_asked = Signal(str)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -128,22 +135,34 @@ class ProjectTree(QWidget):
             texts.setToolTip(self.tr("All texts, spoken, shown and heard, in every language"))
             top.appendRow(texts)
             self._files[TEXTS_FOLDER] = texts
-        root = Path(project.root)
-        for words, folder, icon in (
-            (self.tr("media"), project.media, "image"),
-            (self.tr("scenarios"), project.scenarios, "scenarios"),
-        ):
-            if folder is None or not (root / folder).is_dir():
-                continue
-            item = QStandardItem(words)
-            item.setData((icon, "text2"), ICON)
-            item.setData(str(sum(1 for f in (root / folder).rglob("*") if f.is_file())), COUNT)
-            item.setToolTip(folder)
-            top.appendRow(item)
+        if project.toml is not None:
+            self._add_folder(top, self.tr("media"), MEDIA, "image")
+            self._files[MEDIA].setToolTip(
+                self.tr("Pictures, movies and sounds, and where each is used")
+            )
+            self.show_media(project)
+        if project.scenarios is not None and (Path(project.root) / project.scenarios).is_dir():
+            self._add_folder(top, self.tr("scenarios"), SCENARIOS, "scenarios")
+            found = (Path(project.root) / project.scenarios).rglob("*")
+            self._files[SCENARIOS].setData(str(sum(1 for one in found if one.is_file())), COUNT)
+            self._files[SCENARIOS].setToolTip(project.scenarios)
         self.tree.expandAll()
         height = self.height_wanted()
         self.setMinimumHeight(min(height, px(9 * 24 + 8)))
         self.setMaximumHeight(height)
+
+    def _add_folder(self, top: QStandardItem, words: str, key: str, icon: str) -> None:
+        item = self._files[key] = QStandardItem(words)
+        item.setData((icon, "text2"), ICON)
+        item.setData(key, PLACE)
+        top.appendRow(item)
+
+    def show_media(self, project: Project) -> None:
+        """Brings up to date how many pictures, movies and sounds there are."""
+        item = self._files.get(MEDIA)
+        if item is not None:
+            count = len(names_of(project))
+            item.setData(str(count) if count else "", COUNT)
 
     def show_document(
         self, file: str, document: Document, part: bool, dirty: bool, marks: tuple[str, ...]
@@ -173,7 +192,9 @@ class ProjectTree(QWidget):
 
     def _on_asked(self, index: QModelIndex) -> None:
         file = index.data(PLACE)
-        if file:
+        if file == SCENARIOS:
+            self.panel_asked.emit(file)
+        elif file:
             self.file_asked.emit(file)
 
 
