@@ -458,10 +458,11 @@ class ApplicationCanvas(CommandedCanvas, Copying):
                 self.zoom_to([target.place])
             return
         if isinstance(item, CardItem) and not isinstance(item, Spot):
-            part = item.part_at(item.mapFromScene(spot))
-            again = self.viewer.selected_before() == [item]
-            if part.startswith("exit ") and again and item.row is None:
-                self.select([self._place(item.uid, part[5:])])
+            kind, _, name = item.part_at(item.mapFromScene(spot)).partition(" ")
+            exit = name if kind == "exit" else None
+            # The row of one exit was chosen: another one, or the card itself, is wanted now.
+            if self.viewer.selected_before() == [item] and exit != item.row:
+                self.select([self._place(item.uid, exit)])
                 return
         super()._on_clicked(item, spot)
 

@@ -77,8 +77,12 @@ class Choosing(QWidget):
                 self.filling.need([uid])
                 pipes = []
                 if exit is not None:
+                    # Of what is done on the way, too.
+                    leaving = self._place(uid, exit)
                     pipes = [
-                        self.graph.pipe(i) for i in self.graph.links if self.link_place(i) == place
+                        self.graph.pipe(i)
+                        for i in self.graph.links
+                        if self.link_place(i) == leaving
                     ]
                 if pipes and pipes[0] is not None:
                     for pipe in pipes:

@@ -384,6 +384,11 @@ class Choice(QComboBox):
                 self.setCurrentIndex((begins or inside)[0])
                 return
 
+    def focusNextPrevChild(self, next: bool) -> bool:
+        # What is taken may show the very field that comes next.
+        self.finish()
+        return super().focusNextPrevChild(next)
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         if event.reason() not in _BETWEEN:

@@ -35,11 +35,12 @@ class FormFiller(Draughtsman):
         """
         left = dict(wanted)
         passed = []
+        form = self.widget("Inspector")
         for _ in range(FARTHEST):
             field = self.focus()
             name = called(field)
             passed.append(name)
-            if name in left:
+            if name in left and form.isAncestorOf(field):
                 self.write(field, left.pop(name))
             if not left:
                 break

@@ -12,6 +12,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton
 from tests.gui.drawing.forms import FormFiller, called
 
+from situ.document.condition import Condition
+from situ.document.condition import Test as Question
+
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]
 TAB = Qt.Key.Key_Tab
@@ -89,3 +92,14 @@ def test_letters_choose_however_slowly_they_are_typed(studio: Start, project: Co
     assert leads_to() == chosen != before
     me.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert (leads_to(), used.session.undo_text) == (before, steps)
+
+
+def test_a_test_is_written_from_its_tag_to_its_value(studio: Start, project: Copy) -> None:
+    """The value has a field only where the test needs one."""
+    used = studio(project("reception"))
+    me = FormFiller(used.window)
+    used.select("state", "4", "event", "0")
+    me.menu_in_form("Add a test", "A test")
+    me.fill({"Tag": "visits", "Test": "at least", "Value": "3"})
+    condition = used.session.document("reception.rbd.xml").state("4").events[0].when
+    assert condition == Condition((Question("visits", "atleast", "3"),))

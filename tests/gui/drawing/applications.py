@@ -1,0 +1,236 @@
+"""An application, drawn by hand: its states with what they say and show, then what leads on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtWidgets import QAbstractButton, QApplication
+from tests.gui.drawing.forms import FormFiller
+
+from situ.document import rbd
+from situ.document.condition import Condition, Group, Test
+from situ.document.datatypes import write_number
+from situ_studio import kinds
+from situ_studio.kinds import GROUPS, TESTS, Field, Kind
+from situ_studio.panels.test_box import listed
+from situ_studio.screens.media_picker import MediaPicker
+
+STAYS = "nothing, it stays"
+COUNTED = {"id", "event", "x", "y", "width", "height"}
+"""What something new has depends on what is there."""
+PAIRS: dict[str, Callable[[Any], tuple[str, list[tuple[str, ...]]]]] = {
+    "params": lambda every: ("Add a value", [(one.name, one.text) for one in every]),
+    "results": lambda every: ("Add a result", [(one.tag, one.path) for one in every]),
+}
+
+
+class ApplicationDrawer(FormFiller):
+    """Draws applications into the tab that is open, which is empty."""
+
+    def draw(self, wanted: rbd.Application) -> None:
+        self.no_names = {state.no: f"{state.no} {state.name}".strip() for state in wanted.states}
+        for state in wanted.states:
+            self.state(state)
+        if wanted.always is not None:
+            self.press("In every state")
+            self.inside(wanted.always)
+        if wanted.start is not None:
+            self.click_state(wanted.start)
+            self.run("Start here")
+        for state in wanted.states:
+            self.leads_on(state.no, state)
+        if wanted.always is not None:
+            self.leads_on("always", wanted.always)
+
+    # -- states ---------------------------------------------------------------------------
+
+    def state(self, state: rbd.State) -> None:
+        self.press("State")
+        fields: dict[str, str | bool] = {"Name": state.name, "Number": state.no}
+        if state.timeout is not None:
+            fields["Timeout"] = write_number(state.timeout.seconds)
+        if state.final:
+            fields["It may end here"] = True
+        if not state.always:
+            fields["As in every state"] = False
+        self.fill(fields)
+        self.inside(state)
+
+    def inside(self, part: rbd.State | rbd.Always) -> None:
+        """What a state says and does, and its screen."""
+        for action in getattr(part, "actions", ()):
+            self.put(action)
+        if part.screen is not None:
+            for component in part.screen.components:
+                self.put(component)
+            if part.screen.background or part.screen.touched:
+                self.press_in_form("Back")
+                self.press_in_form("Background")
+                self.form(kinds.SCREEN, part.screen)
+
+    def put(self, value: rbd.Component | rbd.Action) -> None:
+        """Something new into what is selected: from the palette, then its form."""
+        kind = kinds.kind_of(value)
+        assert kind is not None
+        self.asked = str(getattr(value, kind.file, "")) if kind.file else ""
+        self.press(kind.title)
+        if kind.file:
+            self.choose_file(self.asked)
+            self.press_in_form("File")
+        self.form(kind, value)
+
+    def form(self, kind: Kind, value: Any) -> None:
+        """The form of something new: what differs from what it begins with is written."""
+        made = kind.make("new")
+        self.fill(self.differing(kind.fields, value, made))
+        for section in kind.sections:
+            if section.attribute in PAIRS:
+                self.add_rows(*PAIRS[section.attribute](getattr(value, section.attribute)))
+            else:
+                self.fill(self.differing(section.fields, value, made))
+
+    def differing(self, fields: Sequence[Field], value: Any, made: Any) -> dict[str, str | bool]:
+        return {
+            field.label: written(field, getattr(value, field.attribute))
+            for field in fields
+            if field.attribute in COUNTED
+            or getattr(value, field.attribute) != getattr(made, field.attribute)
+        }
+
+    # -- what leads on --------------------------------------------------------------------
+
+    def leads_on(self, card: str, part: rbd.State | rbd.Always) -> None:
+        timeout = part.timeout
+        if timeout is not None and (timeout.next is not None or timeout.idle):
+            self.click_state(card)
+            self.press_in_form("Timeout")
+            fields: dict[str, str | bool] = {}
+            if timeout.next is not None:
+                fields["The timeout leads to"] = self.target(timeout.next)
+            if timeout.idle:
+                fields["only when idle"] = True
+            self.fill(fields)
+        for event in part.events:
+            self.event(card, event)
+
+    def event(self, card: str, event: rbd.Event) -> None:
+        self.click_state(card)
+        if event.next in self.no_names and event.next != card:
+            self.pull_new(card, event.next)
+            self.open_last_row()
+            self.press_in_form("Event")
+            self.fill({"Event": event.name or ""})
+        else:
+            self.press("Event")
+            fields: dict[str, str | bool] = {"Event": event.name or ""}
+            if event.next is not None:
+                fields["Leads to"] = self.target(event.next)
+            self.fill(fields)
+        if event.when is not None:
+            self.condition(event.when)
+        self.add_rows("Add a phrase", [(one.text,) for one in event.says])
+        for action in event.actions:
+            if isinstance(action, rbd.Repeat):
+                self.menu_in_form("Add", kinds.REPEAT.title)
+            else:
+                self.put(action)
+
+    def target(self, no: str) -> str:
+        special = {rbd.AGAIN: "the same state, anew", rbd.BACK: "back to where it came from"}
+        return special.get(no) or self.no_names[no]
+
+    def condition(self, condition: Condition) -> None:
+        groups = [0]
+        for child in condition.children:
+            self.tested(child, 0, groups)
+
+    def tested(self, child: Test | Group, group: int, groups: list[int]) -> None:
+        """group: of which plus it is; groups: how many there are by now, in one number."""
+        if isinstance(child, Test):
+            self.menu_in_form("Add a test", "A test", group)
+            self.one_test(child)
+            return
+        self.menu_in_form("Add a test", dict(GROUPS)[child.kind].capitalize(), group)
+        groups[0] += 1
+        own = groups[0]
+        for index, one in enumerate(child.children):
+            if index == 0 and isinstance(one, Test):
+                self.one_test(one)
+            else:
+                self.tested(one, own, groups)
+
+    def one_test(self, test: Test) -> None:
+        """Into the fields of a test that has just been added."""
+        missing = test.test == "exists" and test.value == "false"
+        fields: dict[str, str | bool] = {
+            "Tag": test.tag,
+            "Test": "is missing" if missing else dict(TESTS)[test.test],
+        }
+        if test.test != "exists":
+            fields["Value"] = listed(test.value) if test.test == "in" else test.value
+        if test.within is not None:
+            fields["within"] = write_number(test.within)
+        if test.hold is not None:
+            fields["for"] = write_number(test.hold)
+        self.fill(fields)
+
+    # -- the drawing ----------------------------------------------------------------------
+
+    @property
+    def canvas(self) -> Any:
+        return self.window.current_view.canvas
+
+    def on_canvas(self, spot: QPointF) -> QPoint:
+        viewer = self.canvas.viewer
+        found: QPoint = viewer.viewport().mapToGlobal(viewer.mapFromScene(spot))
+        return found
+
+    def click_state(self, card: str) -> None:
+        face = self.canvas.graph.nodes[card].view
+        spot = face.scenePos() + QPointF(20, 16)
+        self.see(spot)
+        self.click_at(self.on_canvas(spot))
+
+    def see(self, *spots: QPointF) -> None:
+        """Shows everything where one of them can not be seen."""
+        port = self.canvas.viewer.viewport()
+        area = port.rect().adjusted(8, 8, -8, -8)
+        if not all(area.contains(self.canvas.viewer.mapFromScene(spot)) for spot in spots):
+            self.run("Show everything")
+
+    def pull_new(self, card: str, target: str) -> None:
+        """From the plus of a card that is selected onto another."""
+        graph = self.canvas.graph
+        start = graph.nodes[card].port("out", "new").view.centre()
+        face = graph.nodes[target].view
+        end = face.scenePos() + QPointF(88, 60)
+        self.see(start, end)
+        self.drag(self.on_canvas(start), self.on_canvas(end))
+
+    def choose_file(self, name: str) -> None:
+        """From what the project has, or from elsewhere: the first one is asked for at once."""
+        menu = QApplication.activePopupWidget()
+        if isinstance(menu, MediaPicker):
+            known = {choice.label for choice in menu.choices}
+            if name in known:
+                self.type(name)
+            else:
+                self.key(Qt.Key.Key_Up)
+                self.key(Qt.Key.Key_Return)
+
+    def press(self, name: str) -> None:
+        """A kind of the palette."""
+        self.click(name, QAbstractButton)
+
+
+def written(field: Field, value: Any) -> str | bool:
+    """How a value stands in its field."""
+    if isinstance(value, bool):
+        return value
+    if field.choices:
+        return dict(field.choices)[value or ""]
+    if isinstance(value, float):
+        return write_number(value)
+    return "" if value is None else str(value)
