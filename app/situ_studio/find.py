@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from situ.document import rbd, spds
 from situ_studio import icons, kinds, words
+from situ_studio.announcing import CurrentRow
 from situ_studio.edit import Document, Place
 from situ_studio.letters import enlarged, px
 from situ_studio.panels.lists import AnyIndex
@@ -187,6 +188,7 @@ class FindAnything(QFrame):
         self.list.setItemDelegate(self._delegate)
         self._model = QStandardItemModel(self)
         self.list.setModel(self._model)
+        self.current_row = CurrentRow(self.list)
         self.list.clicked.connect(lambda index: self._run(index.data(FOUND)))
         column.addWidget(self.list, 1)
         self.nothing = QLabel(self.tr("Nothing here has that in its name or text."))

@@ -46,6 +46,10 @@ class Session(QObject):
     """The project has a file more, or one less."""
     selected = Signal(str, tuple, object)
     """Undo or redo brought this selection of that file back, and where its canvas looked."""
+    stepped = Signal(str)
+    """A step was done, or done again: its name."""
+    stepped_back = Signal(str)
+    """A step was taken back: its name."""
     stack_changed = Signal()
     """What can be undone, redone or saved is not what it was."""
     problems_changed = Signal()
@@ -213,6 +217,7 @@ class Session(QObject):
         self._stack.add(Step(edits, selected, selected, looking))
         for edit in edits:
             self._exchange(edit.file, edit.after)
+        self.stepped.emit(text)
         return True
 
     @property
@@ -236,6 +241,7 @@ class Session(QObject):
         for edit in reversed(step.edits):
             self._exchange(edit.file, edit.before)
         self.selected.emit(step.edits[0].file, step.before, step.looking)
+        self.stepped_back.emit(step.edits[0].text)
 
     def redo(self) -> None:
         """Does the step again that undo took back last; does nothing where there is none."""
@@ -245,6 +251,7 @@ class Session(QObject):
         for edit in step.edits:
             self._exchange(edit.file, edit.after)
         self.selected.emit(step.edits[0].file, step.after, step.looking)
+        self.stepped.emit(step.edits[0].text)
 
     @property
     def dirty(self) -> list[str]:

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QStatusBar, QWid
 import situ
 from situ.document.rbd import Always, Application, State
 from situ.document.spds import Spds
+from situ_studio.announcing import Announcements
 from situ_studio.edit import Document
 from situ_studio.help_texts import PANELS, helped
 from situ_studio.help_topics import HELP
@@ -71,6 +72,7 @@ class Status(QStatusBar):
         self.work = WorkStrip()
         self.addPermanentWidget(self.work)
         self.addPermanentWidget(right)
+        self.announcements = Announcements(self)
         self._counted: list[State | Always] = []
         self._leading = 0
         self._silence = QTimer(self)
@@ -102,6 +104,7 @@ class Status(QStatusBar):
     def say(self, text: str) -> None:
         """A message for a few seconds."""
         self.said.setText(text)
+        self.announcements.tell(text)
         self._silence.start()
 
     def show_link(self, icon: str, words: str, live: str) -> None:
@@ -111,6 +114,7 @@ class Status(QStatusBar):
         self.link.setText(words)
         if self.link.property("live") != live:
             self.link.setProperty("live", live)
+            self.announcements.tell(words)
             self.link.style().unpolish(self.link)
             self.link.style().polish(self.link)
 

@@ -50,6 +50,7 @@ from situ_studio.script_modules import ScriptModules
 from situ_studio.session import Session
 from situ_studio.showing import keep as keep_shown
 from situ_studio.showing import recall, show_as, show_beside
+from situ_studio.telling import TellingSide
 from situ_studio.theme import Theme
 from situ_studio.undo import Looking
 from situ_studio.vocabulary import Lexicon, Vocabulary
@@ -94,6 +95,7 @@ class MainWindow(Frame):
         self.claim = Claim(home)
         self.commands = Commands(self)
         self.welcoming = Welcoming(self, examples)
+        self.telling = TellingSide(self)
         self.robot = RobotSide(self, link)
         self.why = WhySide(self)
         self.deploying = DeployingSide(self)

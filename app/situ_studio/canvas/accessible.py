@@ -182,7 +182,7 @@ class AccessibleViewer(QAccessibleWidget):
             self._forget(path)
 
     def on_selected(self) -> None:
-        """Another thing is selected: the one that it is has the focus."""
+        """Another thing is selected: the one that it is has the focus where the drawing has it."""
         before, self._chosen = self._chosen, self.speaker.selection()
         if not QAccessible.isActive():
             return
@@ -195,8 +195,14 @@ class AccessibleViewer(QAccessibleWidget):
                 continue
             for place in sorted(places):
                 self._event(self.path_of(place), kind)
-        if len(self._chosen) == 1:
-            self._event(self.path_of(self._chosen[0]), QAccessible.Event.Focus)
+        if self.viewer.hasFocus():
+            self.on_focused()
+
+    def on_focused(self) -> None:
+        """The drawing has the focus, and what is selected in it has it there."""
+        chosen = self.speaker.selection()
+        if QAccessible.isActive() and len(chosen) == 1:
+            self._event(self.path_of(chosen[0]), QAccessible.Event.Focus)
 
     def _event(self, path: Path | None, kind: QAccessible.Event) -> None:
         part = None

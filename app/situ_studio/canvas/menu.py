@@ -10,6 +10,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from situ_studio import icons
+from situ_studio.announcing import CurrentRow
 from situ_studio.canvas.gestures import Follow
 from situ_studio.letters import px
 from situ_studio.theme import FORM, Theme, font
@@ -46,11 +47,13 @@ class FollowMenu(QFrame):
         self.field.setAccessibleName(asked)
         self.field.installEventFilter(self)
         self.list = QListWidget()
+        self.list.setAccessibleName(asked)
         self.list.setFont(font(FORM))
         self.list.setIconSize(QSize(px(16), px(16)))
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setUniformItemSizes(True)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.current_row = CurrentRow(self.list)
         layout.addWidget(self.field)
         layout.addWidget(self.list)
         self.field.textChanged.connect(self._filter)

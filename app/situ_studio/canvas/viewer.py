@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
+    QAccessible,
     QContextMenuEvent,
     QDragEnterEvent,
     QDragMoveEvent,
@@ -423,6 +424,16 @@ class Viewer(Ground):
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
             self._space = False
             self._show_cursor()
+
+    def focusInEvent(self, event: Any) -> None:
+        super().focusInEvent(event)
+        if QAccessible.isActive():
+            # Qt tells of the drawing itself right after this.
+            QTimer.singleShot(0, self, self._tell_focus)
+
+    def _tell_focus(self) -> None:
+        if self.spoken_as is not None and self.hasFocus():
+            self.spoken_as.on_focused()
 
     def focusOutEvent(self, event: Any) -> None:
         self._space = False

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import icons
+from situ_studio.announcing import CurrentRow
 from situ_studio.letters import enlarged, px
 from situ_studio.panels.lists import PLACE, AnyIndex
 from situ_studio.search import Hit, Hits
@@ -99,6 +100,7 @@ class Finding(QWidget):
         self.list.setItemDelegate(self._delegate)
         self._model = QStandardItemModel(0, 1, self)
         self.list.setModel(self._model)
+        self.current_row = CurrentRow(self.list)
         self.list.clicked.connect(lambda index: self.chosen.emit(index.data(PLACE)))
         self.list.activated.connect(lambda index: self.chosen.emit(index.data(PLACE)))
         self.list.installEventFilter(self)

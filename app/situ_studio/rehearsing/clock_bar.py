@@ -44,7 +44,7 @@ class ClockBar(QWidget):
         line.addStretch(1)
         self.time = QLabel()
         self.time.setProperty("role", "medium")
-        self.time.setAccessibleName(self.tr("Time of the rehearsal"))
+        self.time.setAccessibleDescription(self.tr("Time of the rehearsal"))
         line.addWidget(self.time)
         line.addSpacing(8)
         segments = tuple((str(pace), "", f"{pace} ×") for pace in PACES)

@@ -48,6 +48,8 @@ class RehearsingSide(QObject):
         self.desk.notice.back_asked.connect(self.go_back)
         self.desk.clock.save_asked.connect(self.save)
         self.desk.settled.connect(self._settle)
+        for tells in (self.desk.says.unsounded, self.desk.notice.told):
+            tells.connect(window.status.announcements.tell)
         self.desk.screen_.menu_asked.connect(window.why.menus.open_on_screen)
         self._seen = (False, False)
         header = PanelHeader(self.tr("Rehearsal"))

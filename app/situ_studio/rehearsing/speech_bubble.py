@@ -17,9 +17,11 @@ HIGH = 3
 
 
 class SpeechBubble(QFrame):
-    """``sound_asked``: somebody wants to hear it, or not any longer."""
+    """``sound_asked``: somebody wants to hear it, or not any longer. ``unsounded``: it begins to
+    say that, and it is not heard here."""
 
     sound_asked = Signal(object)
+    unsounded = Signal(str)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -36,14 +38,14 @@ class SpeechBubble(QFrame):
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.words.setTextFormat(Qt.TextFormat.PlainText)
-        self.words.setAccessibleName(self.tr("What the robot says"))
+        self.words.setAccessibleDescription(self.tr("What the robot says"))
         self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
         top.addWidget(self.words, 1)
         column.addLayout(top)
         bottom = QHBoxLayout()
         self.left = QLabel()
         self.left.setProperty("role", "label")
-        self.left.setAccessibleName(self.tr("How long it still says that"))
+        self.left.setAccessibleDescription(self.tr("How long it still says that"))
         bottom.addWidget(self.left, 1)
         self.sound = Flag(theme, self.tr("Sound"))
         self.sound.setToolTip(self.tr("Hear what the robot says, at 1 ×"))
@@ -71,6 +73,8 @@ class SpeechBubble(QFrame):
             self.words.setProperty("role", "" if speaking is not None else "words")
             self.words.style().polish(self.words)
             self._icon.set_icon("speech", "accent" if speaking is not None else "text3")
+            if speaking is not None and not self.sound.isChecked():
+                self.unsounded.emit(self.tr("The robot says {0}").format(text))
         self.left.setText(left)
         self.update()
 

@@ -26,6 +26,8 @@ class TakingNotice(QFrame):
     """What ran before shall run again."""
     again_asked = Signal()
     """From the start, as it is drawn now."""
+    told = Signal(str)
+    """How it is now with the changes."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -38,7 +40,7 @@ class TakingNotice(QFrame):
         self.words.setProperty("role", "words")
         self.words.setWordWrap(True)
         self.words.setTextFormat(Qt.TextFormat.PlainText)
-        self.words.setAccessibleName(self.tr("How it is with your changes"))
+        self.words.setAccessibleDescription(self.tr("How it is with your changes"))
         column.addWidget(self.words)
         line = QHBoxLayout()
         line.setSpacing(6)
@@ -90,6 +92,7 @@ class TakingNotice(QFrame):
             words = self.tr("It goes on with your changes.")
         if words != self.words.text():
             self.words.setText(words)
+            self.told.emit(words)
         self.take.setVisible(differs)
         self.hurry.setVisible(awaited is not None)
         self.back.setVisible(course.can_return and awaited is None)

@@ -38,14 +38,6 @@ def named(part: Any, name: str) -> Any:
     return next(p for p in every(part) if p.text(NAME) == name)
 
 
-@pytest.fixture
-def listening() -> Iterator[None]:
-    """An assistive program listens."""
-    QAccessible.setActive(True)
-    yield
-    QAccessible.setActive(False)
-
-
 def test_cards_are_children_of_the_drawing(desk: Callable[..., Any], small: Application) -> None:
     made = desk(small)
     cards = below(tree(made.canvas))

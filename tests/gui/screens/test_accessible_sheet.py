@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 
@@ -17,14 +15,6 @@ CONTROL = Qt.KeyboardModifier.ControlModifier
 
 Page = Any
 Table = Any
-
-
-@pytest.fixture
-def listening() -> Iterator[None]:
-    """An assistive program listens."""
-    QAccessible.setActive(True)
-    yield
-    QAccessible.setActive(False)
 
 
 def tree(page: Any) -> Any:

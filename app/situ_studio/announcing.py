@@ -1,0 +1,106 @@
+"""What a screen reader says at once, wherever the focus is: what was done, found or went wrong.
+
+Readers on Linux say a notification that comes into sight; the announcements that Qt has besides
+reach those of other systems only (Orca knows them since version 45).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import cycle
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication, QObject, QSysInfo, QTimer, Signal
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleEvent
+from PySide6.QtWidgets import QAbstractItemView, QAccessibleWidget, QWidget
+
+INSTALLED = "situ_announcements_are_heard"
+AT_ONCE = 4
+"""Announcements that are kept: a reader asks for the words when it comes to them."""
+
+
+class Announcements(QWidget):
+    """Tells them when the focus has settled, which would cut them short. It is never seen."""
+
+    told = Signal(str)
+    """That was told, whether anybody listens or not."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        _install()
+        self.notify: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility
+        self._notes = cycle([_Note(self) for _ in range(AT_ONCE)])
+        self._waiting: list[str] = []
+        self._settled = _soon(self, self._tell)
+        self.hide()
+
+    def tell(self, text: str) -> None:
+        """Once, after what happens now; what is told in the same moment is told as one."""
+        if text and text not in self._waiting:
+            self._waiting.append(text)
+            self._settled.start()
+
+    def _tell(self) -> None:
+        text = ". ".join(one.rstrip(".") for one in self._waiting)
+        self._waiting.clear()
+        self.told.emit(text)
+        if not QAccessible.isActive():
+            return
+        if QSysInfo.kernelType() != "linux":
+            self.notify(QAccessibleAnnouncementEvent(self, text))
+            return
+        note = next(self._notes)
+        note.setAccessibleName(text)
+        self.notify(QAccessibleEvent(note, QAccessible.Event.ObjectShow))
+
+
+class _Note(QWidget):
+    """Has the words of one announcement."""
+
+    heard_as: Any = None
+
+
+class CurrentRow(QObject):
+    """Tells the current row of a view also while the focus is in the field that filters it.
+
+    The view keeps its model.
+    """
+
+    def __init__(self, view: QAbstractItemView) -> None:
+        super().__init__(view)
+        self.notify: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility
+        self._view = view
+        self._settled = _soon(self, self._tell)
+        view.selectionModel().currentChanged.connect(lambda now, before: self._settled.start())
+
+    def _tell(self) -> None:
+        view, index = self._view, self._view.currentIndex()
+        # What has the focus tells its rows itself.
+        if QAccessible.isActive() and index.isValid() and view.isVisible() and not view.hasFocus():
+            event = QAccessibleEvent(view, QAccessible.Event.Focus)
+            event.setChild(index.row())
+            self.notify(event)
+
+
+def _soon(parent: QObject, what: Callable[[], None]) -> QTimer:
+    """Does it when all that happens now is done."""
+    timer = QTimer(parent)
+    timer.setSingleShot(True)
+    timer.setInterval(0)
+    timer.timeout.connect(what)
+    return timer
+
+
+def _install() -> None:
+    application = QCoreApplication.instance()
+    if application is not None and not application.property(INSTALLED):
+        application.setProperty(INSTALLED, True)
+        QAccessible.installFactory(_factory)
+
+
+def _factory(name: str, watched: QObject) -> Any:
+    if not isinstance(watched, _Note):
+        return None
+    # Kept by what it speaks for: Qt holds no reference.
+    watched.heard_as = QAccessibleWidget(watched, QAccessible.Role.Notification, "")
+    return watched.heard_as

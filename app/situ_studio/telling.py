@@ -1,0 +1,73 @@
+"""What whoever does not see the window is told of what happens in it: steps, and problems."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from situ.document.problem import Problem
+from situ_studio import problem_rows
+from situ_studio.language import said
+from situ_studio.status import count
+
+if TYPE_CHECKING:
+    from situ_studio.window import MainWindow
+
+
+class TellingSide(QObject):
+    """Each step by its name when it is done, taken back or done again; each new problem."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._known: frozenset[tuple[str, ...]] | None = None
+        tell = window.status.announcements.tell
+        session = window.session
+        session.stepped.connect(tell)
+        session.stepped_back.connect(lambda name: tell(self.tr("Taken back: {0}").format(name)))
+        session.opened.connect(self._on_opened)
+        session.problems_changed.connect(self._on_problems)
+
+    def _on_opened(self) -> None:
+        self._known = None
+        self._on_problems()
+
+    def _on_problems(self) -> None:
+        window = self._window
+        rows = problem_rows.rows(window.session, window.current_file)
+        before, self._known = self._known, frozenset(_key(problem) for problem, _ in rows)
+        tell = window.status.announcements.tell
+        if before is None:
+            if rows:
+                tell(self._counted(problem for problem, _ in rows))
+            return
+        new = [(problem, where) for problem, where in rows if _key(problem) not in before]
+        if new:
+            # What can not work is told before what is probably not meant.
+            problem, where = min(new, key=lambda one: one[0].severity != "error")
+            kind = self.tr("Error") if problem.severity == "error" else self.tr("Warning")
+            told = f"{kind}, {where}: {said(problem.message)}"
+            if len(new) > 1:
+                told = self.tr("{0}, and {1} more").format(told.rstrip("."), len(new) - 1)
+            tell(told)
+        elif before and not rows:
+            tell(self.tr("No problems."))
+        elif len(self._known) < len(before):
+            tell(self.tr("Still {0}").format(self._counted(problem for problem, _ in rows)))
+
+    def _counted(self, problems: Iterable[Problem]) -> str:
+        every = list(problems)
+        errors = sum(problem.severity == "error" for problem in every)
+        warnings = len(every) - errors
+        words = [
+            count(errors, self.tr("{0} error"), self.tr("{0} errors")) if errors else "",
+            count(warnings, self.tr("{0} warning"), self.tr("{0} warnings")) if warnings else "",
+        ]
+        return ", ".join(word for word in words if word)
+
+
+def _key(problem: Problem) -> tuple[str, ...]:
+    """Its message may have the name of a state, which does not make it another problem."""
+    return (problem.file, problem.code, *problem.place)

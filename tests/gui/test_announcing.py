@@ -1,0 +1,186 @@
+"""What somebody who does not see the window is told at once, wherever the focus is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible, QAccessibleEvent
+from PySide6.QtTest import QTest
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+NAME = QAccessible.Text.Name
+
+Studio = Any
+Start = Callable[..., Studio]
+Copy = Callable[[str], Path]
+Rows = Callable[[Any], list[str]]
+
+
+@pytest.fixture
+def rows() -> Rows:
+    """``rows(current_row)``: grows by each row that is told from then on."""
+
+    def listen(current_row: Any) -> list[str]:
+        told: list[str] = []
+
+        def notify(event: QAccessibleEvent) -> None:
+            assert event.type() == QAccessible.Event.Focus
+            view = QAccessible.queryAccessibleInterface(current_row.parent())
+            told.append(view.child(event.child()).text(NAME))
+
+        current_row.notify = notify
+        return told
+
+    return listen
+
+
+def hears(used: Studio) -> list[str]:
+    """Grows by each announcement from now on."""
+    told: list[str] = []
+    used.window.status.announcements.told.connect(told.append)
+    return told
+
+
+def test_steps_are_told_by_their_names_and_when_they_are_taken_back(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    told = hears(used)
+    canvas = used.window.current_view.current_view()
+    canvas.viewer.setFocus()
+    used.select("state", "14")
+    used.key(Qt.Key.Key_D, CONTROL)
+    assert told.pop(0).startswith("Duplicate state 14")
+    told.clear()
+    used.key(Qt.Key.Key_Z, CONTROL)
+    assert told.pop(0).startswith("Taken back: Duplicate state 14")
+
+
+def test_a_problem_that_comes_with_a_step_is_told_once_and_that_none_is_left(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    told = hears(used)
+    used.window.current_view.current_view().viewer.setFocus()
+    used.select("state", "15")
+    used.key(Qt.Key.Key_Delete)
+    used.window.session.check_now()
+    used.settle()
+    problems = " ".join(told)
+    assert "Delete state 15. Warning, 6 show names: This button raises “clickNo”" in problems
+    assert problems.count("Warning, ") == 1
+    assert " more" in problems
+    told.clear()
+    used.select("state", "1")
+    used.key(Qt.Key.Key_Right, CONTROL)
+    used.window.session.check_now()
+    used.settle()
+    assert told == ["Move state 1"]
+    told.clear()
+    used.key(Qt.Key.Key_Z, CONTROL)
+    used.key(Qt.Key.Key_Z, CONTROL)
+    used.window.session.check_now()
+    used.settle()
+    assert told[-1].endswith("No problems")
+
+
+def test_what_the_status_bar_says_in_passing_is_told(studio: Start) -> None:
+    used = studio()
+    told = hears(used)
+    used.window.say("Saved.")
+    used.settle()
+    assert told == ["Saved"]
+
+
+def test_who_listens_hears_an_announcement_as_a_notification(
+    studio: Start, listening: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("situ_studio.announcing.QSysInfo.kernelType", lambda: "linux")
+    used = studio()
+    announcements = used.window.status.announcements
+    told: list[Any] = []
+    announcements.notify = lambda event: told.append(
+        (event.type(), event.accessibleInterface().role(), event.accessibleInterface().text(NAME))
+    )
+    announcements.tell("One.")
+    announcements.tell("Two.")
+    used.settle()
+    role = QAccessible.Role.Notification
+    assert told == [(QAccessible.Event.ObjectShow, role, "One. Two")]
+
+
+def test_where_no_notifications_are_heard_an_announcement_is_sent(
+    studio: Start, listening: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("situ_studio.announcing.QSysInfo.kernelType", lambda: "winnt")
+    used = studio()
+    announcements = used.window.status.announcements
+    told: list[Any] = []
+    announcements.notify = lambda event: told.append((event.type(), event.message()))
+    announcements.tell("One.")
+    used.settle()
+    assert told == [(QAccessible.Event.Announcement, "One")]
+
+
+def test_commands_that_are_typed_for_are_heard_row_by_row(
+    studio: Start, project: Copy, listening: None, rows: Rows
+) -> None:
+    used = studio(project("reception"))
+    used.key(Qt.Key.Key_K, CONTROL)
+    told = rows(used.window.finder.current_row)
+    used.type("reh")
+    assert told[-1] == "Rehearse F5"
+    used.key(Qt.Key.Key_Down)
+    assert told[-1] == "End the rehearsal only while you rehearse"
+    used.key(Qt.Key.Key_Escape)
+
+
+def test_what_can_follow_is_heard_row_by_row(
+    studio: Start, project: Copy, listening: None, rows: Rows
+) -> None:
+    used = studio(project("reception"))
+    canvas = used.window.current_view.current_view()
+    canvas.viewer.setFocus()
+    used.select("state", "3")
+    used.key(Qt.Key.Key_E, CONTROL)
+    menu = canvas.menu
+    told = rows(menu.current_row)
+    QTest.keyClick(menu.field, Qt.Key.Key_Down)
+    used.settle()
+    assert told == ["New state that says something"]
+    QTest.keyClicks(menu.field, "16")
+    used.settle()
+    assert told[-1] == "16  register"
+    QTest.keyClick(menu.field, Qt.Key.Key_Escape)
+    used.settle()
+
+
+def test_what_was_found_is_heard_row_by_row(
+    studio: Start, project: Copy, listening: None, rows: Rows
+) -> None:
+    used = studio(project("reception"))
+    used.key(Qt.Key.Key_F, CONTROL)
+    panel = used.window.finding.panel
+    told = rows(panel.current_row)
+    used.type("greeting")
+    used.key(Qt.Key.Key_Down)
+    assert told
+    assert told[-1] == panel.list.currentIndex().data(Qt.ItemDataRole.AccessibleTextRole)
+
+
+def test_what_the_robot_says_in_a_rehearsal_is_told_and_can_be_read(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("conversation"))
+    told = hears(used)
+    used.key(Qt.Key.Key_F5)
+    hello = "“Hello. I am glad to see you. Shall we talk a little?”"
+    assert f"The robot says {hello}" in told
+    words = QAccessible.queryAccessibleInterface(used.window.rehearsing.desk.says.words)
+    assert words.text(NAME) == hello
+    assert words.text(QAccessible.Text.Description) == "What the robot says"
+    used.window.rehearsing.end()
