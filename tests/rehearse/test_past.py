@@ -16,9 +16,10 @@ from situ.decide.inputs import Input
 from situ.document.folder import load
 from situ.document.project import Project
 from situ.rehearse import scenario
+from situ.rehearse.clock import Hidden
 from situ.rehearse.coverage import Coverage
 from situ.rehearse.past import Past
-from situ.rehearse.recording import Hidden, Recording, read, record
+from situ.rehearse.recording import Recording, read, record
 from situ.rehearse.ways import leads_to
 
 if TYPE_CHECKING:

@@ -9,6 +9,8 @@ from collections.abc import Callable
 from datetime import datetime
 from typing import Protocol
 
+from situ.decide.clock import tags_at
+
 
 class Handle(Protocol):
     """A call that has been asked for and may be taken back."""
@@ -46,12 +48,4 @@ async def pause(clock: Clock, seconds: float) -> None:
 
 def time_of_day(moment: float) -> dict[str, str]:
     """The tags ``clock.*`` at a UNIX time, in the robot's time zone."""
-    now = datetime.fromtimestamp(moment)
-    return {
-        "clock.time": f"{now:%H:%M}",
-        "clock.date": f"{now:%Y-%m-%d}",
-        "clock.weekday": _WEEKDAYS[now.weekday()],
-    }
-
-
-_WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday")
+    return tags_at(datetime.fromtimestamp(moment))

@@ -11,15 +11,18 @@ from typing import Any
 
 from msgspec import Struct, field
 
-from situ.decide.board import Board
+from situ.decide.board import Board, Entry
+from situ.decide.clock import CLOCK
 from situ.decide.conditions import Compiled, Conditions
+from situ.decide.priorities import RUNTIME
 from situ.decide.step import SECOND, Step, microseconds
 from situ.document import words
 from situ.document.condition import Condition, Group, GroupName, Test
 from situ.document.names import only_reference
 from situ.document.project import Project
 from situ.document.rbd import AGAIN, BACK
-from situ.rehearse.recording import Fields, Hidden, Recording
+from situ.rehearse.clock import Hidden
+from situ.rehearse.recording import Fields, Recording
 from situ.rehearse.telling import kept_by_runtime, moment, value_words
 from situ.rehearse.ways import Way, frames, label, ways
 
@@ -219,7 +222,7 @@ class Past:
         """``human.distance below 1.5: it was 2.3, set at 11 s by scenario``."""
         entry = self.board.last_set(test.tag)
         said = f"{words.child(test)}: it was {value_words(value)}"
-        if value is None and entry is None:
+        if value is None and (entry is None or _is_lost(test.tag, entry)):
             said = f"{words.child(test)}: it was never set"
             if kept_by_runtime(test.tag) and not self.whole:
                 said = f"{words.child(test)}: not told by a trace alone"
@@ -375,6 +378,11 @@ class Past:
         entry = self.board.get(f"application/{name}")
         if entry is None or entry.value != value:
             self._kept(f"application/{name}", value, event)
+
+
+def _is_lost(tag: str, entry: Entry) -> bool:
+    """Whether the clock is not known from then on: the runtime never deletes it."""
+    return entry.value is None and entry.writer == RUNTIME and tag.startswith(CLOCK)
 
 
 def _conditions(project: Project) -> Iterator[Condition]:

@@ -3,39 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from heapq import merge
 from io import BytesIO
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 import msgspec
 from msgspec import Struct, field
 
-from situ.decide import inputs
+from situ.decide.clock import CLOCK
 from situ.decide.effects import AnyEffect, Changed
-from situ.decide.priorities import RUNTIME
 from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent, to_fields
 from situ.decide.world import untraced
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse import recorded
+from situ.rehearse.clock import Given, Hidden
 from situ.rehearse.expect import Expectations
 from situ.rehearse.scenario import Line
 from situ.rehearse.simulate import simulate
 
 Fields = dict[str, Any]
 """A trace event as it stands in a trace: ``kind``, ``seq``, ``t``, ``cause`` and its own."""
-
-CLOCK = "clock."
-
-
-class Hidden(Struct, frozen=True):
-    """A write of what the runtime keeps, which no trace tells; t: seconds."""
-
-    t: float
-    tag: str
-    value: Any
-    writer: str
 
 
 class Step(Struct):
@@ -70,8 +61,10 @@ class Recording(Struct):
         return [event for step in self.steps for event in step.events]
 
     @classmethod
-    def of(cls, events: Iterable[Fields]) -> Recording:
-        """From a trace alone. Where its steps begin is guessed: with outside input, or later."""
+    def of(cls, events: Iterable[Fields], clock: Iterable[Hidden] = ()) -> Recording:
+        """From a trace alone, and from what is known of the writes of ``clock.…``, in order. Where
+        its steps begin is guessed: with outside input, or later.
+        """
         steps: list[Step] = []
         for event in events:
             if steps and event["cause"] is not None and steps[-1].events[0]["t"] == event["t"]:
@@ -81,7 +74,17 @@ class Recording(Struct):
                 steps[-1].events.append(event)
             else:
                 steps.append(Step([event]))
+        steps = _with_clock(steps, clock)
         return cls(steps, whole=False, end=steps[-1].t if steps else 0.0)
+
+
+def _with_clock(steps: list[Step], clock: Iterable[Hidden]) -> list[Step]:
+    """The clock is set in steps of its own, before what happened then; at 0 after the start."""
+    if not steps:
+        return steps
+    start = steps[:1] if steps[0].t == 0 else []
+    writes = [Step([], [*group]) for _, group in groupby(clock, key=lambda one: one.t)]
+    return [*start, *merge(writes, steps[len(start) :], key=lambda step: step.t)]
 
 
 def record(
@@ -134,23 +137,14 @@ def read(path: str | Path) -> Recording:
         return Recording.of(_events(path, data.split(b"\n")))
     lines: list[bytes] = []
     begins: list[tuple[int, list[Hidden]]] = []
-    clock: dict[str, Any] = {}
+    clock = Given()
     for piece in recorded.pieces(BytesIO(data), str(path)):
         if isinstance(piece, recorded.Line):
             lines.append(piece.text)
-        elif isinstance(piece, recorded.Snapshot):
-            clock = recorded.board_of(piece.state)
-        elif isinstance(piece, recorded.Taken):
-            given = piece.given
-            told, writer = (given.tags, given.writer) if isinstance(given, inputs.Set) else ({}, "")
-            before = [
-                Hidden(piece.t, tag, value, by)
-                for values, by in ((clock, RUNTIME), (told, writer))
-                for tag, value in values.items()
-                if tag.startswith(CLOCK)
-            ]
+            continue
+        before = clock.take(piece)
+        if isinstance(piece, recorded.Taken):
             begins.append((len(lines), before))
-            clock = {}
     events = _events(path, lines)
     if not begins:
         return Recording.of(events)
