@@ -8,9 +8,10 @@ from typing import Any
 
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
-from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent, QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QListView
 from tests.gui.live.conftest import DEADLINE, Running, robot, until
 
 import situ
@@ -23,6 +24,7 @@ from situ_studio.panels.more_modules import words
 
 __all__ = ["DEADLINE", "Running", "robot", "until"]
 
+LEFT = Qt.MouseButton.LeftButton
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SEER = Module(
     "seer",
@@ -122,19 +124,32 @@ def test_enter_adds_the_module_and_it_leaves_the_list(drawing: Any) -> None:
 
 
 def test_a_module_dropped_on_a_situation_gets_a_priority_there(drawing: Any) -> None:
-    canvas = drawing.window.current_view.canvas
+    model = drawing.window.outline.more.list.model()
+    data: QMimeData = model.mimeData([model.index(names(drawing).index("nod"), 0)])
+    assert data.hasFormat(MODULE_MIME)
+    drop_on_sound(drawing, data)
+    script = drawing.session.document(SCRIPT)
+    assert "nod" in script.priorities(script.situation("sound"))
+    assert drawing.session.undo_text == "Add nod to the script"
+
+
+def drop_on_sound(it: Any, data: QMimeData) -> None:
+    """Onto the card of that situation."""
+    canvas = it.window.current_view.canvas
     viewer = canvas.viewer
     place = ("situation", "sound")
     card = next(n.view for uid, n in canvas.graph.nodes.items() if canvas._place(uid) == place)
     spot = viewer.mapFromScene(card.sceneBoundingRect().center())
-    model = drawing.window.outline.more.list.model()
-    data: QMimeData = model.mimeData([model.index(names(drawing).index("nod"), 0)])
-    assert data.hasFormat(MODULE_MIME)
+    assert viewer.viewport().rect().contains(spot)
     drag(viewer.viewport(), data, spot)
-    drawing.settle()
-    script = drawing.session.document(SCRIPT)
-    assert "nod" in script.priorities(script.situation("sound"))
-    assert drawing.session.undo_text == "Add nod to the script"
+    it.settle()
+
+
+def held_move(widget: Any, at: QPoint) -> None:
+    # QTest.mouseMove holds no button.
+    where, none = QPointF(at), Qt.KeyboardModifier.NoModifier
+    move, there = QEvent.Type.MouseMove, widget.mapToGlobal(where)
+    QApplication.sendEvent(widget, QMouseEvent(move, where, there, LEFT, LEFT, none))
 
 
 def drag(target: Any, data: QMimeData, spot: QPoint) -> None:
@@ -147,9 +162,19 @@ def drag(target: Any, data: QMimeData, spot: QPoint) -> None:
 
 
 def test_a_module_that_connects_to_the_robot_tells_of_itself_here(
-    drawing: Any, robot: Any, until: Any
+    drawing: Any, robot: Any, until: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """Its row is dragged by the mouse onto a situation: all that comes of it is one step."""
+    carried: list[QMimeData] = []
+
+    def begin(rows: QListView, _actions: Qt.DropAction) -> None:
+        # Qt's own drag waits for a hand that offscreen nobody has.
+        carried.append(rows.model().mimeData(rows.selectedIndexes()))
+
     window = drawing.window
+    # One draws while the robot runs: the outline stays, not the column of the moment.
+    window.settings.setValue("moment_open/robot", False)
+    monkeypatch.setattr(type(window.outline.more.list), "startDrag", begin, raising=False)
     there = robot(Path(drawing.session.project.root))
     link = window.robot.link
     drawing.answers.put("robot", there.endpoint)
@@ -165,11 +190,27 @@ def test_a_module_that_connects_to_the_robot_tells_of_itself_here(
     ):
         until(present.changed, lambda: "seer" in {m.name for m in present.modules if m.present})
         assert names(drawing)[0] == "seer"
-        window.modules.add("seer")
-        assert "seer" in {m.name for m in drawing.session.document(SCRIPT).modules}
-        assert "smoke.seen" in {o.tag for o in drawing.session.document(SCRIPT).observe}
+        before = drawing.session.document(SCRIPT)
+        drawing.settle()
+        rows = window.outline.more.list
+        area = rows.visualRect(rows.model().index(0, 0))
+        QTest.mousePress(rows.viewport(), LEFT, pos=area.center())
+        for way in (4, 12, 30):
+            held_move(rows.viewport(), area.center() + QPoint(way, 0))
+        QTest.mouseRelease(rows.viewport(), LEFT, pos=area.center() + QPoint(30, 0))
+        assert len(carried) == 1
+        drop_on_sound(drawing, carried[0])
+        script = drawing.session.document(SCRIPT)
+        assert "seer" in {m.name for m in script.modules}
+        assert "smoke.seen" in {o.tag for o in script.observe}
+        assert "seer" in script.priorities(script.situation("sound"))
         information = drawing.session.document("modules.xml")
         assert information.modules[-1].description == SEER.description
+        assert names(drawing)[:1] != ["seer"]
+        window.actions_.actions["undo"].trigger()
+        drawing.settle()
+        assert drawing.session.document(SCRIPT) == before
+        assert names(drawing)[0] == "seer"
     until(present.changed, lambda: not any(m.name == "seer" and m.present for m in present.modules))
     window.disconnect_robot()
     assert present.modules == ()
