@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication
 from situ.errors import SituError
 from situ_studio import letters
 from situ_studio.language import SYSTEM, Speaking, language_of
+from situ_studio.live.moving import move
 from situ_studio.log_file import LogFile
 from situ_studio.opening import Reading, is_large
 from situ_studio.project_pictures import Example
@@ -302,6 +303,7 @@ class Windows(QObject):
         old.exporting.move_to(new.exporting)
         new.claim, old.claim = old.claim, new.claim
         new.take_over()
+        move(old, new)
         new.setGeometry(old.geometry())
         new.setVisible(visible)
         if old.session.project is not None:

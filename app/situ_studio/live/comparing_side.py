@@ -109,6 +109,13 @@ class ComparingSide(QObject):
         for one in others:
             self._add(one.log, one.name, one.recording)
 
+    def move_to(self, other: ComparingSide) -> None:
+        """What stands beside stands there in a window in place of this one."""
+        other._seen = list(self._seen)
+        for one in self.comparing.others:
+            other._add(one.log, one.name, one.recording)
+        other.comparing.line_up(self.comparing.way)
+
     def end(self) -> None:
         """The timeline shows one run only."""
         self._reading.cancel()

@@ -57,6 +57,17 @@ class DeployingSide(QObject):
         self.dialog.activateWindow()
         self.dialog.deploy.setFocus()
 
+    def move_to(self, other: DeployingSide) -> None:
+        """What is on its way, or on trial, is told of by a window in place of this one."""
+        mine, other.deploying = other.deploying, self.deploying
+        mine.deleteLater()
+        self.deploying.setParent(other)
+        self.deploying.ended.disconnect(self._on_ended)
+        self.deploying.ended.connect(other._on_ended)
+        if self.dialog is not None and self.dialog.isVisible():
+            self.dialog.close()
+            other.ask()
+
     def open_theirs(self) -> None:
         """What the robot runs, in a new folder and a window of its own."""
         window, files, sent = self._window, self._link.files, self._plan()

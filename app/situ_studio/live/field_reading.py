@@ -32,6 +32,11 @@ class FieldReading(QObject):
         self._worker.said.connect(lambda said: _log.error("Counting failed: %s", said))
         self._worker.gone.connect(self.gone)
 
+    @property
+    def is_counting(self) -> bool:
+        """Whether ``counted`` is still to come."""
+        return self._worker.is_busy
+
     def start(self, asked: Asked) -> None:
         """Begins; ``counted`` comes from the loop."""
         self._worker.ask(asked)

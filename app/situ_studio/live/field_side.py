@@ -135,6 +135,16 @@ class FieldSide(QObject):
         else:
             self._window.say(self.tr("The project has no such state any more."))
 
+    def move_to(self, other: FieldSide) -> None:
+        """What was counted, or is being, is shown by a window in place of this one."""
+        other._paths = list(self._paths)
+        painted = self.panel.paint.isChecked()
+        if self.reading.is_counting:
+            other.count(self._paths)
+        elif self.field is not None:
+            other._show(self.field)
+            other.panel.paint.setChecked(painted)
+
     def cancel(self) -> None:
         """What is being counted is left."""
         self.reading.cancel()
@@ -154,8 +164,12 @@ class FieldSide(QObject):
         elif not field.recordings:
             none = self.tr("{0}: there is no recording in it (*.mcap)")
             self._window.dialogs.tell(none.format(*self._paths))
+        if field.recordings:
+            self._show(field)
+
+    def _show(self, field: Field) -> None:
         project = self._window.session.project
-        if not field.recordings or project is None:
+        if project is None:
             return
         self.field = field
         self.panel.show_used(whole(project, field), field.recordings, _situations(field))

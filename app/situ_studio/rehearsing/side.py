@@ -78,7 +78,25 @@ class RehearsingSide(QObject):
             self._dock.show()
             return
         window.robot.close_recording()
-        running = self.running = Running(self._version(project), self.clock, self)
+        self._show(Running(self._version(project), self.clock, self))
+        self.desk.screen_.setFocus()
+
+    def move_to(self, other: RehearsingSide) -> None:
+        """What is rehearsed goes on in a window that stands in place of this one."""
+        running, self.running = self.running, None
+        if running is not None:
+            self.desk.leave()
+            running.setParent(other)
+            running.begun.disconnect(self._show_course)
+            running.went.disconnect(self._window.robot.follower.take_rehearsed)
+            other._show(running)
+            # It was made as this one is kept: with the desk in the inspector's place.
+            other._away = self._away
+
+    def _show(self, running: Running) -> None:
+        """The desk, and every live view."""
+        window = self._window
+        self.running = running
         running.went.connect(window.robot.follower.take_rehearsed)
         running.begun.connect(self._show_course)
         self.desk.show_running(running)
@@ -87,7 +105,6 @@ class RehearsingSide(QObject):
         window.docks[AWAY].hide()
         self._dock.show()
         window.resizeDocks([self._dock], [px(WIDE)], Qt.Orientation.Horizontal)
-        self.desk.screen_.setFocus()
 
     def start_again(self) -> None:
         """From the start, with the project as it is now."""

@@ -52,6 +52,11 @@ class Bookmarks(QObject):
         finally:
             self.changed.emit()
 
+    def take(self, other: Bookmarks) -> None:
+        """Those of the same run, as another one has them."""
+        self.every, self._file = list(other.every), other._file
+        self.changed.emit()
+
     def add(self, t: float, name: str) -> None:
         """In place of one at the same moment. Raises UsageError where it can not be kept."""
         self._set([*(mark for mark in self.every if mark.t != t), Bookmark(t, name)])
