@@ -32,6 +32,7 @@ from situ_studio.help_texts import explained
 from situ_studio.help_topics import HELP
 from situ_studio.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.keys import Keys
+from situ_studio.left_place import LeftPlace
 from situ_studio.letters import px
 from situ_studio.menu_bar import MenuBar
 from situ_studio.menus import Actions
@@ -75,6 +76,7 @@ class Frame(QMainWindow):
         self.theme_choice = theme or str(settings.value("theme", "system"))
         self.theme = self._chosen_theme()
         self.docking = Docking(self)
+        self.left_place = LeftPlace(self, self.docking.docks, ("designer", "moment"))
         self._bottom_high = px(BOTTOM)
         self.setWindowTitle(self.tr("Situ Studio"))
         self.setMinimumSize(800, 500)
@@ -261,6 +263,7 @@ class Frame(QMainWindow):
             self.toolbar,
             *left,
             self.designer_stack,
+            *(self.docks["moment"].titleBarWidget(), self.docks["moment"].widget()),
             self.welcome,
             *self._middle_in_order(),
             *(self.inspector.header, self.inspector),

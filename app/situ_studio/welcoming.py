@@ -52,6 +52,7 @@ class Welcoming:
         page.show_back(project.name if project is not None else None)
         window.stack.setCurrentIndex(0)
         window.designing.leave()
+        window.moment.leave()
         window.docking.hide()
         window.toolbar.hide()
         window.sides.current.current_file = None
@@ -65,6 +66,7 @@ class Welcoming:
             return
         window.docking.show()
         window.stack.setCurrentIndex(1)
+        window.moment.settle()
         if self._before in window.tabs.files():
             window.tabs.choose(str(self._before))
         else:

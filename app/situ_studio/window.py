@@ -26,6 +26,7 @@ from situ_studio.edit import Document, Place
 from situ_studio.exporting import ExportingSide
 from situ_studio.frame import Frame
 from situ_studio.helping import HelpSide
+from situ_studio.live.column_side import ColumnSide
 from situ_studio.live.deploying_side import DeployingSide
 from situ_studio.live.field_side import FieldSide
 from situ_studio.live.link import RobotLink
@@ -101,6 +102,7 @@ class MainWindow(Frame):
         self.deploying = DeployingSide(self)
         self.operating = OperatingSide(self)
         self.rehearsing = RehearsingSide(self)
+        self.moment = ColumnSide(self)
         self.scenarios = ScenariosSide(self)
         self.field = FieldSide(self)
         self.disk = DiskSide(self)
@@ -185,6 +187,7 @@ class MainWindow(Frame):
         self.project_tree.show_project(project, self.session.files)
         self.docking.show()
         self.stack.setCurrentIndex(1)
+        self.moment.settle()
         shown = [f for f in self.session.files if f != project.modules_file]
         for file in shown or self.session.files:
             self.add_tab(file)
@@ -348,10 +351,12 @@ class MainWindow(Frame):
             self._settle_selection()
 
     def reset_layout(self) -> None:
-        """A designer that is shown keeps its panel."""
+        """A designer that is shown keeps its panel, and so does what is live."""
         self.designing.leave()
+        self.moment.leave()
         super().reset_layout()
         self.designing.settle()
+        self.moment.settle()
 
     def say(self, text: str) -> None:
         """A passing message in the status bar."""
@@ -611,6 +616,7 @@ class MainWindow(Frame):
         self.robot.set_theme(theme)
         self.operating.set_theme(theme)
         self.why.set_theme(theme)
+        self.moment.set_theme(theme)
         self.rehearsing.set_theme(theme)
         self.scenarios.panel.set_theme(theme)
         self.field.set_theme(theme)
@@ -644,6 +650,7 @@ class MainWindow(Frame):
             return
         self.designing.leave()
         self.rehearsing.end()
+        self.moment.leave()
         self.scenarios.cancel()
         self.field.cancel()
         self.keep()

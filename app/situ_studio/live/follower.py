@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from msgspec.structs import replace
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.document import codec
 from situ.document.project import Project
@@ -52,6 +52,9 @@ class Followed(Protocol):
 
 class Follower(QObject):
     """Follows one link for one window. ``panels`` are its tables, to be put into tabs."""
+
+    refreshed = Signal(object, float)
+    """The moment that all views show now, and when that is."""
 
     def __init__(
         self,
@@ -153,6 +156,15 @@ class Follower(QObject):
             )
         self._tell()
 
+    def their_script(self) -> Spds | None:
+        """The script of who is looked at; None where its documents are not known."""
+        files = self._files
+        for file in files or ():
+            document = self._theirs(files, file) if files and file.endswith(".spds.xml") else None
+            if isinstance(document, Spds):
+                return document
+        return None
+
     def _theirs(self, files: dict[str, str], file: str) -> Document | None:
         """A document of the robot's: read once, for every edit here is compared with it."""
         if files is not self._read[0]:
@@ -180,6 +192,7 @@ class Follower(QObject):
         self._blackboard.show_moment(moment, t)
         self._authority.show_moment(moment, t)
         self._trace.go_on()
+        self.refreshed.emit(moment, t)
 
     def _live(self, file: str, document: Application, moment: Moment, t: float) -> LiveView:
         project = self._window.live_project()
@@ -191,6 +204,11 @@ class Follower(QObject):
                 self._runs = project, runs_of(project)
             live = live_part(document, moment, self._runs[1].get(file, ()), t)
         return replace(live, since=self.viewing.begun) if self.viewing.log.late else live
+
+    @property
+    def rehearses(self) -> bool:
+        """Whether it is a rehearsal that all views show."""
+        return self._rehearses
 
     @property
     def shows(self) -> bool:

@@ -19,6 +19,7 @@ from situ.rehearse.ways import frames, way_words, ways
 from situ_studio import icons, places
 from situ_studio.context_menus import pop_up
 from situ_studio.edit import Place
+from situ_studio.live.lanes import Lane
 from situ_studio.live.moment import Moment
 from situ_studio.live.timeline.rows import RowKind, TimelineRow
 from situ_studio.live.why import Thing, ThingKind
@@ -68,6 +69,10 @@ class WhyMenus(QObject):
 
     def ask(self) -> bool:
         """Of what has the keyboard, if that is one of the robot's panels."""
+        about = self._window.moment.column.asked_about
+        if about is not None:
+            self.ask_of(*about)
+            return True
         for table in self._tables:
             if table.hasFocus() and table.currentIndex().isValid():
                 things = [thing for _, thing in self._of_row(table)]
@@ -84,6 +89,10 @@ class WhyMenus(QObject):
     def ask_not(self) -> bool:
         """The same; of several questions one is to be chosen."""
         project = self._side.project
+        about = self._window.moment.column.asked_about
+        if about is not None:
+            self.open_of(*about, self._window.moment.column.below_focus)
+            return True
         for table in self._tables:
             if project is not None and table.hasFocus() and table.currentIndex().isValid():
                 questions = self._not_of_row(project, table)
@@ -151,6 +160,24 @@ class WhyMenus(QObject):
         self._add(menu, self.tr("Why?"), partial(self._ask_component, *shown))
         question = self._not_of_component(project, *shown)
         self._add_questions(menu, [question] if question is not None else [])
+        pop_up(menu, at)
+
+    def ask_of(self, kind: RowKind, name: str) -> None:
+        """Of what stands in the column of the moment: of a resource why it is held so."""
+        self._side.ask_about(Thing(_OF_ROW[kind], name))
+
+    def open_of(self, kind: RowKind, name: str, at: QPoint) -> None:
+        """A menu of what can be asked of that."""
+        project = self._side.project
+        if project is None or not self._side.can_ask():
+            return
+        row = TimelineRow(kind, "" if kind == "situation" else name, Lane())
+        menu = self._menu([])
+        self._add(menu, self.tr("Why?"), partial(self.ask_of, kind, name))
+        if kind == "resource":
+            words = self.tr("Why did {0} move?").format(name)
+            self._add(menu, words, partial(self._ask_at, None, Thing("resource", name)))
+        self._add_questions(menu, list(self._not_of_lane(project, row, self._viewing.moment())))
         pop_up(menu, at)
 
     def _on_screen(self, component: str) -> tuple[str, Place] | None:

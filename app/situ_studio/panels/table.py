@@ -160,6 +160,14 @@ class RowsTable(QTableView):
         if needed > self.columnWidth(column):
             self.setColumnWidth(column, needed)
 
+    def choose(self, key: str) -> None:
+        """The row of that key has the keyboard and is seen, if there is one."""
+        for place, row in enumerate(self.rows.rows):
+            if row.key == key:
+                self.setCurrentIndex(self.rows.index(place, 0))
+                self.scrollTo(self.currentIndex())
+                self.setFocus()
+
     def when_chosen(self, told: Callable[[str], None]) -> None:
         """``told`` gets the key of a row that is ``chosen``."""
         self.chosen.connect(lambda index: told(self.rows.rows[index.row()].key))

@@ -1,0 +1,147 @@
+"""The card of the current situation: which of how many, and what it rests on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QEvent, QPoint, Qt, Signal
+from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from situ_studio.icon_widgets import Elided, IconButton, IconLabel, retheme
+from situ_studio.language import tr
+from situ_studio.letters import px
+from situ_studio.live.column_rows import TESTS, PartTold, SituationTold
+from situ_studio.theme import Theme
+
+_SIGNS = {True: ("check", "live"), False: ("close", "text3"), None: ("minus", "text3")}
+
+
+class SituationCard(QFrame):
+    """As the rows below it: a click, or Enter, goes there; Why? has a button and a menu."""
+
+    chosen = Signal()
+    why_asked = Signal()
+    menu_asked = Signal(QPoint)
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "situation")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self._told: SituationTold | None = None
+        self._pressed = False
+        column = QVBoxLayout(self)
+        column.setContentsMargins(10, 7, 10, 7)
+        column.setSpacing(3)
+        line = QHBoxLayout()
+        line.setSpacing(8)
+        line.addWidget(IconLabel(theme, "situation", "situation", 18))
+        self.name = Elided("", "section")
+        line.addWidget(self.name, 1)
+        self.place = QLabel()
+        self.place.setProperty("role", "place")
+        line.addWidget(self.place)
+        column.addLayout(line)
+        self.parts = [_Part(theme) for _ in range(TESTS)]
+        for part in self.parts:
+            column.addWidget(part)
+        self.kept = Elided("", "hint")
+        column.addWidget(self.kept)
+        self.why = IconButton(theme, "why", tr("Why?"), "text2", 16, self)
+        self.why.setFixedSize(px(22), px(22))
+        self.why.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.why.setProperty("role", "over")
+        self.why.hide()
+        self.why.clicked.connect(self.why_asked)
+
+    def set_theme(self, theme: Theme) -> None:
+        retheme(self, theme)
+
+    def show_told(self, told: SituationTold) -> None:
+        if told == self._told:
+            return
+        before, self._told = self._told, told
+        self.name.setText(told.name)
+        self.place.setText(told.place)
+        for number, part in enumerate(self.parts):
+            shown = number < len(told.parts)
+            if shown:
+                part.show_told(told.parts[number])
+            part.setVisible(shown)
+        self.kept.setText(told.kept)
+        self.kept.setVisible(bool(told.kept))
+        signs = {True: tr("holds"), False: tr("does not hold"), None: tr("not known")}
+        rests = [f"{part.words}: {signs[part.holds]}" for part in told.parts]
+        place = f"{told.name}, {told.place}" if told.place else told.name
+        self.setAccessibleName(tr("Situation {0}").format(place))
+        self.setAccessibleDescription(". ".join((*rests, told.kept)).strip(". "))
+        if before is None or before.tip != told.tip:
+            self.setToolTip(f"<p>{told.tip}</p>" if told.tip else "")
+
+    # -- hands and keys ----------------------------------------------------------------
+
+    def _show_why(self, shown: bool) -> None:
+        self.why.setVisible(shown)
+        self.why.raise_()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.why.move(self.width() - self.why.width() - px(6), px(6))
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        self._show_why(True)
+        super().enterEvent(event)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._show_why(self.hasFocus())
+        super().leaveEvent(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        self._show_why(True)
+        super().focusInEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self._show_why(self.underMouse())
+        super().focusOutEvent(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._pressed = event.button() == Qt.MouseButton.LeftButton
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        pressed, self._pressed = self._pressed, False
+        if pressed and self.rect().contains(event.position().toPoint()):
+            self.chosen.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
+            self.chosen.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def contextMenuEvent(self, event: Any) -> None:
+        by_keys = event.reason() == event.Reason.Keyboard
+        at = self.mapToGlobal(self.rect().bottomLeft()) if by_keys else event.globalPos()
+        self.menu_asked.emit(at)
+
+
+class _Part(QWidget):
+    """A part of its condition, and whether it holds."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        line = QHBoxLayout(self)
+        line.setContentsMargins(2, 0, 0, 0)
+        line.setSpacing(7)
+        self._sign = IconLabel(theme, "check", "live", 13)
+        line.addWidget(self._sign)
+        self._words = Elided("", "under")
+        line.addWidget(self._words, 1)
+        self.told: PartTold | None = None
+
+    def show_told(self, told: PartTold) -> None:
+        if told != self.told:
+            self.told = told
+            self._sign.set_icon(*_SIGNS[told.holds])
+            self._words.setText(told.words)
