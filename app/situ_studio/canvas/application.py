@@ -416,7 +416,10 @@ class ApplicationCanvas(CommandedCanvas, Copying):
     def spoken(self, uid: str) -> spoken.Spoken:
         if uid in self._figuring.shown:
             return super().spoken(uid)
-        return spoken.card(self.document, self._picture.cards[uid])
+        cards = self._picture.cards
+        links = self._picture.links.values()
+        before = {link.source: None for link in links if uid == link.target != link.source}
+        return spoken.card(self.document, cards[uid], [cards[one] for one in before])
 
     def lately(self, uid: str) -> str:
         card, live = self._picture.cards.get(uid), self.look.live

@@ -64,6 +64,26 @@ class Exit(Struct, frozen=True):
     def timeout(self) -> bool:
         return self.id == TIMEOUT
 
+    def called(self) -> str:
+        """The exit for those who hear it."""
+        return tr("after {0}").format(self.label) if self.timeout else self.label
+
+    def leads(self, called: str) -> str:
+        """Where it leads, for those who hear it. called: the state there."""
+        if self.next is None:
+            return tr("stays")
+        if self.next == rbd.AGAIN:
+            return tr("begins the same state anew")
+        if self.next == rbd.BACK:
+            return tr("leads back")
+        return tr("leads to {0}").format(called)
+
+    def spoken(self) -> str:
+        """In few words: they are heard with its card again and again."""
+        wrong = {"error": tr("with an error"), "warning": tr("with a warning")}
+        told = f"{self.called()} {self.leads(self.next or '')}"
+        return f"{told}, {wrong[self.mark.sign]}" if self.mark.sign else told
+
 
 class Card(Struct, frozen=True):
     """All that one card shows. ``uid`` is ours and lasts as long as the state has its number."""
@@ -135,15 +155,12 @@ class Card(Struct, frozen=True):
         return "\n".join(parts)
 
     def spoken(self) -> str:
-        """The card for those who hear it: what it is and says, and where its exits lead."""
-        ways = [
-            f"{'after ' * e.timeout}{e.label} {'leads to ' + e.next if e.next else 'stays'}"
-            + {"error": ", with an error", "warning": ", with a warning"}.get(e.mark.sign, "")
-            for e in self.exits
-        ]
-        kind = self.kind if self.kind in ("start", "end", "part") else ""
-        mark = {"error": "has an error", "warning": "has a warning"}.get(self.mark, "")
-        return "; ".join(part for part in (kind, mark, self.line, *ways) if part)
+        """The card for those who hear it: what it is and says, what is wrong, where exits lead."""
+        kinds = {"start": tr("start"), "end": tr("end"), "part": tr("part")}
+        wrong = {"error": tr("has an error"), "warning": tr("has a warning")}.get(self.mark, "")
+        ways = (exit.spoken() for exit in self.exits)
+        every = (kinds.get(self.kind, ""), wrong, *self.wrong.told(), self.line, *ways)
+        return "; ".join(part for part in every if part)
 
     def exit(self, name: str) -> Exit | None:
         return next((e for e in self.exits if e.id == name), None)

@@ -142,9 +142,12 @@ class ScriptNode(Struct, frozen=True):
         if name:
             return tr("Drag to where it leads")
         if self.kind == "condition":
-            told = (f"{row.tag} {row.text}".strip() for row in self.rows)
-            return "\n".join((self.called(), *told, *self._noted(), *self.wrong.told()))
+            every = (self.called(), *self._tests(), *self._noted(), *self.wrong.told())
+            return "\n".join(every)
         return "\n".join((self.called(), *self.lines(), *self._noted(), *self.wrong.told()))
+
+    def _tests(self) -> tuple[str, ...]:
+        return tuple(f"{row.tag} {row.text}".strip() for row in self.rows)
 
     def _noted(self) -> tuple[str, ...]:
         return (tr("Note: {0}").format(self.note),) if self.note else ()
@@ -155,7 +158,9 @@ class ScriptNode(Struct, frozen=True):
         number = [tr("number {0}").format(self.number)] if self.number else []
         joint = [translated(f"{self.joint} of these")] if self.joint else []
         wrong = {"": "", "warning": tr("with a warning"), "error": tr("with an error")}[self.mark]
-        every = (what, *number, *joint, *self.lines(), wrong, *self._noted())
+        # Whoever hears it sees no pipe that comes from the data.
+        lines = self._tests() if self.kind == "condition" else self.lines()
+        every = (what, *number, *joint, *lines, wrong, *self.wrong.told(), *self._noted())
         return "; ".join(part for part in every if part)
 
     def port(self, name: str) -> tuple[float, float]:

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from situ.document.spds import Spds
+from situ.document.spds import Situation, Spds
+from situ_studio import words
 from situ_studio.canvas.script_faces import LINE, STRIP, ScriptLink, ScriptNode, ScriptPicture
 from situ_studio.canvas.script_projection import inherited, keyed
 from situ_studio.canvas.spoken import Spoken
@@ -21,11 +22,36 @@ def node(script: Spds, picture: ScriptPicture, face: ScriptNode) -> Spoken:
         face.uid,
         "node",
         face.called(),
-        face.spoken(),
+        "; ".join((face.spoken(), *_joined(script, picture, face))),
         face.place,
         None,
         partial(_inside, script, picture, face),
     )
+
+
+def _joined(script: Spds, picture: ScriptPicture, face: ScriptNode) -> Iterator[str]:
+    """What pipes join it with, in few words: whoever hears it sees none."""
+    links = picture.links.values()
+    if face.kind == "situation":
+        situation = _situation(script, face)
+        if situation is not None and situation.condition is not None:
+            yield tr("while {0}").format(words.condition_words(situation.condition))
+        for link in links:
+            if link.source == face.uid and link.priority is not None:
+                yield _asks(link.priority, picture.cards[link.target].name)
+    elif face.kind == "data":
+        to = {picture.cards[one.target].name: None for one in links if one.source == face.uid}
+        if to:
+            yield tr("looked at in {0}").format(", ".join(to))
+    elif face.kind in ("module", "resource"):
+        told = tr("in {0}") if face.kind == "module" else tr("used by {0}")
+        of = {picture.cards[one.source].name: None for one in links if one.target == face.uid}
+        if of:
+            yield told.format(", ".join(of))
+
+
+def _asks(priority: int, module: str) -> str:
+    return tr("priority {0} for {1}").format(priority, module)
 
 
 def _inside(script: Spds, picture: ScriptPicture, face: ScriptNode) -> tuple[Spoken, ...]:
@@ -57,20 +83,26 @@ def _pipe(picture: ScriptPicture, link: ScriptLink) -> Spoken:
         name = tr("no priority for {0}").format(target.name)
         told = tr("taken away in {0}").format(source.name)
     else:
-        name = tr("priority {0} for {1}").format(link.priority, target.name)
+        name = _asks(link.priority, target.name)
         told = tr("priority in {0}").format(source.name)
     described = "; ".join(part for part in (told, wrong, *link.wrong.told()) if part)
     return Spoken(" ".join(link.place), "transition", name, described, link.place)
 
 
 def _taken_over(script: Spds, face: ScriptNode) -> list[Spoken]:
-    key = face.uid.removeprefix("situation ")
-    situation = next((s for s, name in keyed(script) if name == key), None)
+    situation = _situation(script, face)
     if situation is None:
         return []
     told = tr("taken over from {0}").format(situation.extends)
-    name = tr("priority {0} for {1}")
     return [
-        Spoken(f"over {one.module}", "transition", name.format(one.priority, one.module), told)
-        for one in inherited(script, situation, key)
+        Spoken(f"over {one.module}", "transition", _asks(one.priority, one.module), told)
+        for one in inherited(script, situation, _key(face))
     ]
+
+
+def _situation(script: Spds, face: ScriptNode) -> Situation | None:
+    return next((s for s, name in keyed(script) if name == _key(face)), None)
+
+
+def _key(face: ScriptNode) -> str:
+    return face.uid.removeprefix("situation ")

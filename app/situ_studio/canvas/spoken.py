@@ -10,12 +10,14 @@ from functools import partial
 from typing import Any, Literal
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from situ.document import rbd, words
 from situ.document.rbd import Application
 from situ_studio import kinds, places
 from situ_studio.canvas.projection import LINE, PITCH, TIMEOUT, WIDTH, Card, Exit
 from situ_studio.edit import Place
+from situ_studio.language import tr
 
 Role = Literal["node", "action", "transition"]
 Area = tuple[float, float, float, float]
@@ -47,20 +49,27 @@ def node(face: Any, place: Place, below: Callable[[], Sequence[Spoken]] = tuple)
     return Spoken(face.uid, "node", name, face.spoken(), place, None, below)
 
 
-def card(application: Application, face: Card) -> Spoken:
-    """A state, or what is part of every state, with its actions and then its transitions."""
-    return node(face, face.place, partial(_inside, application, face))
+def card(application: Application, face: Card, before: Sequence[Card]) -> Spoken:
+    """A state, or what is part of every state, with its actions and then its transitions.
+
+    before: what leads here.
+    """
+    found = node(face, face.place, partial(_inside, application, face))
+    if not before:
+        return found
+    comes = tr("reached from {0}").format(", ".join(one.no or tr("every state") for one in before))
+    return replace(found, description=f"{found.description}; {comes}")
 
 
 def _inside(application: Application, face: Card) -> tuple[Spoken, ...]:
     value = places.get(application, face.place)
-    owner = f"state {face.no}" if face.no else "every state"
+    owner = tr("state {0}").format(face.no) if face.no else tr("every state")
     actions = [
         _action(
             action,
             f"action {index}",
             (*face.place, "action", str(index)),
-            f"on entry of {owner}",
+            tr("action on entry of {0}").format(owner),
             _icon_area(face, action),
         )
         for index, action in enumerate(getattr(value, "actions", ()))
@@ -72,36 +81,30 @@ def _transition(application: Application, face: Card, owner: str, leaving: Exit)
     tail = (TIMEOUT,) if leaving.timeout else ("event", leaving.id)
     place = (*face.place, *tail)
     event = places.get(application, place)
-    more = [f"only if {leaving.guard}"] if leaving.guard else []
-    more += [f"said as {words.quoted(say.text)}" for say in getattr(event, "says", ())]
-    name = f"after {leaving.label}" if leaving.timeout else leaving.label
+    more = [tr("only if {0}").format(leaving.guard)] if leaving.guard else []
+    more += [tr("said as {0}").format(words.quoted(e.text)) for e in getattr(event, "says", ())]
+    more += leaving.mark.told()
+    goal = leaving.next or ""
+    called = words.leads(application, goal) if goal else ""
+    if leaving.missing:
+        called = tr("{0}, which does not exist").format(called)
     _, y = face.port(leaving.id)
     area = (WIDTH * 0.35, y - PITCH / 2, WIDTH * 0.65, PITCH)
     return Spoken(
         key=leaving.id,
         role="transition",
-        name=f"{name} {_goal(application, leaving)}",
-        description="; ".join((f"transition of {owner}", *more)),
+        name=f"{leaving.called()} {leaving.leads(called)}",
+        description="; ".join((tr("transition of {0}").format(owner), *more)),
         place=place,
         area=area,
         below=partial(_on_the_way, getattr(event, "actions", ()), place, area),
     )
 
 
-def _goal(application: Application, leaving: Exit) -> str:
-    if leaving.next is None:
-        return "stays"
-    if leaving.next == rbd.AGAIN:
-        return "begins the same state anew"
-    if leaving.next == rbd.BACK:
-        return "leads back"
-    missing = ", which does not exist" if leaving.missing else ""
-    return f"leads to {words.leads(application, leaving.next)}{missing}"
-
-
 def _on_the_way(actions: Sequence[rbd.Action], place: Place, area: Area) -> tuple[Spoken, ...]:
+    when = tr("action on the way")
     return tuple(
-        _action(action, str(index), (*place, "action", str(index)), "on the way", area)
+        _action(action, str(index), (*place, "action", str(index)), when, area)
         for index, action in enumerate(actions)
     )
 
@@ -109,9 +112,9 @@ def _on_the_way(actions: Sequence[rbd.Action], place: Place, area: Area) -> tupl
 def _action(action: rbd.Action, key: str, place: Place, when: str, area: Area) -> Spoken:
     name, whole = words.whole_action(action), words.action(action)
     more = [whole] if whole not in name else []
-    more += [f"then {action.done}"] if action.done else []
-    more += [f"{action.failed} if it fails"] if action.failed else []
-    return Spoken(key, "action", name, "; ".join((f"action {when}", *more)), place, area)
+    more += [tr("then {0}").format(action.done)] if action.done else []
+    more += [tr("{0} if it fails").format(action.failed)] if action.failed else []
+    return Spoken(key, "action", name, "; ".join((when, *more)), place, area)
 
 
 def _icon_area(face: Card, action: rbd.Action) -> Area:

@@ -11,6 +11,7 @@ from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
 
 from situ.document import codec
+from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ.resources import example
 from situ_studio.canvas.projection import identified
@@ -44,9 +45,12 @@ def test_cards_are_children_of_the_drawing(desk: Callable[..., Any], small: Appl
     names = [c.text(NAME) for c in cards]
     assert names == ["In every state", "1 start", "2 look", "3 names", "4 no user", "5 end"]
     assert cards[1].text(DESCRIPTION) == (
-        "start; Touch me to begin; touched leads to 2; human leads to 2; after 30 s leads to 1"
+        "start; Touch me to begin; touched leads to 2; human leads to 2; after 30 s leads to 1; "
+        "reached from every state, 2, 3"
     )
-    assert cards[5].text(DESCRIPTION) == "end"
+    assert cards[3].text(DESCRIPTION).startswith("Please touch your name.; ")
+    assert "again begins the same state anew; " in cards[3].text(DESCRIPTION)
+    assert cards[5].text(DESCRIPTION) == "end; reached from 4"
     corner = made.canvas.viewer.viewport().mapToGlobal(
         made.hand.pixel(made.hand.card("2").scenePos())
     )
@@ -231,6 +235,57 @@ def test_script_nodes_too(desk: Callable[..., Any]) -> None:
     card = tree(made.canvas).child(0)
     assert card.text(NAME) == "talk"
     assert card.text(DESCRIPTION) == "situation; number 1; always"
+
+
+def test_a_script_is_heard_with_what_its_pipes_join(desk: Callable[..., Any]) -> None:
+    document, _ = codec.read(
+        (example("conversation") / "conversation.spds.xml").read_bytes(), "conversation.spds.xml"
+    )
+    cards = below(tree(desk(document, ScriptCanvas).canvas))
+    told = {card.text(NAME): card.text(DESCRIPTION) for card in cards}
+    assert told["person.calling"] == "data; yes or no; looked at in invited, called"
+    assert told["Condition of invited"] == (
+        "condition; all of these; person.calling is true, within 5 s; "
+        "hand.waving is true, within 2 s"
+    )
+    assert told["sound"].startswith(
+        "situation; number 4; extends conversation; stays 1.5 s at least; "
+    )
+    assert told["sound"].endswith(
+        "; while sound.slap exists, within 1 s; priority 60 for gaze-sound"
+    )
+    assert told["nod"] == "module; in accepted"
+    assert told["speech"] == "resource; used by converse"
+
+
+def test_what_is_wrong_is_heard_where_it_is(desk: Callable[..., Any], small: Application) -> None:
+    made = desk(small)
+    place = ("state", "4")
+    wrong = [
+        Problem(file="f", code="a", message="Dull.", severity="warning", place=place),
+        Problem(file="f", code="b", message="No.", place=(*place, "event", "0")),
+    ]
+    made.canvas.show_document(small, wrong)
+    card = named(tree(made.canvas), "4 no user")
+    assert card.text(DESCRIPTION).startswith(
+        "has an error; Dull.; tryAgain leads to 2, with an error"
+    )
+    assert below(card)[0].text(DESCRIPTION) == "transition of state 4; No."
+
+
+def test_who_comes_back_to_the_drawing_hears_what_is_selected(
+    desk: Callable[..., Any], small: Application, listening: None
+) -> None:
+    made = desk(small)
+    drawing = tree(made.canvas)
+    told: list[tuple[Any, str]] = []
+    drawing.tell = lambda event: told.append((event.type(), event.accessibleInterface().text(NAME)))
+    made.hand.viewer.clearFocus()
+    made.canvas.select([("state", "5")])
+    assert told == [(QAccessible.Event.SelectionAdd, "5 end")]
+    made.hand.viewer.setFocus()
+    made.hand.settle()
+    assert told[1:] == [(QAccessible.Event.Focus, "5 end")]
 
 
 def test_what_a_part_can_not_do_is_said_and_nothing_breaks(
