@@ -444,6 +444,11 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             exit = None
         return uid, exit
 
+    def _way(self, place: Place) -> Place:
+        """What is done on a way is a part of it."""
+        uid, exit = self._find(place)
+        return place if uid is None or exit is None else self._place(uid, exit)
+
     def _choose_exit(self, card: NodeFace, exit: str) -> None:
         if exit == NEW:
             self.select([self._place(card.uid)])

@@ -40,6 +40,10 @@ class Choosing(QWidget):
         """The uid and the exit that a place names; None where it names none."""
         raise NotImplementedError
 
+    def _way(self, place: Place) -> Place:
+        """The place of the pipe of which ``place`` is a part."""
+        return place
+
     def card_area(self, uid: str) -> QRectF:
         """Where a card lies in the scene."""
         raise NotImplementedError
@@ -77,12 +81,9 @@ class Choosing(QWidget):
                 self.filling.need([uid])
                 pipes = []
                 if exit is not None:
-                    # Of what is done on the way, too.
-                    leaving = self._place(uid, exit)
+                    way = self._way(place)
                     pipes = [
-                        self.graph.pipe(i)
-                        for i in self.graph.links
-                        if self.link_place(i) == leaving
+                        self.graph.pipe(i) for i in self.graph.links if self.link_place(i) == way
                     ]
                 if pipes and pipes[0] is not None:
                     for pipe in pipes:

@@ -8,7 +8,7 @@ from typing import Any
 from PySide6.QtCore import QPointF, QRect
 
 from situ.document.datatypes import write_number
-from situ_studio import places
+from situ_studio import notes, places
 from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas import script_piping as piping
@@ -258,13 +258,13 @@ class ScriptAsking(ScriptChoosing):
         node = self._one_node() or next(iter(self._picture.cards.values()), None)
         if node is not None:
             asked = self.tr("Note")
-            self._open_field(node, place, gestures.note_of(value), asked, self._on_note, 420)
+            self._open_field(node, place, notes.note_of(value), asked, self._on_note, 420)
 
     def _on_note(self, place: Place, text: str | None, _: int) -> None:
         self.field_editor = None
         self.viewer.setFocus()
         if text is not None:
-            self._edit(*gestures.annotate(self.document, place, text))
+            self._edit(*notes.annotate(self.document, place, text))
 
     def _open_field(
         self,

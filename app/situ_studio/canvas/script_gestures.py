@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -110,31 +109,6 @@ def extend(script: Spds, situation: str, other: str | None) -> Done:
     if other is None:
         return after, tr("Let {0} take over nothing").format(situation)
     return after, tr("Let {0} take over from {1}").format(situation, other)
-
-
-def note_of(value: Any) -> str:
-    """What somebody wrote about a part of a script: the comments that stand before it."""
-    told = (one.removeprefix("<!--").removesuffix("-->") for one in _comments(value))
-    return " ".join(" ".join(told).split())
-
-
-def annotate(script: Spds, place: Place, note: str) -> Done:
-    """Another note on a part of a script; () is the script itself, "" takes the note away."""
-    value = places.get(script, place) if place else script
-    # Two hyphens would end the comment.
-    note = re.sub("-{2,}", "–", " ".join(note.split())).rstrip("-")
-    if value is None or note_of(value) == note:
-        return script, ""
-    comments = _comments(value)
-    others = tuple(one for one in value.aside.before if one not in comments)
-    before = (*others, f"<!-- {note} -->") if note else others
-    aside = replace(value.aside, before=before)
-    after = places.change(script, place, aside=aside) if place else replace(script, aside=aside)
-    return after, tr("Change a note")
-
-
-def _comments(value: Any) -> list[str]:
-    return [one for one in value.aside.before if one.startswith("<!--")]
 
 
 def change_data(script: Spds, tag: str, **fields: str | None) -> Done:

@@ -31,12 +31,12 @@ from situ_studio.canvas.script_faces import (
     ScriptPicture,
     uid,
 )
-from situ_studio.canvas.script_gestures import note_of
 from situ_studio.canvas.script_layout import Columns, Tier, tiers
 from situ_studio.canvas.script_marks import marks_of
 from situ_studio.canvas.script_rows import Shapes
 from situ_studio.edit import Place
 from situ_studio.language import say, tr, translated
+from situ_studio.notes import note_of
 
 
 def picture(script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from situ.document import drawing, rbd
 from situ_studio.kinds.kind import Field, Kind, Section
+from situ_studio.kinds.noted import MORE, NOTE
 from situ_studio.language import tr
 
 _TIMEOUT = Field(
@@ -90,6 +91,7 @@ _MORE = Section(
             editor="flag",
             help="What “In every state” adds is part of this one too.",
         ),
+        NOTE,
     ),
 )
 PART = Kind(
@@ -141,7 +143,7 @@ ALWAYS = Kind(
     icon="always",
     help="What is part of every state: a Home button, a timeout, what people may say at any time.",
     fields=(_TIMEOUT,),
-    sections=(_SHOWN, _EVENTS),
+    sections=(_SHOWN, _EVENTS, MORE),
     make=lambda _: rbd.Always(),
     summary=lambda v: ", ".join(e.name or "" for e in v.events),
     palette="application",
@@ -186,6 +188,7 @@ EVENT = Kind(
             editor="actions",
             help="What is done before the next state is entered.",
         ),
+        MORE,
     ),
     make=lambda name: rbd.Event(name=name),
     summary=lambda v: str(v.next or ""),
@@ -305,5 +308,6 @@ APPLICATION = Kind(
             placeholder="the first state",
         ),
     ),
+    sections=(MORE,),
     summary=lambda v: f"{len(v.states)}",
 )

@@ -29,6 +29,7 @@ Editor = Literal[
     "situation",  # a situation of this script
     "module",  # a declared module
     "timeout",  # seconds, next and idle in one
+    "note",  # what stands beside the value for those who draw
 ]
 List = Literal[
     "actions",

@@ -32,7 +32,7 @@ def make_field(
         return Number(parent, unit, above=editor == "seconds")
     if editor == "whole":
         return Number(parent, unit, whole=True)
-    if editor == "long":
+    if editor in ("long", "note"):
         return Paragraph(parent)
     if editor == "flag":
         return Flag(theme, label, parent)
@@ -62,7 +62,7 @@ def offer(
             widget.offer(((None, empty), *((s, s) for s in vocabulary.situations)))
         else:
             widget.offer(tuple((m, m) for m in vocabulary.modules))
-    elif isinstance(widget, Paragraph) or editor == "text":
+    elif editor in ("long", "text"):
         assert isinstance(widget, Line | Paragraph)
         widget.complete_tags(vocabulary.tags)
     elif isinstance(widget, Line):

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from situ.document import rbd
 from situ.document.condition import Test
-from situ_studio import changes, places, words
+from situ_studio import changes, notes, places, words
 from situ_studio.help_topics import HELP, field_topic
 from situ_studio.icon_widgets import IconButton
 from situ_studio.kinds import Field, Kind, Section
@@ -111,7 +111,7 @@ class Form(QWidget):
         self._subject = subject
         for field, widget, _ in self._fields:
             offer(widget, field.editor, subject.vocabulary, field.choices, self._empty(field))
-            widget.show_value(getattr(subject.value, field.attribute))
+            widget.show_value(_value(field, subject.value))
         if self._test is not None:
             self._test.show_test(subject.value, subject.vocabulary)
         if self._timeout is not None:
@@ -261,7 +261,7 @@ class Form(QWidget):
         subject = self._subject
         if subject is None:
             return
-        old = getattr(subject.value, field.attribute)
+        old = _value(field, subject.value)
         widget = self.field(field.attribute)
         if value == "" or value is None:
             if field.fixed:
@@ -269,6 +269,11 @@ class Form(QWidget):
                 return
             value = field.empty
         if value == old:
+            return
+        if field.editor == "note":
+            noted, text = notes.annotate(subject.document, subject.place, value)
+            if text:
+                self.edited.emit(noted, text, subject.place)
             return
         text = words.change_words(
             subject.document, subject.place, field.attribute, translated(field.label)
@@ -315,3 +320,8 @@ class Form(QWidget):
         document = places.change(subject.document, subject.place, **{attribute: value})
         where = words.place_words(subject.document, subject.place)
         self.edited.emit(document, self.tr("{0} of {1}").format(text, where), subject.place)
+
+
+def _value(field: Field, subject: Any) -> Any:
+    """What a field shows of a value."""
+    return notes.note_of(subject) if field.editor == "note" else getattr(subject, field.attribute)

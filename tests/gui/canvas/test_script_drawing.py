@@ -22,10 +22,10 @@ from situ.document.rbd import Application, Speech, State
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ_studio import new_script, places
 from situ_studio.canvas import script_conditions as conditions
-from situ_studio.canvas.script_gestures import annotate, note_of
 from situ_studio.canvas.script_layout import Pills, spread
 from situ_studio.canvas.script_projection import picture
 from situ_studio.canvas.script_rows import tests as every_test
+from situ_studio.notes import annotate, note_of
 from situ_studio.panels.test_box import listed, several
 
 TAGS = ("a", "b.c", "d")

@@ -14,6 +14,7 @@ from situ.document.condition import Condition, Group, Test
 from situ.document.datatypes import write_number
 from situ_studio import kinds
 from situ_studio.kinds import GROUPS, TESTS, Field, Kind
+from situ_studio.notes import note_of
 from situ_studio.panels.test_box import listed
 from situ_studio.screens.media_picker import MediaPicker
 
@@ -36,9 +37,12 @@ class ApplicationDrawer(FormFiller):
         if wanted.always is not None:
             self.press("In every state")
             self.inside(wanted.always)
+        self.click_ground()
+        about: dict[str, str | bool] = {"Note": note_of(wanted)}
         if wanted.start is not None:
-            self.click_state(wanted.start)
-            self.run("Start here")
+            about["Starts with"] = self.target(wanted.start)
+        self.press_in_form("Name")
+        self.fill(about)
         for state in wanted.states:
             self.leads_on(state.no, state)
         if wanted.always is not None:
@@ -55,6 +59,8 @@ class ApplicationDrawer(FormFiller):
             fields["It may end here"] = True
         if not state.always:
             fields["As in every state"] = False
+        if note_of(state):
+            fields["Note"] = note_of(state)
         self.fill(fields)
         self.inside(state)
 
@@ -93,10 +99,9 @@ class ApplicationDrawer(FormFiller):
 
     def differing(self, fields: Sequence[Field], value: Any, made: Any) -> dict[str, str | bool]:
         return {
-            field.label: written(field, getattr(value, field.attribute))
+            field.label: written(field, shown(field, value))
             for field in fields
-            if field.attribute in COUNTED
-            or getattr(value, field.attribute) != getattr(made, field.attribute)
+            if field.attribute in COUNTED or shown(field, value) != shown(field, made)
         }
 
     # -- what leads on --------------------------------------------------------------------
@@ -128,6 +133,8 @@ class ApplicationDrawer(FormFiller):
             if event.next is not None:
                 fields["Leads to"] = self.target(event.next)
             self.fill(fields)
+        if note_of(event):
+            self.fill({"Note": note_of(event)})
         if event.when is not None:
             self.condition(event.when)
         self.add_rows("Add a phrase", [(one.text,) for one in event.says])
@@ -193,6 +200,12 @@ class ApplicationDrawer(FormFiller):
         self.see(spot)
         self.click_at(self.on_canvas(spot))
 
+    def click_ground(self) -> None:
+        """Where nothing is drawn: what is chosen then is all of it."""
+        viewer = self.canvas.viewer
+        corner = viewer.viewport().mapToGlobal(viewer.viewport().rect().topRight())
+        self.click_at(corner + QPoint(-30, 90))
+
     def see(self, *spots: QPointF) -> None:
         """Shows everything where one of them can not be seen."""
         port = self.canvas.viewer.viewport()
@@ -223,6 +236,10 @@ class ApplicationDrawer(FormFiller):
     def press(self, name: str) -> None:
         """A kind of the palette."""
         self.click(name, QAbstractButton)
+
+
+def shown(field: Field, value: Any) -> Any:
+    return note_of(value) if field.editor == "note" else getattr(value, field.attribute)
 
 
 def written(field: Field, value: Any) -> str | bool:

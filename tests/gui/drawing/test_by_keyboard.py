@@ -14,6 +14,8 @@ from tests.gui.drawing.forms import FormFiller, called
 
 from situ.document.condition import Condition
 from situ.document.condition import Test as Question
+from situ_studio import places
+from situ_studio.notes import note_of
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]
@@ -103,3 +105,26 @@ def test_a_test_is_written_from_its_tag_to_its_value(studio: Start, project: Cop
     me.fill({"Tag": "visits", "Test": "at least", "Value": "3"})
     condition = used.session.document("reception.rbd.xml").state("4").events[0].when
     assert condition == Condition((Question("visits", "atleast", "3"),))
+
+
+@pytest.mark.parametrize("place", [(), ("state", "4"), ("state", "4", "event", "0"), ("always",)])
+def test_a_note_is_written_beside_what_it_is_about(
+    studio: Start, project: Copy, place: tuple[str, ...]
+) -> None:
+    """As a comment, which stays where it was when it is taken back."""
+    used = studio(project("reception"))
+    me = FormFiller(used.window)
+    used.window.select(place)
+    file = used.session.root / "reception.rbd.xml"
+    before = file.read_text(encoding="utf-8")
+    me.press_in_form("Note")
+    me.write(me.focus(), "Ask -- the ward,  every week")
+    me.key(TAB)
+    assert note_of(places.get(used.session.document(file.name), place)) == (
+        "Ask – the ward, every week"
+    )
+    me.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    assert "<!-- Ask – the ward, every week -->" in file.read_text(encoding="utf-8")
+    me.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    me.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    assert file.read_text(encoding="utf-8") == before

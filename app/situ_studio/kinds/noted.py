@@ -1,0 +1,14 @@
+"""What is to be remembered about a thing: a field that most kinds have (``situ_studio.notes``)."""
+
+from __future__ import annotations
+
+from situ_studio.kinds.kind import Field, Section
+
+NOTE = Field(
+    attribute="note",
+    label="Note",
+    editor="note",
+    help="What is to be remembered about it; the robot does not see it.",
+    empty="",
+)
+MORE = Section(title="More", help="What is seldom needed.", fields=(NOTE,))

@@ -1,0 +1,40 @@
+"""What designers write about a thing: the comments that stand before it in its file."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from msgspec.structs import replace
+
+from situ_studio import places
+from situ_studio.edit import Place
+from situ_studio.language import tr
+from situ_studio.places import D
+
+
+def note_of(value: Any) -> str:
+    """What somebody wrote about it, in one line; "" for nothing."""
+    told = (one.removeprefix("<!--").removesuffix("-->") for one in _comments(value))
+    return " ".join(" ".join(told).split())
+
+
+def annotate(document: D, place: Place, note: str) -> tuple[D, str]:
+    """Another note on what stands at a place, and the step's name; the document as it is and ""
+    where nothing changes. () is the document itself, "" takes the note away.
+    """
+    value = places.get(document, place)
+    # Two hyphens would end the comment.
+    note = re.sub("-{2,}", "–", " ".join(note.split())).rstrip("-")
+    if value is None or note_of(value) == note:
+        return document, ""
+    comments = _comments(value)
+    others = tuple(one for one in value.aside.before if one not in comments)
+    before = (*others, f"<!-- {note} -->") if note else others
+    aside = replace(value.aside, before=before)
+    after = places.change(document, place, aside=aside)
+    return after, tr("Change a note")
+
+
+def _comments(value: Any) -> list[str]:
+    return [one for one in value.aside.before if one.startswith("<!--")]
