@@ -123,7 +123,7 @@ class Ward:
             "stories": [{"kind": "story", "title": "A story", "pages": ["Once.", "The end."]}],
         }
         told = {"begins": "10:00", "what": "tea", "reminder": 1, "at": "00:00", "id": 2, "room": 12}
-        messages = [{"reminder": n, "days": n, "begins": "10:00", "what": "tea"} for n in range(3)]
+        messages = [{"reminder": 1, "days": n, "begins": "10:00", "what": "tea"} for n in range(3)]
         answers: dict[str, Any] = {
             "login": {"user": person, "messages": messages[: roll(0, 3)]},
             "visitLogin": {"user": person},

@@ -61,6 +61,9 @@ class Expectations:
                 near = self._nearest(expected.fields)
                 self.failures.append(Failure(number, at, expected.fields, near))
         self._waiting.clear()
+        # Nothing looks at them any more: a run may last for days.
+        del self._events[: self._from]
+        self._from = 0
 
     def _nearest(self, fields: dict[str, Any]) -> dict[str, Any] | None:
         kind = [e for e in self._events[self._from :] if e["kind"] == fields.get("kind")]
