@@ -71,5 +71,7 @@ class WhatFollows:
             canvas.edited.emit(after, text)
         if no is not None and ("state", no) in self._picture().uids:
             canvas.select([("state", no)])
+            # Let go at the edge, it would be half in view, and its plus out of reach.
+            canvas.viewer.reveal(canvas.card_area(self._picture().uids["state", no]))
             if not name:
                 canvas.filled_in.emit(("state", no))

@@ -138,7 +138,6 @@ class Pupil(Draughtsman):
         start = self.plus(card)
         self.drag(start, start + by)
         self.type("state")
-        self.key(Qt.Key.Key_F2)
         self.type(name)
 
     # -- places -------------------------------------------------------------------------
