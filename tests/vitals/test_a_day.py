@@ -173,7 +173,7 @@ def test_a_day_over_real_sockets_is_the_rehearsed_one_and_nothing_grows(
     assert (status, said, problems) == (0, len(rehearsed), [])
     assert max(moments.values()) < BUSIEST
     assert records.kept() == +asked
-    assert {"pressure", "call", "medication", "reminder"} <= set(asked)
+    assert {"call", "medication", "reminder"} <= set(asked)
     for (memory, handles), (more, still) in zip(early, late, strict=True):
         assert more - memory < MORE
         assert still <= handles
