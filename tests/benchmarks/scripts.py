@@ -12,7 +12,7 @@ from tests.benchmarks.harness import CPU, Bench, Goal, Row, Sample, each
 LARGE, SMALL = (200, 100), (10, 5)
 """Situations and modules."""
 RESOURCES = 6
-WORKS = ("priority", "rename", "reorder", "select")
+WORKS = ("priority", "rename", "reorder", "add", "dwell", "select")
 
 
 def script(situations: int, modules: int) -> bytes:
@@ -51,7 +51,7 @@ def _samples() -> Iterator[Mapping[str, Sample]]:
             canvas = _open(size, app)
             shown.append(canvas)
             for name, work in _works(canvas).items():
-                samples[f"{name}, {word}"] = _sample(work)
+                samples[f"{name}, {word}"] = _settled(_sample(work), canvas, app)
             samples[f"frame, {word}"] = _sample(_frame(canvas))
         yield samples
         for canvas in shown:
@@ -72,7 +72,7 @@ def _open(size: tuple[int, int], app: Any) -> Any:
     canvas.resize(1_100, 760)
     canvas.show()
     canvas.show_document(document)
-    while canvas.filling.is_filling:
+    while canvas.filling.is_filling or canvas.curving.is_curving():
         app.processEvents()
     canvas.edited.connect(lambda after, text: canvas.show_document(after))
     canvas.viewer.viewport().repaint()
@@ -106,11 +106,25 @@ def _works(canvas: Any) -> dict[str, Callable[[int], None]]:
     def reorder(turn: int) -> None:
         edit(*gestures.reorder(canvas.document, canvas.document.situations[4].name, 6))
 
+    def add(turn: int) -> None:
+        """One before nearly all others, and taken away again in the next turn."""
+        if turn % 2:
+            after, text, _ = gestures.add_situation(canvas.document, 8, "d0", "new")
+            edit(after, text)
+        else:
+            edit(*gestures.delete(canvas.document, [("situation", "new")]))
+
+    def dwell(turn: int) -> None:
+        """One that takes over gets a line more, and all below it move."""
+        name = next(s.name for s in canvas.document.situations if s.extends)
+        edit(*gestures.set_seconds(canvas.document, name, "dwell", 2.0 if turn % 2 else None))
+
     def select(turn: int) -> None:
         canvas.select([("situation", canvas.document.situations[turn % 4].name)])
         canvas.viewer.viewport().repaint()
 
-    return {"priority": priority, "rename": rename, "reorder": reorder, "select": select}
+    works = priority, rename, reorder, add, dwell, select
+    return dict(zip(WORKS, works, strict=True))
 
 
 def _frame(canvas: Any) -> Callable[[int], None]:
@@ -127,6 +141,18 @@ def _sample(work: Callable[[int], None]) -> Sample:
             work(turn)
 
     return each(several, CPU, unit=1e-3)
+
+
+def _settled(sample: Sample, canvas: Any, app: Any) -> Sample:
+    """Ways that nobody sees belong to the frames after."""
+
+    def settled() -> float:
+        took = sample()
+        while canvas.curving.is_curving():
+            app.processEvents()
+        return took
+
+    return settled
 
 
 SIZE = "200 situations and 100 modules"

@@ -118,6 +118,13 @@ class ApplicationCanvas(CommandedCanvas, Copying):
                 self._picture, [uid for uid in moved if uid not in beside], self.few
             )
 
+    def _sign(self, changed: Iterable[str]) -> None:
+        for uid in changed:
+            for id in self.graph.links_at(uid):
+                pipe = self.graph.pipe(id)
+                if pipe is not None:
+                    pipe.update_sign()
+
     def _follow_cards(self) -> None:
         self._figuring.carry()
         self._between.follow(self._picture.cards)

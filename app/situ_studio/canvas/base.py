@@ -115,6 +115,9 @@ class Canvas(Choosing):
         """Every pipe's way; with ``moved``, only what these cards change."""
         raise NotImplementedError
 
+    def _sign(self, changed: Iterable[str]) -> None:
+        """Pipes have the signs of what these cards say, where they do not say so themselves."""
+
     def _rename_card(self, uid: str, name: str) -> None:
         raise NotImplementedError
 
@@ -148,11 +151,7 @@ class Canvas(Choosing):
         if self.viewer.spoken_as is not None:
             self.viewer.spoken_as.on_shown()
         self._moved_timer.stop()
-        for uid in changed:
-            for id in self.graph.links_at(uid):
-                pipe = self.graph.pipe(id)
-                if pipe is not None:
-                    pipe.update_sign()
+        self._sign(changed)
         few = len(links) <= self.few or first or 3 * len(changed) > len(cards)
         self._route(None if few and not self.filling.is_filling else changed)
         self.minimap.redraw()

@@ -137,9 +137,6 @@ class CurvedPipe(RoutedPipe):
             return True
         return bool(self.chosen)
 
-    def update_sign(self) -> None:
-        self.update()
-
     def wrong(self) -> ScriptLink | None:
         return self.link if self.link.mark else None
 

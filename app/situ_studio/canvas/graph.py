@@ -76,7 +76,8 @@ class Graph(NodeGraph):
     def show_picture(self, cards: Mapping[str, Any], links: Mapping[LinkId, Any]) -> set[str]:
         """Makes model and view equal to the picture. Returns the uids that were changed."""
         viewer = self._viewer
-        touched = viewer.touched
+        # Not what is moved here.
+        touched = set(viewer.touched)
         gone, fresh = differing(self.cards, cards)
         cut, drawn = differing(self.links, links)
         stale = {*cut, *(id for id in drawn if id in self.links and self.links[id] != links[id])}

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
+from msgspec.structs import replace
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsSceneMouseEvent, QStyleOptionGraphicsItem
@@ -121,13 +122,14 @@ class NodeFace(NodeItem):
     # -- what the graph calls ------------------------------------------------------
 
     def show_face(self, face: Any) -> None:
-        self.prepareGeometryChange()
-        self.face = face
-        self._width, self._height = face.width, face.height
-        self._rect = self.room(face)
-        self._shape = QPainterPath()
-        self._shape.addRect(QRectF(0, 0, face.width, face.height))
-        self.setToolTip(face.hint())
+        before, self.face = self.face, face
+        if not _is_moved(before, face):
+            self.prepareGeometryChange()
+            self._width, self._height = face.width, face.height
+            self._rect = self.room(face)
+            self._shape = QPainterPath()
+            self._shape.addRect(QRectF(0, 0, face.width, face.height))
+            _hint(self, face.hint())
         self.prepare()
         self.update()
 
@@ -260,15 +262,16 @@ class Node(BaseNode):
 
     def show_face(self, face: Any) -> None:
         """Name, size, position and ports as ``face`` has them; ports that go must be free."""
-        self.face = face
+        before, self.face = self.face, face
         self.uid = self.view.uid = face.uid
         self.model.name = face.name
         self.view.name = face.name
         self.model.width, self.model.height = face.width, face.height
         self.model.pos = [face.x, face.y]
         self.view.show_face(face)
-        self._set_ports(IN, face.inputs)
-        self._set_ports(OUT, face.outputs)
+        if not _is_moved(before, face):
+            self._set_ports(IN, face.inputs)
+            self._set_ports(OUT, face.outputs)
         if (self.view.x(), self.view.y()) != (face.x, face.y):
             self.view.setPos(face.x, face.y)
 
@@ -286,7 +289,7 @@ class Node(BaseNode):
             if name not in kept:
                 kept[name] = self._port(kind, name)
             kept[name].view.place(*self.face.port(name))
-            kept[name].view.setToolTip(self.face.hint(name) if kind == OUT else "")
+            _hint(kept[name].view, self.face.hint(name) if kind == OUT else "")
         ports[:] = [kept[name] for name in names]
         models.clear()
         models.update((name, kept[name].model) for name in names)
@@ -302,3 +305,14 @@ class Node(BaseNode):
         """The port object, or None."""
         every = self._inputs if kind == IN else self._outputs
         return next((p for p in every if p.name() == name), None)
+
+
+def _is_moved(before: Any, face: Any) -> bool:
+    """Whether a face is what it was, but for its place: all on it stays as it is."""
+    return before is not None and replace(before, x=face.x, y=face.y) == face
+
+
+def _hint(item: QGraphicsItem, said: str) -> None:
+    """Tells it where the mouse rests: Qt asks Python each time that an item is told anything."""
+    if item.toolTip() != said:
+        item.setToolTip(said)

@@ -16,6 +16,7 @@ from situ_studio.canvas import headings, script_piping, script_spoken, spoken
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.base import BAR, READABLE
 from situ_studio.canvas.curves import CurvedPipe
+from situ_studio.canvas.curving import Curving
 from situ_studio.canvas.graph import differing
 from situ_studio.canvas.ground import ZOOM_LEAST
 from situ_studio.canvas.headings import Headings
@@ -58,6 +59,7 @@ class ScriptCanvas(ScriptCommands):
         self.copy, self.cut = self._copying.copy, self._copying.cut
         self.paste, self.duplicate = self._copying.paste, self._copying.duplicate
         self.priorities = Priorities(self, self._prioritise, self.status.emit)
+        self.curving = Curving(self, self.priorities)
         self.menu = self.test_editor = self.field_editor = None
         self._drop: tuple[Any, Any, QPointF] | None = None
         self._why_not: tuple[ScriptNode, ScriptNode] | None = None
@@ -111,25 +113,13 @@ class ScriptCanvas(ScriptCommands):
     def _route(self, moved: Iterable[str] | None = None) -> None:
         if moved is None:
             self.priorities.begin()
-            self._curve(self.graph.links)
+            self.curving.curve(self.graph.links, self.few)
         else:
             links = (id for key in moved for id in self.graph.links_at(key))
-            self._curve(dict.fromkeys((*self._fresh, *links)))
+            self.curving.curve((*self._fresh, *links), self.few)
         self._fresh = []
         if not self._rendering:
             self._show_taken_over()
-
-    def _curve(self, ids: Iterable[tuple[str, ...]]) -> None:
-        for id in ids:
-            pipe = self.graph.pipe(id)
-            if pipe is not None:
-                link = pipe.link
-                start, end = (
-                    self.port_at(link.source, link.exit),
-                    self.port_at(link.target, link.entry),
-                )
-                pipe.set_curve(start, end)
-                self.priorities.place(pipe)
 
     def port_at(self, key: str, port: str) -> QPointF:
         """Where a port is in the scene now, in the middle of a drag too."""

@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import TypeVar
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from situ.document import words
 from situ.document.condition import Condition
@@ -127,6 +128,17 @@ class _Band(Struct):
     def link(self, made: ScriptLink) -> None:
         self.links.setdefault(made.id, made)
 
+    def moved(self, number: int, top: float) -> _Band:
+        """The same situation at another place."""
+        if (number, top) == (self.number, self.top):
+            return self
+        down = top - self.top
+        cards = {
+            uid: replace(node, y=node.y + down, number=number if node.number else 0)
+            for uid, node in self.cards.items()
+        }
+        return _Band(self.situation, number, top, cards, self.links)
+
 
 class _Drawing:
     """One script while it becomes a picture. before: the picture of the script before."""
@@ -149,11 +161,9 @@ class _Drawing:
         every = zip(keyed(self._script), self._tiers, strict=True)
         for number, ((situation, key), tier) in enumerate(every, start=1):
             band = before.get(key)
-            if (
-                band is None
-                or band.situation is not situation
-                or (band.number, band.top) != (number, tier.top)
-            ):
+            if band is not None and band.situation is situation:
+                band = band.moved(number, tier.top)
+            else:
                 band = _Band(situation, number, tier.top, {}, {})
                 self._add_condition(band, situation.condition, key, tier)
                 self._add_condition(band, situation.until, key, tier, until=True)
