@@ -22,7 +22,9 @@ def reading_order(areas: Sequence[QRect]) -> list[int]:
     ordered: list[int] = []
     while waiting:
         first = areas[waiting[0]]
-        line = [i for i in waiting if first.top() <= areas[i].center().y() <= first.bottom()]
+        here = range(first.top(), max(first.bottom(), first.top()) + 1)
+        # One without any height is in no line but its own.
+        line = [i for i in waiting if i == waiting[0] or areas[i].center().y() in here]
         ordered += sorted(line, key=lambda i: areas[i].left())
         waiting = [i for i in waiting if i not in line]
     return ordered

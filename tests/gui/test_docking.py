@@ -15,6 +15,9 @@ Start = Callable[..., Any]
 Copy = Callable[[str], Path]
 LEFT = Qt.MouseButton.LeftButton
 
+AWAY = ("designer", "rehearsal", "moment")
+"""Panels that come with what they are about."""
+
 
 def drag_line(used: Any, at: QPoint, by: QPoint) -> None:
     """Drags the line between two panels that lies at a place of the window."""
@@ -155,7 +158,7 @@ def test_reset_layout_puts_every_panel_where_it_lies_at_first(studio: Start, pro
     window.actions_.actions["reset_layout"].trigger()
     used.settle()
     assert {name: dock.geometry() for name, dock in window.docks.items()} == first
-    assert all(d.isVisible() for n, d in window.docks.items() if n not in ("designer", "rehearsal"))
+    assert all(d.isVisible() for n, d in window.docks.items() if n not in AWAY)
 
 
 def test_what_is_folded_below_stays_so_and_unfolds_to_the_height_that_it_had(
@@ -229,7 +232,7 @@ def test_a_layout_that_can_not_be_read_is_the_first_one(
 ) -> None:
     settings.setValue("panels", QByteArray(b"of another program"))
     window = studio(project("reception")).window
-    assert all(d.isVisible() for n, d in window.docks.items() if n not in ("designer", "rehearsal"))
+    assert all(d.isVisible() for n, d in window.docks.items() if n not in AWAY)
     assert window.docks["project"].width() == 208
 
 

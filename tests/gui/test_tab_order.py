@@ -38,6 +38,8 @@ def test_areas_are_read_line_by_line() -> None:
         QRect(100, 58, 20, 24),
     ]
     assert reading_order(areas) == [1, 0, 2, 3, 4]
+    # A list with no rows may have no height; it has its turn all the same.
+    assert reading_order([QRect(0, 10, 80, 0), QRect(0, 0, 80, 8)]) == [1, 0]
 
 
 def test_tab_goes_through_a_form_from_its_upper_to_its_lower_edge(

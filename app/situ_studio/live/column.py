@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QSizePolicy, QVBoxLayout, QWidget
 
 from situ.document.spds import Spds
@@ -64,8 +64,8 @@ class MomentColumn(QWidget):
         self.states = ColumnList(theme, tr("Applications"))
         self.resources = ColumnList(theme, tr("Who holds what"))
         self.data = ColumnList(theme, tr("Blackboard"))
+        self._above: dict[ColumnList, tuple[QWidget, QWidget]] = {}
         self._section(column, tr("Applications"), self.states)
-        self._above_states = [column.itemAt(column.count() - n).widget() for n in (4, 3)]
         self._section(column, tr("Who holds what"), self.resources)
         head = self._section(column, tr("Blackboard"), self.data)
         self.search = IconButton(theme, "search", tr("Find in the data"), "text3", 14)
@@ -110,13 +110,24 @@ class MomentColumn(QWidget):
         words = QLabel(title)
         words.setProperty("role", "heading")
         line.addWidget(words, 1)
-        column.addWidget(rule())
+        above = rule()
+        column.addWidget(above)
         column.addWidget(head)
         column.addWidget(rows)
+        self._above[rows] = (above, head)
         if rows is not self.data:
             rows.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
-            column.addSpacing(px(6))
         return line
+
+    def _show_section(self, rows: ColumnList, headed: bool = True) -> None:
+        """A section is there while it has rows. headed: it has a heading of its own."""
+        there = bool(rows.rows.names)
+        for widget, shown in (
+            (rows, there),
+            *((one, there and headed) for one in self._above[rows]),
+        ):
+            if widget.isHidden() == shown:
+                widget.setVisible(shown)
 
     def set_theme(self, theme: Theme) -> None:
         retheme(self, theme)
@@ -178,6 +189,10 @@ class MomentColumn(QWidget):
         super().showEvent(event)
         self.draw()
 
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._waits = False
+
     def draw(self) -> None:
         """Shows the latest moment that it was told."""
         if self._latest is None or not self.isVisible():
@@ -189,8 +204,6 @@ class MomentColumn(QWidget):
         head = tr("Situation") if scripted else tr("Applications")
         if self.header.title.text() != head:
             self.header.title.setText(head)
-            for widget in self._above_states:
-                widget.setVisible(scripted)
         hint = ""
         if told is not None:
             self.card.show_told(told)
@@ -204,6 +217,8 @@ class MomentColumn(QWidget):
         self.resources.show_rows(
             telling.resources(moment), lambda name: telling.resource(name, moment, t)
         )
+        self._show_section(self.states, scripted)
+        self._show_section(self.resources)
         found = self.wanted.text().strip() if self.wanted.isVisible() else ""
         self.data.show_rows(
             telling.tags(moment, found), lambda name: telling.tag(name, moment, t, lanes)

@@ -340,7 +340,7 @@ class ColumnList(QListView):
     # -- size --------------------------------------------------------------------------
 
     def sizeHint(self) -> QSize:
-        return QSize(px(160), min(len(self.rows.names), MOST) * px(ROW))
+        return QSize(px(160), min(len(self.rows.names), MOST) * px(ROW) + px(6))
 
     def minimumSizeHint(self) -> QSize:
         return QSize(px(80), min(len(self.rows.names), 3) * px(ROW))
