@@ -11,8 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.rehearse.conftest import Make
 
+from situ.decide import inputs
 from situ.decide.clock import DATE, TIME, WEEKDAY, tags_at
-from situ.rehearse.clock import FAR, Hidden, followed
+from situ.rehearse import recorded
+from situ.rehearse.clock import FAR, Given, Hidden, followed
 from situ.rehearse.reason import lines
 from situ.rehearse.recording import Recording
 from situ.rehearse.why import why_not
@@ -27,13 +29,14 @@ def event(t: float, begun: datetime = NOON, seq: int = 0) -> dict[str, Any]:
 
 
 def kept(begun: datetime, zone: timedelta, seconds: float) -> list[Hidden]:
-    """What a robot's runtime writes: at its start, and at each full minute a little late."""
+    """What a robot has: of its project from its start, and at each full minute a little late."""
     found: list[Hidden] = []
     stood: dict[str, str] = {}
     t = 0.0
     while t <= seconds:
         now = tags_at(begun + zone + timedelta(seconds=t))
-        found += [Hidden(t, tag, now[tag], "situ") for tag in now if stood.get(tag) != now[tag]]
+        by = "situ" if t else "project"
+        found += [Hidden(t, tag, now[tag], by) for tag in now if stood.get(tag) != now[tag]]
         stood = now
         passed = (begun + timedelta(seconds=t)).timestamp() % 60
         t = round(t + 60 - passed + 0.01, 6)
@@ -125,6 +128,16 @@ def test_where_the_clock_on_the_wall_was_set_back_no_write_is_before_the_one_bef
     assert at(found, 4_000.0)[TIME] == tags_at(back + HOUR + timedelta(seconds=4_000))[TIME]
 
 
+def test_a_recording_tells_what_stood_at_its_beginning_and_what_was_written() -> None:
+    heading = recorded.Heading(tags={TIME: "08:30", "spo2": 97})
+    start, minute = inputs.Start(), inputs.Set({TIME: "08:31", "spo2": 98}, "situ")
+    clock = Given()
+    assert clock.take(heading) == []
+    assert clock.take(recorded.Taken(0, 0.0, start)) == [Hidden(0.0, TIME, "08:30", "project")]
+    told = clock.take(recorded.Taken(60_000_000, 60.0, minute))
+    assert told == [Hidden(60.0, TIME, "08:31", "situ")]
+
+
 NIGHT = """<application name="app"><state no="1"><expectedevents>
 <event name="go" next="2"><when><data tag="clock.time" below="00:53"/></when></event>
 </expectedevents></state><state no="2"/></application>"""
@@ -156,8 +169,9 @@ def test_why_not_looks_at_the_clock_as_it_was_then(
     events = [enter, go, ignored]
     known = followed(events, seen)
     recording = Recording.of(events, known)
-    # The start is one step: what is written at 0 comes after it.
+    # The start is one step, and the clock is there by then.
     assert recording.steps[0].events == [enter]
+    assert recording.steps[0].before == [one for one in known if not one.t]
     answer = why_not(make(NIGHT), recording, {"kind": "enter", "state": "2"}, 300.0)
     assert said in "\n".join(lines(answer.reasons))
     assert Recording.of([], known).steps == []

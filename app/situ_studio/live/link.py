@@ -15,8 +15,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
+from situ.decide.clock import CLOCK
 from situ.errors import BlackboardError, Unreachable
+from situ.rehearse.clock import Hidden
 from situ_studio.language import tr
+from situ_studio.live.clock_seen import is_clock
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
 
@@ -122,6 +125,7 @@ class RobotLink(QObject):
         link = Link(endpoint, person(keys=keys), keys=keys)
         self._link = link
         self._feed = link.dialog.trace(since=1)
+        self._clock = link.dialog.watch(f"{CLOCK}*")
         self._restarts = 0
         link.dialog.changed = self._on_dialog
         for descriptor in link.descriptors():
@@ -235,12 +239,14 @@ class RobotLink(QObject):
         if self._link is None:
             return
         self._take_events()
+        self._take_clock()
         self._timer.start(max(0, round((link.due() - link.clock()) * 1000)))
 
     def _take_events(self) -> None:
         if self._feed.restarts != self._restarts:
             self._restarts = self._feed.restarts
             self._begin_anew()
+            self._keep_clock(self._clock.known)
         events: list[TraceFields] = []
         while (event := self._feed.take()) is not None:
             events.append(event)
@@ -253,6 +259,17 @@ class RobotLink(QObject):
             if turned and turned[-1] > self._backlog:
                 self._ask_documents(turned[-1])
             self.came.emit(new)
+            self.moment_changed.emit()
+
+    def _take_clock(self) -> None:
+        """What the robot's clock says goes on though nothing else does."""
+        came = []
+        while (change := self._clock.take()) is not None:
+            # Of none that it has not written: the robot began anew.
+            if change.writer is not None:
+                came.append(Hidden(change.time / 1e6, change.tag, change.value, change.writer))
+        if came:
+            self.log.keep_clock(came)
             self.moment_changed.emit()
 
     def _measure(self, last: TraceFields) -> None:
@@ -334,8 +351,21 @@ class RobotLink(QObject):
             entries = call.result()
         except BlackboardError:
             return
-        self.log.stand({tag: (e.value, e.writer, e.time / 1e6) for tag, e in entries.items()})
+        clock = {tag: entry for tag, entry in entries.items() if is_clock(tag)}
+        self._keep_clock(clock)
+        self.log.stand(
+            {
+                tag: (e.value, e.writer, e.time / 1e6)
+                for tag, e in entries.items()
+                if tag not in clock
+            }
+        )
         self.moment_changed.emit()
+
+    def _keep_clock(self, entries: Mapping[str, Standing]) -> None:
+        self.log.keep_clock(
+            Hidden(e.time / 1e6, tag, e.value, e.writer or "") for tag, e in entries.items()
+        )
 
     def _become(self, state: LinkState) -> None:
         if state != self.state:

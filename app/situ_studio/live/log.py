@@ -17,7 +17,9 @@ import msgspec
 import zstandard
 from msgspec import Struct
 
+from situ.rehearse.clock import Hidden
 from situ_studio.live import lanes, moment
+from situ_studio.live.clock_seen import ClockSeen
 from situ_studio.live.lanes import Lanes
 from situ_studio.live.moment import Moment, TraceFields
 
@@ -83,6 +85,7 @@ class TraceLog:
         self._times: array[float] = array("d")
         # By tag and time: a link that came back tells most of it again.
         self._standing: dict[tuple[str, float], tuple[Any, str | None]] = {}
+        self.clock = ClockSeen()
         self._seq = 0
         self.gone = 0
         """How many of the first are not kept any more."""
@@ -205,6 +208,11 @@ class TraceLog:
             self.now.stand(tag, value, writer, t)
             self.lanes.stand(tag, value, writer, t)
 
+    def keep_clock(self, writes: Iterable[Hidden]) -> None:
+        """Writes of ``clock.…``, which no trace tells."""
+        self.clock.add(writes)
+        self.clock.put(self.now, math.inf)
+
     @property
     def lacks(self) -> int:
         """How many events were before the first that is kept."""
@@ -279,9 +287,10 @@ class TraceLog:
     def _with_standing(self, then: Moment) -> Moment:
         """With what the trace does not tell but stood there by then."""
         told = [(at, s) for at, s in self._standing.items() if at[1] <= then.t]
-        if not told:
+        if not told and not self.clock:
             return then
         whole = then.copy()
+        self.clock.put(whole, then.t)
         for (tag, t), (value, writer) in told:
             whole.stand(tag, value, writer, t)
         return whole

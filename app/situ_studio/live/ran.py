@@ -68,6 +68,8 @@ class WhatRan:
             return course.version(0 if now is None else now.version)
         recording = robot.recording
         if recording is not None and log is recording.log:
+            if recording.ran is not None:
+                return recording.ran
             files = recording.files if now is None else recording.versions.get(now.version)
             return self._of(files) if files else None
         if log is not robot.link.log:

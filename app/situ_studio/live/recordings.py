@@ -14,8 +14,10 @@ from msgspec import Struct
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.decide.inputs import Deploy
+from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse import recorded
+from situ.rehearse.clock import Given
 from situ_studio.language import tr
 from situ_studio.live.log import TraceLog
 
@@ -28,6 +30,7 @@ PIECE = 500
 class Recording(Struct, frozen=True):
     """A recorded run. files: the project's documents as they ran at its beginning, path to text;
     none where private values are masked. versions: those of all that ran later, by their numbers.
+    ran: the project that ran, where it was played here.
     torn: the file ends without its end, for the robot still runs or was killed. goes_on: another
     run follows in the file, which is not read.
     """
@@ -40,6 +43,7 @@ class Recording(Struct, frozen=True):
     torn: bool = False
     goes_on: bool = False
     versions: dict[int, dict[str, str]] = {}
+    ran: Project | None = None
 
     def notice(self) -> str:
         """What of the run is not seen, in words; "" where all is."""
@@ -98,6 +102,7 @@ class ReadingRecording(QObject):
         self._heading = recorded.Heading()
         self._files: dict[str, str] = {}
         self._versions: dict[int, dict[str, str]] = {}
+        self._clock = Given()
         self._log = TraceLog()
         self._torn = self._goes_on = False
 
@@ -127,13 +132,21 @@ class ReadingRecording(QObject):
         for piece in pieces:
             if isinstance(piece, recorded.Heading):
                 self._heading = piece
+                self._clock.take(piece)
             elif isinstance(piece, recorded.Document):
                 self._files[piece.path] = piece.data.decode(errors="replace")
-            elif isinstance(piece, recorded.Taken) and isinstance(piece.given, Deploy):
-                self._versions[piece.given.version] = piece.given.files
             elif isinstance(piece, recorded.Torn):
                 self._torn = True
+            elif not isinstance(piece, recorded.Line):
+                self._take_given(piece)
         return bool(pieces) and not self._goes_on
+
+    def _take_given(self, piece: recorded.Taken | recorded.Snapshot) -> None:
+        """What no trace tells."""
+        if isinstance(piece, recorded.Taken) and isinstance(piece.given, Deploy):
+            self._versions[piece.given.version] = piece.given.files
+        if written := self._clock.take(piece):
+            self._log.keep_clock(written)
 
     def _no_event(self, error: Exception) -> str:
         number = len(self._log) + self._log.gone + 1

@@ -14,6 +14,7 @@ from msgspec import Struct
 from situ.document.project import Project
 from situ.document.rbd import AGAIN, BACK, Action
 from situ.errors import UsageError
+from situ.rehearse.clock import Hidden, followed
 from situ.rehearse.reason import Answer
 from situ.rehearse.recording import Recording
 from situ.rehearse.telling import kept_by_runtime
@@ -31,17 +32,19 @@ MOST = 20_000
 
 
 class Question(Struct, frozen=True):
-    """events: up to ``at`` seconds."""
+    """events: up to ``at`` seconds. clock: the writes of ``clock.…`` that were seen by then."""
 
     project: Project
     events: tuple[TraceFields, ...]
     wanted: Wanted
     at: float
+    clock: tuple[Hidden, ...] = ()
 
 
 def answered(question: Question) -> Answer | str:
     """The answer, or in one line why there is none."""
-    recording = Recording.of(question.events)
+    events = question.events
+    recording = Recording.of(events, followed(events, question.clock))
     try:
         return why_not(question.project, recording, question.wanted, question.at)
     except UsageError as error:

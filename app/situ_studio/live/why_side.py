@@ -287,7 +287,9 @@ class WhySide(QObject):
             return
         self._begin(t)
         self._about = where
-        self._asking.ask(Question(project, events_until(self._viewing.log, t), wanted, t))
+        log = self._viewing.log
+        events, clock = events_until(log, t), log.clock.until(t)
+        self._asking.ask(Question(project, events, wanted, t, clock))
 
     def _on_gone(self) -> None:
         self.panel.tell(self.tr("There is no answer."), self.tr("The log says what went wrong."))

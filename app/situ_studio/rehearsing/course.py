@@ -18,8 +18,10 @@ from situ.decide.trace import TraceEvent, to_fields
 from situ.document.project import Project
 from situ.document.spoken import estimate
 from situ.document.values import is_number
+from situ.rehearse.clock import Hidden
 from situ.rehearse.scenario import WRITER
 from situ.rehearse.simulate import Rehearsal
+from situ_studio.live.clock_seen import is_clock
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
 
@@ -265,6 +267,9 @@ class Course:
     def _do(self, given: inputs.AnyInput, at: int) -> None:
         self._rehearsal.give(given, at)
         self._now = at
+        if isinstance(given, inputs.Set):
+            tags = ((tag, value) for tag, value in given.tags.items() if is_clock(tag))
+            self.log.keep_clock(Hidden(at / SECOND, *one, given.writer) for one in tags)
         self.done.append(Done(at, given))
         self._follow()
 

@@ -84,6 +84,8 @@ class ScenariosSide(QObject):
             return
         log = TraceLog()
         log.add(ran.recording.events)
+        for step in ran.recording.steps:
+            log.keep_clock(step.before)
         documents = run.project.flows.items()
         files = {file: codec.write(document).decode() for file, document in documents}
         for file, other in (
@@ -93,7 +95,9 @@ class ScenariosSide(QObject):
             if file is not None and other is not None:
                 files[file] = codec.write(other).decode()
         window.robot.show_recording(
-            Recording(ran.path, run.project.name, masked=False, files=files, log=log)
+            Recording(
+                ran.path, run.project.name, masked=False, files=files, log=log, ran=run.project
+            )
         )
         failed = ran.played.failed
         window.robot.follower.viewing.seek(failed[0].at if failed else log.lanes.end)

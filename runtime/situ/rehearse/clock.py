@@ -24,6 +24,8 @@ from situ.rehearse import recorded
 
 FAR = 86_400.0
 """Seconds for which the robot's own time is taken to be as far from UTC as where that was seen."""
+PROJECT = "project"
+"""Who has written what stands at the start (formats.md, *Trace*)."""
 ZONES = timedelta(minutes=15)
 """By which time zones differ."""
 LATE = timedelta(minutes=2)
@@ -48,13 +50,16 @@ class Given:
 
     def __init__(self) -> None:
         self._stood: dict[str, Any] = {}
+        self._by = RUNTIME
 
     def take(self, piece: recorded.Piece) -> list[Hidden]:
         """The writes that a piece tells. What stood there before the first step is told with that.
         Raises UsageError for a snapshot that is damaged.
         """
+        if isinstance(piece, recorded.Heading):
+            self._stood, self._by = piece.tags, PROJECT
         if isinstance(piece, recorded.Snapshot):
-            self._stood = recorded.board_of(piece.state)
+            self._stood, self._by = recorded.board_of(piece.state), RUNTIME
         if not isinstance(piece, recorded.Taken):
             return []
         stood, self._stood = self._stood, {}
@@ -62,7 +67,7 @@ class Given:
         told, writer = (given.tags, given.writer) if isinstance(given, Set) else ({}, "")
         return [
             Hidden(piece.t, tag, value, by)
-            for values, by in ((stood, RUNTIME), (told, writer))
+            for values, by in ((stood, self._by), (told, writer))
             for tag, value in values.items()
             if tag.startswith(CLOCK)
         ]
@@ -82,7 +87,7 @@ def followed(events: Iterable[Fields], seen: Iterable[Hidden]) -> list[Hidden]:
         if one.zone == other.zone:
             found += _minutes(wall, one, other)
         else:
-            found += (*_unknown(one.t + 60), *_said(other.t, tags_at(other.minute)))
+            found += (*_unknown(min(one.t + 60, other.t)), *_said(other.t, tags_at(other.minute)))
     every = {(one.t, one.tag): one for one in (*found, *known)}
     return sorted(every.values(), key=lambda one: one.t)
 
@@ -121,7 +126,8 @@ class _Anchor(NamedTuple):
 def _anchors(seen: list[Hidden], wall: _Wall) -> Iterator[_Anchor]:
     date: str | None = None
     for t, group in groupby(seen, key=lambda one: one.t):
-        written = {one.tag: one.value for one in group if one.writer == RUNTIME}
+        # What stands at the start, it has from the project.
+        written = {one.tag: one.value for one in group if one.writer in (RUNTIME, PROJECT)}
         date = written.get(DATE, date)
         minute = _read(f"{date} {written.get(TIME)}")
         if minute is None:

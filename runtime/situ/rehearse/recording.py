@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable
 from heapq import merge
 from io import BytesIO
@@ -79,12 +80,14 @@ class Recording(Struct):
 
 
 def _with_clock(steps: list[Step], clock: Iterable[Hidden]) -> list[Step]:
-    """The clock is set in steps of its own, before what happened then; at 0 after the start."""
+    """The clock is set in steps of its own, before what happened then, at the start in that."""
     if not steps:
         return steps
-    start = steps[:1] if steps[0].t == 0 else []
-    writes = [Step([], [*group]) for _, group in groupby(clock, key=lambda one: one.t)]
-    return [*start, *merge(writes, steps[len(start) :], key=lambda step: step.t)]
+    start, writes = steps[0], list(clock)
+    later = bisect_right(writes, start.t, key=lambda one: one.t)
+    start.before = writes[:later]
+    set_ = [Step([], [*group]) for _, group in groupby(writes[later:], key=lambda one: one.t)]
+    return [start, *merge(set_, steps[1:], key=lambda step: step.t)]
 
 
 def record(
