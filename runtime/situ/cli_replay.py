@@ -57,7 +57,8 @@ def _pieces(args: argparse.Namespace) -> Iterator[Piece]:
     found = read(args.recording)
     for piece in masked(found) if args.role == "viewer" else found:
         if isinstance(piece, Torn):
-            _say(args, "it breaks off here: the robot still runs, or was killed")
+            torn = "it breaks off here: the robot still runs, or was killed"
+            _say(args, "it is damaged from here on" if piece.damaged else torn)
         else:
             yield piece
 

@@ -31,8 +31,8 @@ class Recording(Struct, frozen=True):
     """A recorded run. files: the project's documents as they ran at its beginning, path to text;
     none where private values are masked. versions: those of all that ran later, by their numbers.
     ran: the project that ran, where it was played here.
-    torn: the file ends without its end, for the robot still runs or was killed. goes_on: another
-    run follows in the file, which is not read.
+    torn: the file ends without its end, for the robot still runs or was killed; damaged: with bytes
+    that no recorder wrote. goes_on: another run follows in the file, which is not read.
     """
 
     path: Path
@@ -41,6 +41,7 @@ class Recording(Struct, frozen=True):
     files: dict[str, str]
     log: TraceLog
     torn: bool = False
+    damaged: bool = False
     goes_on: bool = False
     versions: dict[int, dict[str, str]] = {}
     ran: Project | None = None
@@ -54,9 +55,13 @@ class Recording(Struct, frozen=True):
         if self.goes_on:
             told = tr("{0} holds another run behind this one, which is not shown.")
             found.append(told.format(name))
-        if self.torn:
+        if self.damaged:
+            found.append(tr("{0} is damaged: what comes behind that is not shown.").format(name))
+        elif self.torn:
             told = tr("{0} ends without its end: the robot was still running, or was killed.")
             found.append(told.format(name))
+        if not len(self.log):
+            found.append(tr("Nothing that a robot did is in it."))
         return " ".join(found)
 
 
@@ -104,7 +109,7 @@ class ReadingRecording(QObject):
         self._versions: dict[int, dict[str, str]] = {}
         self._clock = Given()
         self._log = TraceLog()
-        self._torn = self._goes_on = False
+        self._torn = self._damaged = self._goes_on = False
 
     def _go_on(self) -> None:
         end = time.perf_counter() + SLICE
@@ -136,7 +141,7 @@ class ReadingRecording(QObject):
             elif isinstance(piece, recorded.Document):
                 self._files[piece.path] = piece.data.decode(errors="replace")
             elif isinstance(piece, recorded.Torn):
-                self._torn = True
+                self._torn, self._damaged = True, piece.damaged
             elif not isinstance(piece, recorded.Line):
                 self._take_given(piece)
         return bool(pieces) and not self._goes_on
@@ -165,6 +170,7 @@ class ReadingRecording(QObject):
             self._files,
             self._log,
             self._torn,
+            self._damaged,
             self._goes_on,
             {heading.deployed: self._files, **self._versions},
         )

@@ -92,7 +92,11 @@ class Line(Struct, frozen=True):
 
 
 class Torn(Struct, frozen=True):
-    """The file ends here without its end: the robot still runs, or was killed."""
+    """The file ends here without its end: the robot still runs, or was killed. damaged: it goes
+    on, but with what no recorder wrote.
+    """
+
+    damaged: bool = False
 
 
 Piece = Heading | Document | Snapshot | Taken | Line | Torn
@@ -145,7 +149,7 @@ def pieces(file: IO[bytes], name: str) -> Iterator[Piece]:
                 yield Document(record.name, record.data)
     except _DAMAGE:
         if headed:
-            yield Torn()
+            yield Torn(damaged=bool(file.read(1)))
     if not headed:
         raise UsageError(f"{name}: not a recording of situ; give what situ run --record wrote")
 

@@ -98,6 +98,29 @@ def test_a_torn_file_is_read_as_far_as_it_is_whole(qt: Any, tmp_path: Path) -> N
     assert 0 < len(read.log) < len(many)
 
 
+def test_a_file_with_other_bytes_in_it_is_read_up_to_there_and_told_as_damaged(
+    qt: Any, tmp_path: Path
+) -> None:
+    _, _, events = played("conversation", "fig5.jsonl")
+    many = [{**event, "seq": n} for n, event in enumerate(events * 8, 1)]
+    file = recording(tmp_path / "run.mcap", many, Path(examples()["conversation"]))
+    data = bytearray(file.read_bytes())
+    data[len(data) // 2] ^= 0xFF
+    file.write_bytes(data)
+    reading = ReadingRecording()
+    reading.start(file)
+    (read,) = came(reading)
+    assert 0 < len(read.log) < len(many)
+    assert read.notice() == "run.mcap is damaged: what comes behind that is not shown."
+
+
+def test_a_recording_in_which_nothing_happens_says_so(qt: Any, tmp_path: Path) -> None:
+    reading = ReadingRecording()
+    reading.start(recording(tmp_path / "run.mcap", [], Path(examples()["conversation"])))
+    (read,) = came(reading)
+    assert read.notice() == "Nothing that a robot did is in it."
+
+
 @pytest.mark.parametrize("content", [None, b"", b"not a recording at all, but long enough"])
 def test_what_is_no_recording_is_refused_in_one_line(
     qt: Any, tmp_path: Path, content: bytes | None
