@@ -74,6 +74,8 @@ const keyOf = ({ id, type, kind, tag }) => JSON.stringify([id, type, kind, tag])
 
 function showComponents(components) {
   const plain = components.filter((one) => one.type === "button" && !one.fill && !one.color);
+  const alike = (one) => one.width === plain[0].width && one.height === plain[0].height;
+  const equals = plain.length > 2 && plain.every(alike);
   const wanted = new Set(components.map(keyOf));
   for (const [key, part] of parts) {
     if (wanted.has(key)) continue;
@@ -92,8 +94,9 @@ function showComponents(components) {
       part.node.dataset.id = component.id;
       parts.set(key, part);
     }
-    // Of two or three answers the first is the one most people want; more are a menu of equals.
-    component.first = plain.length <= 3 && component === plain[0];
+    // Of two or three answers the first is the one most people want; three of one size, as in a quiz,
+    // and more are equals.
+    component.first = plain.length <= 3 && !equals && component === plain[0];
     part.component = component;
     place(part.node, component);
     part.update(component);

@@ -712,5 +712,13 @@ def test_default_looks_tell_the_answer_from_the_others(play: Any) -> None:
         stage.show(*(button(name, name, y=20 * place) for place, name in enumerate("abcd")))
         await expect(stage.component("d")).to_be_visible()
         assert await looks(stage) == ["outlined"] * 4
+        # As in a quiz; larger than the others, it is the one most people want.
+        stage.show(*(button(name, name, y=20 * place) for place, name in enumerate("abc")))
+        await expect(stage.component("d")).to_have_count(0)
+        assert await looks(stage) == ["outlined"] * 3
+        larger = button("a", "a", width=60)
+        stage.show(larger, *(button(name, name, y=20 * place) for place, name in enumerate("bc")))
+        await expect(stage.component("a")).to_have_attribute("data-look", "filled")
+        assert await looks(stage) == ["filled", "outlined", "outlined"]
 
     play(scenario)

@@ -36,8 +36,10 @@ class Stage:
             for one in content.components
             if one["type"] == "button" and not one.get("fill") and not one.get("color")
         ]
-        # Of two or three answers the first is the one most people want; more are equals.
-        self.first = plain[0] if 0 < len(plain) <= 3 else None
+        # Of two or three answers the first is the one most people want; three of one size, as in
+        # a quiz, and more are equals.
+        equals = len(plain) > 2 and len({(one["width"], one["height"]) for one in plain}) == 1
+        self.first = plain[0] if 0 < len(plain) <= 3 and not equals else None
         inputs = [one for one in content.components if one["type"] == "input"]
         self._only_input = inputs[0] if len(inputs) == 1 else None
         self._alike: dict[tuple[Any, ...], Fitted] | None = None

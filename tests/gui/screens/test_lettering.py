@@ -106,11 +106,16 @@ def test_buttons_that_are_alike_are_written_alike(qt: QApplication) -> None:
     assert sizes[0] == sizes[1] < sizes[2]
 
 
-@pytest.mark.parametrize(("count", "first"), [(1, "b0"), (3, "b0"), (4, None)])
-def test_of_a_few_answers_the_first_is_filled(
-    qt: QApplication, count: int, first: str | None
+@pytest.mark.parametrize(
+    ("widths", "first"),
+    [([18], "b0"), ([18, 18], "b0"), ([24, 18, 18], "b0"), ([18, 18, 18], None), ([18] * 4, None)],
+)
+def test_of_a_few_answers_the_first_is_filled_but_not_of_three_equal_choices(
+    qt: QApplication, widths: list[int], first: str | None
 ) -> None:
-    buttons = [component("button", f"b{n}", n * 20, 18, text="x") for n in range(count)]
+    buttons = [
+        component("button", f"b{n}", n * 24, width, text="x") for n, width in enumerate(widths)
+    ]
     coloured = component("button", "home", 80, 18, text="x", fill="teal")
     stage = Stage(QSizeF(1280, 800), Content((coloured, *buttons)), None)
     assert (stage.first["id"] if stage.first else None) == first
