@@ -54,6 +54,8 @@ class Segments(QFrame):
             else:
                 button = QPushButton(text)
             button.setCheckable(True)
+            # Heard as one of several, not as a box of its own.
+            button.setAutoExclusive(True)
             button.setAccessibleName(text)
             button.setToolTip(f"{words}: {text}")
             button.clicked.connect(lambda _=False, n=name: self.chosen.emit(n))
@@ -95,6 +97,8 @@ class CountButton(QPushButton):
         super().__init__(words, parent)
         self._theme, self._words, self._count = theme, words, 0
         self.setCheckable(True)
+        # Heard as one of several, not as a box of its own.
+        self.setAutoExclusive(True)
         self.setAccessibleName(words)
 
     def set_theme(self, theme: Theme) -> None:

@@ -22,9 +22,11 @@ class TellingSide(QObject):
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
         self._window = window
+        tell, session = window.status.announcements.tell, window.session
         self._known: frozenset[tuple[str, ...]] | None = None
-        tell = window.status.announcements.tell
-        session = window.session
+        if session.project is not None:
+            # Another window had it before.
+            self._known = frozenset(map(_key, session.problems))
         session.stepped.connect(tell)
         session.stepped_back.connect(lambda name: tell(self.tr("Taken back: {0}").format(name)))
         session.opened.connect(self._on_opened)

@@ -25,6 +25,7 @@ from situ_studio.accessible_actions import NOTHING_MORE, PartActions
 from situ_studio.canvas.spoken import Spoken
 from situ_studio.canvas.viewer import Viewer
 from situ_studio.edit import Place
+from situ_studio.language import tr
 
 INSTALLED = "situ_cards_are_accessible"
 ROLES = {
@@ -65,8 +66,8 @@ class AccessibleViewer(QAccessibleWidget):
     """The drawing: a list of its cards in document order."""
 
     def __init__(self, viewer: Viewer, speaker: Speaker) -> None:
-        super().__init__(viewer, QAccessible.Role.Canvas, "Drawing")
-        viewer.setAccessibleDescription("Tab goes from card to card, F6 to the next panel.")
+        super().__init__(viewer, QAccessible.Role.Canvas, tr("Drawing"))
+        viewer.setAccessibleDescription(tr("Tab goes from card to card, F6 to the next panel."))
         self.viewer = viewer
         self.speaker = speaker
         self.tell: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility

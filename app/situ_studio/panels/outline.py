@@ -17,6 +17,7 @@ from situ.document.rbd import Application, State
 from situ.document.spds import Spds
 from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
+from situ_studio.language import tr
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, NUMBER, PLACE, RowDelegate
 from situ_studio.panels.more_modules import MoreModules
 from situ_studio.theme import Theme
@@ -49,7 +50,24 @@ class Row(Struct, frozen=True, kw_only=True):
             (COUNT, self.count),
             (MARKS, self.marks),
             (DETAIL, self.detail),
+            (int(Qt.ItemDataRole.AccessibleTextRole), self.heard()),
         )
+
+    def heard(self) -> str:
+        """The row for those who hear it: its signs in words."""
+        signs = {
+            "start": tr("start"),
+            "part": tr("part"),
+            "end": tr("end"),
+            "error": tr("has an error"),
+            "warning": tr("has a warning"),
+            "link": tr("connected"),
+        }
+        number = self.number if self.number and self.number.isalnum() else ""
+        called = f"{number} {self.name}".strip()
+        marks = [signs[sign] for sign, _ in self.marks or ()]
+        every = (called, *marks, self.count or "", self.detail or "")
+        return ", ".join(one for one in every if one)
 
 
 def _stand(row: Row) -> tuple[Place, bool]:

@@ -15,6 +15,7 @@ from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio import icons
 from situ_studio.edit import Document
+from situ_studio.language import tr
 from situ_studio.letters import px
 from situ_studio.panels.lists import COUNT, ICON, MARKS, PLACE, RowDelegate
 from situ_studio.screens.media_import import names_of
@@ -34,6 +35,12 @@ def look(document: Document, part: bool = False) -> tuple[str, str, int]:
     if isinstance(document, Spds):
         return "situation", "situation", len(document.situations)
     return "module", "module", len(document.modules)
+
+
+def _kind(document: Document, part: bool) -> str:
+    if isinstance(document, Application):
+        return tr("part") if part else tr("application")
+    return tr("script") if isinstance(document, Spds) else tr("module information")
 
 
 def stem(file: str) -> str:
@@ -176,6 +183,9 @@ class ProjectTree(QWidget):
         item.setData(str(count), COUNT)
         item.setData(tuple((m, m) for m in marks), MARKS)
         item.setText(stem(file) + (" *" if dirty else ""))
+        heard = [stem(file), _kind(document, part), self.tr("not saved") if dirty else ""]
+        heard += [tr("has an error")] * ("error" in marks) or [tr("has a warning")] * bool(marks)
+        item.setAccessibleText(", ".join(one for one in heard if one))
 
     def show_current(self, file: str | None) -> None:
         """Marks the document that the window shows."""
