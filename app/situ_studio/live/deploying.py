@@ -119,6 +119,16 @@ class Deploying(QObject):
             self.rollback(self.state.version)
 
     @property
+    def is_connected(self) -> bool:
+        """Whether the robot is there."""
+        return self._link.connected
+
+    def is_paused(self, application: str) -> bool:
+        """Whether somebody has paused it: nothing that it does ends then."""
+        one = self._link.log.now.applications.get(application)
+        return one is not None and one.paused
+
+    @property
     def is_allowed(self) -> bool:
         """Whether the robot takes versions from who is connected."""
         return not self._link.looks_only

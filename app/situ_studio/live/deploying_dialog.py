@@ -183,7 +183,10 @@ class DeployDialog(QDialog):
         self._plan = plan = self._planned()
         self.changes.clear()
         if plan is None:
-            self.changes.addItem(self.tr("The robot has not told yet what it runs."))
+            words = self.tr("The robot has not told yet what it runs.")
+            if not self._deploying.is_connected:
+                words = self.tr("The robot is not there: what differs is told when it is.")
+            self.changes.addItem(words)
         elif plan.changes:
             several = len({change.file for change in plan.changes}) > 1
             for change in plan.changes[:MOST]:

@@ -28,7 +28,17 @@ def standing(deploying: Deploying) -> str:
         told = tr("Version {0} runs, not version {1}.").format(runs, number)
         return f"{told} {why}".strip()
     assert deploying.state is not None
-    return f"{_robot(deploying.state)} {why}".strip()
+    told = (_robot(deploying.state), _paused(deploying, deploying.state), why)
+    return " ".join(filter(None, told))
+
+
+def _paused(deploying: Deploying, state: Deployment) -> str:
+    """What a safe point waits for in vain until somebody lets it go on."""
+    names = dict.fromkeys(one.application for one in state.waits)
+    paused = [name for name in names if deploying.is_paused(name)]
+    if state.stands != "waiting" or not paused:
+        return ""
+    return tr("{0} is paused: let it go on.").format(", ".join(paused))
 
 
 def _robot(state: Deployment) -> str:

@@ -272,6 +272,18 @@ class Follower(QObject):
             words += self.tr(", {0} events missed").format(f"{missed:,}")
         return words
 
+    def _compared(self) -> str:
+        """Whether what is open here is what runs, or ran."""
+        if self.same is None:
+            return ""
+        if self.same:
+            return self.tr(", same as the robot")
+        recording, own = self._recording, self._window.live_project()
+        theirs = recording.project if recording is not None else self._link.state.project
+        if own is not None and theirs and theirs != own.name:
+            return self.tr(", project {0}, not {1}").format(theirs, own.name)
+        return self.tr(", differs here")
+
     def _tell(self) -> None:
         state, viewing = self._link.state, self.viewing
         kind, words = state.kind, state.words(self._link.clock())
@@ -286,6 +298,6 @@ class Follower(QObject):
         elif not viewing.follows and kind != "none":
             kind, words = "replaying", self.tr("replaying {0}").format(viewing.clock())
         words += self._lacking()
-        if kind in ("live", "replaying") and self.same is not None:
-            words += self.tr(", same as the robot") if self.same else self.tr(", differs here")
+        if kind in ("live", "replaying"):
+            words += self._compared()
         self._window.show_link(kind, words)

@@ -1,0 +1,90 @@
+"""What goes wrong with a running robot is told in one true sentence, and mends itself."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from tests.gui.live.test_deploying import connect, listed, press, rename
+
+from situ.blackboard.client import connect as operator
+
+
+def test_a_version_that_waits_for_what_is_paused_says_so_and_runs_once_that_goes_on(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    window, now = it.window, link.log.now
+    until(link.moment_changed, lambda: "converse" in now.applications)
+    with operator(there.endpoint, role="operator") as board:
+        board.debug("break", application="converse", state="2")
+        board.publish("clickYes")
+    until(link.moment_changed, lambda: now.applications["converse"].paused)
+    file = rename(it, "greeting")
+    window.deploying.ask()
+    dialog, deploying = window.deploying.dialog, window.deploying.deploying
+    press(it, dialog.deploy)
+    until(deploying.changed, lambda: deploying.stands == "waiting")
+    assert dialog.stands.text().endswith("converse is paused: let it go on.")
+    dialog.force.setChecked(False)
+    window.operating.resume()
+    until(link.moment_changed, lambda: not now.applications["converse"].paused)
+    until(deploying.changed, lambda: "paused" not in dialog.stands.text())
+    # Nobody waits for what it says.
+    with operator(there.endpoint, role="operator") as board:
+        board.publish("clickNo")
+    until(deploying.changed, lambda: deploying.stands == "running")
+    until(link.documents_came, lambda: "greeting" in link.files[file])
+    assert "same as the robot" in window.status.link.text()
+    dialog.close()
+    window.disconnect_robot()
+
+
+def test_a_robot_that_is_frozen_goes_or_comes_back_as_another_projects_is_told_as_that(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    window = it.window
+    told: list[str] = []
+    link.state_changed.connect(lambda: told.append(window.status.link.text()))
+    # Its computer sleeps, and wakes: it is followed on, with every event once.
+    there.process.send_signal(signal.SIGSTOP)
+    until(link.state_changed, lambda: link.state.kind == "lost")
+    there.process.send_signal(signal.SIGCONT)
+    until(link.state_changed, lambda: link.connected)
+    with operator(there.endpoint, role="operator") as board:
+        board.set("spo2", 97)
+    until(link.moment_changed, lambda: "spo2" in link.log.now.board)
+    assert [event["seq"] for event in link.log] == list(range(1, len(link.log) + 1))
+    assert told[0].startswith("lost ")
+    assert told[1].startswith("live")
+    # While somebody looks at what would be deployed it is killed.
+    rename(it, "greeting")
+    window.deploying.ask()
+    dialog = window.deploying.dialog
+    assert listed(dialog.changes)[0].startswith("state ")
+    there.kill()
+    until(link.state_changed, lambda: link.state.kind == "lost")
+    assert listed(dialog.changes) == ["The robot is not there: what differs is told when it is."]
+    assert not dialog.deploy.isEnabled()
+    # In its place another robot answers: nothing of this one goes to it.
+    robot(project("reception"), there.endpoint, "another")
+    until(link.documents_came, lambda: "reception.rbd.xml" in (link.files or {}))
+    window.robot.follower.refresh()
+    assert ", project reception, not conversation" in window.status.link.text()
+    assert "it is another robot's" in dialog.hindered.text()
+    assert not dialog.deploy.isEnabled()
+    assert "spo2" not in link.log.now.board
+    dialog.close()
+    # The project is exchanged for the one that runs: the link stays, and it is the same.
+    window.open_project(it.session.root.parent / "reception")
+    it.settle()
+    window.robot.follower.refresh()
+    assert ", same as the robot" in window.status.link.text()
+    window.disconnect_robot()
