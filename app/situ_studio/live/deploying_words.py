@@ -28,8 +28,8 @@ def standing(deploying: Deploying) -> str:
         told = tr("Version {0} runs, not version {1}.").format(runs, number)
         return f"{told} {why}".strip()
     assert deploying.state is not None
-    told = (_robot(deploying.state), _paused(deploying, deploying.state), why)
-    return " ".join(filter(None, told))
+    every = (_robot(deploying.state), _paused(deploying, deploying.state), why)
+    return " ".join(filter(None, every))
 
 
 def _paused(deploying: Deploying, state: Deployment) -> str:
