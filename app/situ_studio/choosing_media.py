@@ -14,7 +14,8 @@ from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.insert import NotHere, insert
 from situ_studio.screens import media_import, placing
-from situ_studio.screens.media_picker import IMPORT, MediaPicker
+from situ_studio.screens.media_picker import MediaPicker
+from situ_studio.screens.media_rows import IMPORT
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow

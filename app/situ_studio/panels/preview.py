@@ -107,7 +107,10 @@ class ScreenPreview(QWidget):
         painter.drawRoundedRect(rect, 4, 4)
         if self._screen is None:
             painter.setPen(self._theme.color("text3"))
-            painter.drawText(
-                rect, int(Qt.AlignmentFlag.AlignCenter), self.tr("keeps what was shown before")
-            )
+            wrapped = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(rect.adjusted(8, 8, -8, -8), int(wrapped), self.nothing())
         painter.end()
+
+    def nothing(self) -> str:
+        """What stands in place of a screen where there is none."""
+        return self.tr("keeps what was shown before")

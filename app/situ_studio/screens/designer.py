@@ -40,6 +40,9 @@ from situ_studio.screens.strip import StateStrip
 from situ_studio.screens.walk import Walk
 from situ_studio.theme import Theme
 
+SAY = ("text", "button")
+"""Components whose words come first."""
+
 
 class Designer(QWidget):
     """project: as it is at the time of the call. The device and the sample values belong to this
@@ -137,9 +140,11 @@ class Designer(QWidget):
         self.sampling.changed.connect(self._show_values)
 
     def _on_pressed(self, name: str) -> None:
-        """A component in free room; what it says is typed at once, as from the palette."""
+        """A component in free room; what it says is typed at once, where it stands."""
         place = self.shown.add(name)
-        if place is not None:
+        if place is None:
+            return
+        if name not in SAY or not self.sheet.writing.begin(place[-1]):
             self.filled_in.emit(place)
 
     # -- a piece of a view ---------------------------------------------------------------
@@ -252,6 +257,7 @@ class Designer(QWidget):
         said = self.tr("Template {0} for {1}").format(templates.title(template.name), where)
         self.edited.emit(after, said)
         self.go_to(place)
+        self.sheet.setFocus()
         if had:
             self.status.emit(self.tr("The screen is another one now: Undo brings it back."))
 

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ.document import rbd
 from situ.document.project import Project
 from situ_studio import mentions, places, words
 from situ_studio.edit import Place
@@ -39,7 +40,9 @@ def uses(project: Project) -> dict[str, list[Use]]:
             for role, name in mention.names:
                 if role == "media":
                     found.setdefault(name, []).append((file, mention.place))
-        parts = [(("state", one.no), one.screen) for one in application.states]
+        parts: list[tuple[Place, rbd.Screen | None]] = [
+            (("state", one.no), one.screen) for one in application.states
+        ]
         if application.always is not None:
             parts.append((("always",), application.always.screen))
         for place, screen in parts:
@@ -103,8 +106,7 @@ class MediaPage(QWidget):
         """All media that are there now, and where they are used."""
         self._uses = uses(project)
         names = media_import.names_of(project)
-        here = self.list.currentItem()
-        now = here.data(KEY) if here is not None else ""
+        now = self.list.currentItem().data(KEY) if self.list.currentRow() >= 0 else ""
         self.list.home = media_import.home_of(project)
         self.list.setItemDelegate(MediaRows(self._theme, self.list.home, self.list))
         self.list.clear()
@@ -191,7 +193,7 @@ class _List(QListWidget):
         return data
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentItem() is not None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentRow() >= 0:
             self.asked.emit(self.currentItem().data(KEY))
         else:
             super().keyPressEvent(event)

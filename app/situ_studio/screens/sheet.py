@@ -344,6 +344,13 @@ class Sheet(ScreenPreview):
         finally:
             self._screen, self._kept = kept, None
 
+    def nothing(self) -> str:
+        kept = self.tr("This state keeps what was shown before.")
+        return f"{kept}\n{self._invitation()}"
+
+    def _invitation(self) -> str:
+        return self.tr("Drag a component here, or press one of them.")
+
     def paint_screen(self, painter: QPainter, rect: QRectF, screen: rbd.Screen) -> None:
         """What is not dragged is painted once in a drag, while no sizes change."""
         before, proposal = self._kept, self._proposal
@@ -375,6 +382,10 @@ class Sheet(ScreenPreview):
             marks.paint_badge(painter, theme, scale, whole, text, self._proposal is not None)
         if self._proposal is None and not self.writing.is_open:
             self.problems.paint(painter)
+        if self._kept == rbd.Screen():
+            painter.setPen(theme.color("text3"))
+            wrapped = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(self.rect(), int(wrapped), self._invitation())
         if self._hand.band is not None:
             marks.paint_band(painter, theme, scale, self._hand.band)
         if self.hasFocus() and not boxes:

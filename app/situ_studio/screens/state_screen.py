@@ -165,7 +165,7 @@ class StateScreen(QObject):
             fields |= box._asdict()
         after = places.change(after, place, **fields)
         self.edited.emit(after, text)
-        self.selection_changed.emit((place,))
+        self.sheet.choose(place[-1:])
         return place
 
     def _on_chosen(self, ids: tuple[str, ...]) -> None:

@@ -17,7 +17,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QLabel, QPushButton
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QPushButton
 
 from situ_studio.screens.tag_chips import dragged
 
@@ -232,6 +232,19 @@ def test_what_a_pressed_component_says_is_typed_at_once(desk: Desk) -> None:
         desk.used.key(Qt.Key.Key_Tab)
         made = desk.document.state("11").screen.components[-1]
         assert getattr(made, field) == words
+        # On the screen, where it is seen at once; what has no words of its own in its form.
+        assert (QApplication.focusWidget() is desk.sheet) == (kind in ("text", "button"))
+
+
+def test_after_a_template_the_keyboard_is_on_the_screen(desk: Desk) -> None:
+    """The form in which somebody wrote is gone with its component."""
+    desk.go_to("11")
+    desk.used.select("state", "11", "screen", "goodbye")
+    desk.used.click(desk.window.inspector.form.field("text"))
+    desk.used.click(desk.side.templates.tiles["two-answers"])
+    assert desk.sheet.hasFocus()
+    desk.used.key(Qt.Key.Key_Tab)
+    assert desk.sheet.selected == ("question",)
 
 
 def test_a_file_is_chosen_in_the_form_and_a_missing_one_is_told(desk: Desk, tmp_path: Path) -> None:

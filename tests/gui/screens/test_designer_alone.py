@@ -14,6 +14,7 @@ from PySide6.QtCore import (
     QModelIndex,
     QPoint,
     QPointF,
+    QRect,
     Qt,
     QTimer,
     QUrl,
@@ -22,7 +23,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QLineEdit, QWidget
 
-from situ.document import folder
+from situ.document import folder, rbd
 from situ_studio import places
 from situ_studio.screens import placing
 from situ_studio.screens.designer import Designer
@@ -317,16 +318,39 @@ def test_a_component_that_is_pressed_stands_in_free_room_and_is_selected(desk: D
     desk.designer.show_document(desk.document, [])
     desk.designer.select((("state", "7"),))
     desk.settle()
+    # What there is to do is said where nothing is yet.
+    assert "Drag a component here, or press one of them." in desk.sheet.nothing()
     above = [placing.box_of(one) for one in desk.designer.shown.above]
     for kind in ("text", "button", "button", "text"):
         desk.click(desk.designer.side.components.items[kind])
         made = desk.components("7")[-1]
         assert made.element == kind
         assert desk.selected == (("state", "7", "screen", made.id),)
+        # Its words are written there at once.
+        assert desk.sheet.writing.is_open
         new = placing.box_of(made)
         for one in (*above, *map(placing.box_of, desk.components("7")[:-1])):
             apart = new.x >= one.right or one.x >= new.right
             assert apart or new.y >= one.bottom or one.y >= new.bottom, (made, one)
+
+
+def test_an_empty_screen_invites_and_one_with_a_ground_is_shown_as_it_is(desk: Desk) -> None:
+    desk.go_to("7")
+    desk.click(desk.bar.always)
+
+    def colours(screen: rbd.Screen) -> int:
+        """How many there are in the middle."""
+        desk.document = places.change(desk.document, ("state", "7"), screen=screen)
+        desk.designer.show_document(desk.document, [])
+        desk.designer.select((("state", "7"),))
+        area = QRect(0, 0, 40, 12)
+        area.moveCenter(desk.sheet.rect().center())
+        image = desk.sheet.grab(area).toImage()
+        every = ((x, y) for x in range(image.width()) for y in range(image.height()))
+        return len({image.pixelColor(x, y).name() for x, y in every})
+
+    assert colours(rbd.Screen()) > 10
+    assert colours(rbd.Screen(background="#ffffff")) == 1
 
 
 def row_at(view: Any, row: int) -> QPoint:

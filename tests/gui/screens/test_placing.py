@@ -8,6 +8,8 @@ from hypothesis import strategies as st
 
 from situ.document import rbd
 from situ_studio.screens import placing
+from situ_studio.screens.devices import USUAL
+from situ_studio.screens.fitness import APART
 from situ_studio.screens.placing import Box
 
 WAYS = st.floats(-150, 150)
@@ -68,9 +70,11 @@ def test_what_is_new_lies_on_nothing_or_where_it_would_be_anyway(
 def test_free_room_is_below_what_is_there_and_a_picture_of_the_ground_takes_none() -> None:
     ground, there = Box(0, 0, 100, 100), Box(10, 10, 80, 20)
     assert placing.in_free_room(there, [ground]) == there
-    assert placing.in_free_room(there, [ground, there]) == Box(10, 32, 80, 20)
+    assert placing.in_free_room(there, [ground, there]) == Box(10, 32.5, 80, 20)
     low = Box(35, 75, 30, 15)
-    assert placing.in_free_room(low, [low]) == Box(35, 58, 30, 15)
+    assert placing.in_free_room(low, [low]) == Box(35, 57.5, 30, 15)
+    # A finger that means one of two buttons hits that one.
+    assert USUAL.millimetres(0, placing.GAP)[1] >= APART
     full = [Box(0, y, 100, 24) for y in (0, 25, 50, 75)]
     assert placing.in_free_room(there, full) == there
 
