@@ -30,6 +30,7 @@ from situ_studio.live.column_side import ColumnSide
 from situ_studio.live.deploying_side import DeployingSide
 from situ_studio.live.field_side import FieldSide
 from situ_studio.live.link import RobotLink
+from situ_studio.live.link_status import LinkStatus
 from situ_studio.live.operating import OperatingSide
 from situ_studio.live.why_side import WhySide
 from situ_studio.looking import FindingSide
@@ -103,6 +104,7 @@ class MainWindow(Frame):
         self.operating = OperatingSide(self)
         self.rehearsing = RehearsingSide(self)
         self.moment = ColumnSide(self)
+        self.link_status = LinkStatus(self)
         self.scenarios = ScenariosSide(self)
         self.field = FieldSide(self)
         self.disk = DiskSide(self)

@@ -16,7 +16,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QResizeEvent
+from PySide6.QtGui import QFocusEvent, QFontMetrics, QKeyEvent, QMouseEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QListView,
@@ -100,6 +100,10 @@ class ColumnDelegate(QStyledItemDelegate):
         super().__init__(parent)
         self.theme = theme
         self._size = QSize(px(80), px(ROW))
+        # Many rows in each of 60 frames a second: what is the same in all of them is made once.
+        self._plain, self._strong, self._small = face(LABEL), face(LABEL, 600), face(CAPTION)
+        self._metrics = QFontMetrics(self._plain)
+        self._strongs, self._smalls = QFontMetrics(self._strong), QFontMetrics(self._small)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
         return self._size
@@ -137,49 +141,47 @@ class ColumnDelegate(QStyledItemDelegate):
                 icons.paint(painter, sign, box, theme.color(row.kind))
             left += 22
         if row.since:
-            painter.setFont(face(CAPTION))
+            painter.setFont(self._small)
             painter.setPen(theme.color("text3"))
-            wide = painter.fontMetrics().horizontalAdvance(row.since)
             # Times stand below each other; a state has little room.
-            wide = max(wide + 8, SINCE if row.kind == "data" else 0)
-            room = QRectF(right - wide, rect.y(), wide, rect.height())
-            painter.drawText(room, middle | Qt.AlignmentFlag.AlignRight, row.since)
+            wide = self._smalls.horizontalAdvance(row.since) + 8
+            wide = max(wide, SINCE if row.kind == "data" else 0)
+            place = QRectF(right - wide, rect.y(), wide, rect.height())
+            painter.drawText(place, middle | Qt.AlignmentFlag.AlignRight, row.since)
             right -= wide
-        painter.setFont(face(LABEL))
-        title = painter.fontMetrics().horizontalAdvance(row.title)
-        painter.setFont(face(LABEL, 400 if row.faint or row.pill else 600))
-        metrics = painter.fontMetrics()
-        taken = metrics.horizontalAdvance(row.value) + self._beside(row, metrics)
-        room_left = right - left
-        wanted = min(float(taken), max(room_left - title - 8, room_left * SHARE))
+        metrics = self._metrics if row.faint or row.pill else self._strongs
+        title, taken = self._metrics.horizontalAdvance(row.title), self._taken(row, metrics)
+        room = right - left
+        wanted = min(float(taken), max(room - title - 8, room * SHARE))
         box = QRectF(right - wanted, rect.y(), wanted, rect.height())
+        painter.setFont(self._plain if row.faint or row.pill else self._strong)
         if row.pill:
             self._pill(painter, box, row)
         else:
             token = "text3" if row.faint else "live" if row.lit else "text"
             painter.setPen(theme.color(token))
-            shown = metrics.elidedText(row.value, Qt.TextElideMode.ElideRight, int(wanted) + 1)
+            shown = row.value if taken <= wanted else _cut(metrics, row.value, wanted)
             painter.drawText(box, middle | Qt.AlignmentFlag.AlignRight, shown)
-        painter.setFont(face(LABEL))
+        painter.setFont(self._plain)
         painter.setPen(theme.color("text"))
-        free = max(room_left - wanted - 8, 0)
-        shown = painter.fontMetrics().elidedText(
-            row.title, Qt.TextElideMode.ElideMiddle, int(free) + 1
-        )
+        free = max(room - wanted - 8, 0)
+        shown = row.title
+        if title > free:
+            shown = self._metrics.elidedText(row.title, Qt.TextElideMode.ElideMiddle, int(free))
         painter.drawText(QRectF(left, rect.y(), free + 1, rect.height()), middle, shown)
         if row.fresh:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.color("live"))
             painter.drawEllipse(QRectF(rect.x() + 4, rect.center().y() - 2.5, 5, 5))
 
-    @staticmethod
-    def _beside(row: ColumnRow, metrics: Any) -> int:
-        """What a pill has beside its words."""
+    def _taken(self, row: ColumnRow, metrics: QFontMetrics) -> int:
+        """How wide what stands at the right is, with what a pill has beside its words."""
+        words = metrics.horizontalAdvance(row.value)
         if not row.pill:
-            return 0
+            return words
         icon = 17 if row.pill in _IN_PILL else 0
         after = metrics.horizontalAdvance(row.after) + 6 if row.after else 0
-        return 14 + icon + int(after)
+        return words + 14 + icon + after
 
     def _pill(self, painter: QPainter, box: QRectF, row: ColumnRow) -> None:
         theme, middle = self.theme, Qt.AlignmentFlag.AlignVCenter
@@ -193,14 +195,16 @@ class ColumnDelegate(QStyledItemDelegate):
             place = QRectF(inside.left() - 1, inside.center().y() - 6.5, 13, 13)
             icons.paint(painter, sign, place, theme.color(row.pill))
             inside.setLeft(inside.left() + 17)
-        metrics = painter.fontMetrics()
-        if row.after:
-            painter.setPen(theme.color(row.pill))
-            painter.drawText(inside, middle | Qt.AlignmentFlag.AlignRight, row.after)
-            inside.setRight(inside.right() - metrics.horizontalAdvance(row.after) - 6)
         painter.setPen(theme.color(row.pill))
-        shown = metrics.elidedText(row.value, Qt.TextElideMode.ElideRight, int(inside.width()) + 1)
-        painter.drawText(inside, middle, shown)
+        if row.after:
+            painter.drawText(inside, middle | Qt.AlignmentFlag.AlignRight, row.after)
+            inside.setRight(inside.right() - self._metrics.horizontalAdvance(row.after) - 6)
+        painter.drawText(inside, middle, _cut(self._metrics, row.value, inside.width()))
+
+
+def _cut(metrics: QFontMetrics, words: str, room: float) -> str:
+    """What of that has room, ending with … where not all has."""
+    return metrics.elidedText(words, Qt.TextElideMode.ElideRight, int(room) + 1)
 
 
 class ColumnList(QListView):

@@ -146,15 +146,19 @@ class Follower(QObject):
     def compare(self) -> None:
         """Whether the open documents are the robot's own; it has none of what only an editor needs,
         so the drawing does not count."""
-        files = self._files
-        if files is None:
-            self.same = None
-        else:
-            self.same = all(
-                file in files and self._theirs(files, file) == document
-                for file, document in self._window.live_documents().items()
-            )
+        different = self.different(self._files)
+        self.same = None if different is None else not different
         self._tell()
+
+    def different(self, files: dict[str, str] | None) -> list[str] | None:
+        """The open documents that are others in those files; None where these are not known."""
+        if files is None:
+            return None
+        return [
+            file
+            for file, document in self._window.live_documents().items()
+            if file not in files or self._theirs(files, file) != document
+        ]
 
     def their_script(self) -> Spds | None:
         """The script of who is looked at; None where its documents are not known."""

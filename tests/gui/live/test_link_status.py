@@ -1,0 +1,65 @@
+"""The status bar's part about the link: to where, as whom, how much comes; more at a click."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from tests.gui.live.test_link import connect
+
+from situ_studio.live.link_status import OVER, Rate
+
+
+def test_events_are_counted_over_the_last_seconds_alone() -> None:
+    rate = Rate()
+    assert rate.at(0.0) == 0.0
+    rate.add(10.0, 30)
+    rate.add(10.5, 10)
+    assert rate.at(10.5) == 40 / OVER
+    assert rate.at(10.2 + OVER) == 10 / OVER
+    assert rate.at(11.0 + OVER) == 0.0
+
+
+def test_the_status_bar_tells_of_the_link_and_the_rest_at_a_click(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    where = project("conversation")
+    there = robot(where)
+    script = where / "conversation.spds.xml"
+    text = script.read_text(encoding="utf-8").replace('priority="60"', 'priority="65"')
+    script.write_text(text, encoding="utf-8")
+    it = studio(where)
+    status = it.window.link_status
+    assert not status.button.isVisible()
+    assert not status.right.isVisible()
+    link = connect(it, there.endpoint, until)
+    until(link.documents_came, lambda: link.files is not None)
+    until(link.moment_changed, lambda: status.version is not None)
+    assert status.button.text() == f"{there.endpoint}, operator"
+    assert status.rate.text().endswith(" events/s")
+    assert status.version_label.text() == "As given"
+    # By the keyboard, and away again.
+    status.button.setFocus()
+    it.key(Qt.Key.Key_Space)
+    assert status.popup.isVisible()
+    facts = dict(status.facts())
+    assert facts["Address"] == there.endpoint
+    assert facts["Project"] == "conversation"
+    assert facts["You are"].startswith("operator")
+    assert facts["It runs"] == "the project that it was started with"
+    assert facts["Its documents"] == "differ from these here: conversation.spds.xml"
+    shown = [value.text() for value in status.popup._values]
+    assert facts["Its documents"] in shown
+    QTest.keyClick(status.popup, Qt.Key.Key_Escape)
+    assert not status.popup.isVisible()
+    # What is lost is told as far as it is known.
+    there.kill()
+    until(link.state_changed, lambda: link.state.kind == "lost")
+    assert not status.right.isVisible()
+    assert status.button.text() == there.endpoint
+    assert [name for name, _ in status.facts()] == ["Address", "Project", "Link"]
+    it.window.disconnect_robot()
+    assert not status.button.isVisible()
