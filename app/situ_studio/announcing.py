@@ -31,7 +31,7 @@ class Announcements(QWidget):
         self.notify: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility
         self._notes = cycle([_Note(self) for _ in range(AT_ONCE)])
         self._waiting: list[str] = []
-        self._settled = _soon(self, self._tell)
+        self._settled = soon(self, self._tell)
         self.hide()
 
     def tell(self, text: str) -> None:
@@ -70,19 +70,31 @@ class CurrentRow(QObject):
         super().__init__(view)
         self.notify: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility
         self._view = view
-        self._settled = _soon(self, self._tell)
+        self._settled = soon(self, self._tell)
         view.selectionModel().currentChanged.connect(lambda now, before: self._settled.start())
 
     def _tell(self) -> None:
-        view, index = self._view, self._view.currentIndex()
         # What has the focus tells its rows itself.
-        if QAccessible.isActive() and index.isValid() and view.isVisible() and not view.hasFocus():
-            event = QAccessibleEvent(view, QAccessible.Event.Focus)
-            event.setChild(index.row())
-            self.notify(event)
+        if not self._view.hasFocus():
+            tell_row(self._view, self.notify)
 
 
-def _soon(parent: QObject, what: Callable[[], None]) -> QTimer:
+def tell_row(
+    view: QAbstractItemView,
+    notify: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility,
+) -> None:
+    """Tells the current row now, as one that has the focus."""
+    if not QAccessible.isActive() or not view.isVisible() or not view.currentIndex().isValid():
+        return
+    heard = QAccessible.queryAccessibleInterface(view)
+    row = heard.focusChild()
+    if row is not None:
+        event = QAccessibleEvent(view, QAccessible.Event.Focus)
+        event.setChild(heard.indexOfChild(row))
+        notify(event)
+
+
+def soon(parent: QObject, what: Callable[[], None]) -> QTimer:
     """Does it when all that happens now is done."""
     timer = QTimer(parent)
     timer.setSingleShot(True)

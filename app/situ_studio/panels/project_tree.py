@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QStandardItem, QStandardItemModel
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleEvent,
+    QFocusEvent,
+    QPainter,
+    QStandardItem,
+    QStandardItemModel,
+)
 from PySide6.QtWidgets import QStyleOptionViewItem, QTreeView, QVBoxLayout, QWidget
 
 from situ.document.folder import PROJECT_FILE, TEXTS_FOLDER
@@ -14,6 +22,7 @@ from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio import icons
+from situ_studio.announcing import soon, tell_row
 from situ_studio.edit import Document
 from situ_studio.language import tr
 from situ_studio.letters import px
@@ -58,6 +67,8 @@ class Tree(QTreeView):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
+        self._focused = soon(self, lambda: tell_row(self, self.notify))
+        self.notify: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility
         self.setHeaderHidden(True)
         self.setIndentation(px(14))
         self.setMouseTracking(True)
@@ -68,6 +79,12 @@ class Tree(QTreeView):
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
         self.viewport().update()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        # A reader looks for the selected row, and Qt counts no rows in others there.
+        if QAccessible.isActive():
+            self._focused.start()
 
     def drawRow(
         self,
