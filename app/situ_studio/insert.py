@@ -81,7 +81,10 @@ def _into_application(
         above = document.always_in(part) if isinstance(part, rbd.State) else None
         there = (one.screen for one in (part, above) if one is not None and one.screen is not None)
         taken = [placing.box_of(one) for shown in there for one in shown.components]
-        new = replace(new, **placing.in_free_room(placing.box_of(new), taken)._asdict())
+        # Answers stand beside each other, all else below what is there.
+        answers = isinstance(new, rbd.Button)
+        free = placing.in_free_room(placing.box_of(new), taken, answers)
+        new = replace(new, **free._asdict())
         screen = replace(screen, components=(*screen.components, new))
         return places.change(document, root, screen=screen), (*root, "screen", name), text
     made = kind.make("")

@@ -66,25 +66,33 @@ GAP = 2.5
 """What is put into free room stays so far from others: on 10 inches more than ``fitness.APART``."""
 
 
-def in_free_room(box: Box, taken: Iterable[Box]) -> Box:
-    """The box where it lies on none of these, above or below its own place sooner than beside it,
-    with GAP between where that can be; its own place where no room is free.
+def in_free_room(box: Box, taken: Iterable[Box], beside: bool = False) -> Box:
+    """The box where it lies on none of these, with GAP between where that can be; its own place
+    where no room is free.
+
+    Above or below its own place sooner than beside it; ``beside``: the other way round, and to the
+    right sooner than to the left, as answers stand.
 
     What covers half of the screen is the ground that others lie on, and takes no room.
     """
     box = inside(box)
     others = [one for one in taken if one.width * one.height < MOST]
-    free = (spot for gap in (GAP, 0.0) for spot in _spots(box, others, gap))
+    free = (spot for gap in (GAP, 0.0) for spot in _spots(box, others, gap, beside))
     return next(free, box)
 
 
-def _spots(box: Box, others: Sequence[Box], gap: float) -> Iterator[Box]:
+def _spots(box: Box, others: Sequence[Box], gap: float, beside: bool) -> Iterator[Box]:
     """Where the box is free at its own place or flush with others, the nearest first."""
     across = {box.x, *(one.x for one in others), *(one.right + gap for one in others)}
+    if beside:
+        across |= {one.x - gap - box.width for one in others}
     down = {box.y, *(one.bottom + gap for one in others)}
     down |= {one.y - gap - box.height for one in others}
     every = [box._replace(x=round(x, 2), y=round(y, 2)) for x in across for y in down]
-    every.sort(key=lambda one: (abs(one.x - box.x), abs(one.y - box.y), -one.y, one.x))
+    if beside:
+        every.sort(key=lambda one: (abs(one.y - box.y), abs(one.x - box.x), -one.x, one.y))
+    else:
+        every.sort(key=lambda one: (abs(one.x - box.x), abs(one.y - box.y), -one.y, one.x))
     for spot in every:
         if spot == inside(spot) and not any(_near(spot, one, gap) for one in others):
             yield spot

@@ -56,12 +56,12 @@ def _apart(a: Box, b: Box) -> bool:
     return across or a.y >= b.bottom - 0.03 or b.y >= a.bottom - 0.03
 
 
-@given(st.lists(BOXES, max_size=5), BOXES)
+@given(st.lists(BOXES, max_size=5), BOXES, st.booleans())
 @settings(max_examples=80, deadline=None)
 def test_what_is_new_lies_on_nothing_or_where_it_would_be_anyway(
-    others: list[Box], box: Box
+    others: list[Box], box: Box, beside: bool
 ) -> None:
-    new = placing.in_free_room(box, others)
+    new = placing.in_free_room(box, others, beside)
     assert on_screen(new)
     small = [one for one in others if one.width * one.height < placing.MOST]
     assert new == placing.inside(box) or all(_apart(new, one) for one in small)
@@ -73,6 +73,10 @@ def test_free_room_is_below_what_is_there_and_a_picture_of_the_ground_takes_none
     assert placing.in_free_room(there, [ground, there]) == Box(10, 32.5, 80, 20)
     low = Box(35, 75, 30, 15)
     assert placing.in_free_room(low, [low]) == Box(35, 57.5, 30, 15)
+    # Answers stand beside each other, the second at the right.
+    second = placing.in_free_room(low, [low], beside=True)
+    assert second == Box(67.5, 75, 30, 15)
+    assert placing.in_free_room(low, [low, second], beside=True) == Box(2.5, 75, 30, 15)
     # A finger that means one of two buttons hits that one.
     assert USUAL.millimetres(0, placing.GAP)[1] >= APART
     full = [Box(0, y, 100, 24) for y in (0, 25, 50, 75)]
