@@ -49,7 +49,7 @@ _ATTRIBUTES: dict[type, tuple[tuple[str, How], ...]] = {
     rbd.Text: (("text", "text"),),
     rbd.Button: (("text", "text"), ("event", "event"), ("tag", "tag"), ("value", "value")),
     rbd.Image: (("src", "media"),),
-    rbd.Movie: (("src", "media"), ("done", "event")),
+    rbd.Movie: (("src", "media"), ("done", "event"), ("failed", "event")),
     rbd.Input: (("tag", "tag"), ("event", "event")),
     rbd.List: (("items", "field"), ("label", "text"), ("tag", "tag"), ("event", "event")),
     rbd.Speech: (("text", "text"), *_ACTION),

@@ -67,7 +67,7 @@ def events(part: rbd.State | rbd.Always) -> frozenset[str]:
     if part.screen is not None:
         found.add(part.screen.touched)
         for component in part.screen.components:
-            found |= {getattr(component, "event", None), getattr(component, "done", None)}
+            found |= {getattr(component, field, None) for field in ("event", "done", "failed")}
     return frozenset(name for name in found if name)
 
 

@@ -437,6 +437,18 @@ def test_a_movie_is_an_action_of_its_screen(play: Play) -> None:
     ]
 
 
+def test_a_movie_that_can_not_be_played_raises_its_failed(play: Play) -> None:
+    film = screen(f'<movie id="intro" {AT} src="intro.webm" done="over" failed="noFilm"/>')
+    away = '<event name="noFilm" next="2"/>'
+    end = {"finish": {"action": "movie", "name": "intro", "ok": False, "error": "not a film"}}
+    trace = play(state("1", film, away) + state("2", ""), [{"at": 5, **end}])
+    assert trace.lines("finished", "event", "enter", since=5) == [
+        '5 finished app movie intro failed "not a film" <-',
+        "5 event app noFilm <finished",
+        "5 enter app 2 <transition",
+    ]
+
+
 def test_a_movie_goes_on_while_its_screen_is_kept(play: Play) -> None:
     trace = play(state("1", MOVIE, GO) + state("2", ""), [{"at": 1, "event": "go"}])
     assert trace.lines("cancelled") == []

@@ -114,6 +114,7 @@ AT_GO = ("state", "1", "screen", "go")
         (screen(f'<input id="go" {SHAPE} tag="x" event="go"/>'), ("screen", "go")),
         (screen(f'<list id="go" {SHAPE} items="x" event="go"/>'), ("screen", "go")),
         (screen(f'<movie id="go" {SHAPE} src="a" done="go"/>'), ("screen", "go")),
+        (screen(f'<movie id="go" {SHAPE} src="a" failed="go"/>'), ("screen", "go")),
         (screen(touched="go"), ("screen",)),
         (acts('<speech done="go">a</speech>'), ("action", "0")),
         (acts('<sound src="a" failed="go"/>'), ("action", "0")),

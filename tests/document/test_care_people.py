@@ -175,6 +175,7 @@ def test_an_event_that_something_else_raises_leads_nobody_here() -> None:
         ("", '<sound src="http://a/b.ogg" done="over"/>'),
         ("", '<sound src="http://a/b.ogg" failed="over"/>'),
         (f'<movie id="m" {WIDE} src="http://a/b.webm" done="over"/>', ""),
+        (f'<movie id="m" {WIDE} src="http://a/b.webm" failed="over"/>', ""),
     ],
 )
 def test_what_ends_by_itself_shows_nobody_to_be_there(screen: str, acts: str) -> None:

@@ -103,3 +103,14 @@ def test_who_is_called_stands_in_no_trace_that_others_see_and_is_forgotten(perso
     shown = str(mask.step(list(person.robot.trace)))
     assert "Anna" not in shown
     assert "sip:4" not in shown
+
+
+def test_a_film_that_can_not_be_played_is_passed_over(person: Person) -> None:
+    person.log_in()
+    person.use("entertainment")
+    person.answer("shelf", read("shelf.en.json"))
+    person.use("playFilm")
+    assert person.at == "16/5"
+    person.robot.give(Finish(action="movie", ok=False, error="the page can not play this movie"))
+    # It asks whether they would like another one.
+    assert person.at == "16/8"

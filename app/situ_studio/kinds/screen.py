@@ -193,6 +193,12 @@ MOVIE = Kind(
             editor="event",
             help="The event that is raised at its end.",
         ),
+        Field(
+            attribute="failed",
+            label="If it fails",
+            editor="event",
+            help="The event that is raised where the robot can not play it.",
+        ),
     ),
     sections=(_PLACE, _ALIGN, _ENDED, _LOOKS),
     make=lambda name: rbd.Movie(id=name, src="movie.webm", **_box(10, 30, 45, 40)),

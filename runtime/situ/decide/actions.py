@@ -449,7 +449,8 @@ class Actions:
             seq = self._world.step.trace(
                 trace.Action, cause, self._program.name, state, "movie", movie.id, src=src
             )
-            self._run(Running(number, -1, 0, 0, "movie", movie.id, None, movie.done, None, seq=seq))
+            ends = movie.done, movie.failed
+            self._run(Running(number, -1, 0, 0, "movie", movie.id, None, *ends, seq=seq))
 
     def _trace_cancelled(self, action: str, name: str | None, cause: int | None) -> int:
         return self._world.step.trace(trace.Cancelled, cause, self._program.name, action, name)

@@ -155,11 +155,15 @@ class _Expected:
     ) -> bool:
         """Whether all that a screen's components raise is expected."""
         settled = True
-        for component in screen.components if screen is not None else ():
-            field = "done" if isinstance(component, Movie) else "event"
-            name = getattr(component, field, None)
+        raised = [
+            (component, field, name)
+            for component in (screen.components if screen is not None else ())
+            for field in (("done", "failed") if isinstance(component, Movie) else ("event",))
+            if (name := getattr(component, field, None)) is not None
+        ]
+        for component, field, name in raised:
             at = (*place, "screen", component.id)
-            if name is None or self.fine(run, (file, at, field), name, [active]):
+            if self.fine(run, (file, at, field), name, [active]):
                 continue
             writes = isinstance(component, (Button, Input, List)) and component.tag
             reach = WRITES if writes else SHOWN
@@ -326,8 +330,8 @@ def _raised_names(active: Active) -> Iterator[str]:
         for event in holder.events:
             actions += event.actions
         for component in holder.screen.components if holder.screen is not None else ():
-            if isinstance(component, Movie) and component.done is not None:
-                yield component.done
+            if isinstance(component, Movie):
+                yield from (name for name in (component.done, component.failed) if name is not None)
     for action in actions:
         yield from (name for name in (action.done, action.failed) if name is not None)
 

@@ -158,8 +158,8 @@ def _raised_by(screen: Screen | None, held: Iterable[Action]) -> Iterator[str]:
     for action in held:
         yield from (name for name in (action.done, action.failed) if name is not None)
     for one in screen.components if screen is not None else ():
-        if isinstance(one, Movie) and one.done is not None:
-            yield one.done
+        if isinstance(one, Movie):
+            yield from (name for name in (one.done, one.failed) if name is not None)
 
 
 def sources(along: Iterable[Way]) -> dict[str, set[str]]:

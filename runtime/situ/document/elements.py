@@ -225,7 +225,14 @@ COMPONENTS = (
         rbd.Button, "button", *_PLACE, _a("event", SOME), _a("tag", TAG), _a("value"), text=_TEXT
     ),
     _value(rbd.Image, "image", *_PLACE, _a("src", SOME, required=True)),
-    _value(rbd.Movie, "movie", *_PLACE, _a("src", SOME, required=True), _a("done", SOME)),
+    _value(
+        rbd.Movie,
+        "movie",
+        *_PLACE,
+        _a("src", SOME, required=True),
+        _a("done", SOME),
+        _a("failed", SOME),
+    ),
     _value(
         rbd.Input,
         "input",

@@ -85,11 +85,13 @@ class Image(Component, frozen=True, kw_only=True):
 
 
 class Movie(Component, frozen=True, kw_only=True):
-    """An action ``movie`` of its screen; ``done`` is raised when it ended."""
+    """An action ``movie`` of its screen; ``done`` is raised when it ended, ``failed`` where the
+    page can not play it."""
 
     element: ClassVar[str] = "movie"
     src: str = ""
     done: str | None = None
+    failed: str | None = None
 
 
 InputKind = Literal["text", "number", "date", "pin"]
