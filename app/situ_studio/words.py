@@ -129,7 +129,7 @@ def _raised(part: Any) -> list[str]:
     raised: list[str | None] = []
     if part.screen is not None:
         for component in part.screen.components:
-            raised += [getattr(component, "event", None), getattr(component, "done", None)]
+            raised += [getattr(component, field, None) for field in ("event", "done", "failed")]
         raised.append(part.screen.touched)
     for action in getattr(part, "actions", ()):
         raised += [action.done, action.failed]
