@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QMimeData, QPoint, QRect, QSize, Signal
-from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
+from PySide6.QtWidgets import QLabel, QLayout, QLayoutItem, QWidget
 
 from situ_studio.dragging import Dragging
 from situ_studio.icon_widgets import ThemedButton
@@ -108,10 +108,11 @@ class TagChips(QWidget):
         super().__init__(parent)
         self.setAccessibleName(self.tr("Tags"))
         self._theme = theme
-        self._tags: tuple[str, ...] = ()
+        self._tags: tuple[str, ...] | None = None
         self._flow = Flow(6)
         self._flow.setContentsMargins(12, 0, 12, 8)
         self.setLayout(self._flow)
+        self.show_tags(())
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
@@ -126,6 +127,10 @@ class TagChips(QWidget):
             chip = TagChip(self._theme, tag)
             chip.clicked.connect(lambda _=False, t=tag: self.pressed.emit(t))
             self._flow.addWidget(chip)
+        if not tags:
+            none = QLabel(self.tr("None yet: write {name} in a text"))
+            none.setProperty("role", "hint")
+            self._flow.addWidget(none)
         self.updateGeometry()
 
     def chip(self, tag: str) -> TagChip:

@@ -21,7 +21,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QHBoxLayout, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QLineEdit, QWidget
 
 from situ.document import folder, rbd
 from situ_studio import places
@@ -351,6 +351,13 @@ def test_an_empty_screen_invites_and_one_with_a_ground_is_shown_as_it_is(desk: D
 
     assert colours(rbd.Screen()) > 10
     assert colours(rbd.Screen(background="#ffffff")) == 1
+    # So do the tags while there are none.
+    tags = desk.designer.side.tags
+    assert [one.text() for one in tags.findChildren(QLabel)] == ["None yet: write {name} in a text"]
+    desk.designer.offer_tags(("user.name",))
+    desk.settle()
+    assert tags.findChildren(QLabel) == []
+    assert tags.chip("user.name").isVisible()
 
 
 def row_at(view: Any, row: int) -> QPoint:
