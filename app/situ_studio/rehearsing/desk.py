@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
+    QLayout,
     QLineEdit,
     QPushButton,
     QVBoxLayout,
@@ -27,7 +28,7 @@ from situ_studio.language import translated
 from situ_studio.layouts import clear, rule
 from situ_studio.panels.fields import Flag
 from situ_studio.panels.over_scroll import OverScroll
-from situ_studio.rehearsing.answers import USUAL, example
+from situ_studio.rehearsing.answers import USUAL, example, known
 from situ_studio.rehearsing.clock_bar import ClockBar
 from situ_studio.rehearsing.course import Course, Pending
 from situ_studio.rehearsing.dial_rows import DialRow
@@ -40,6 +41,7 @@ from situ_studio.rehearsing.speech_bubble import SpeechBubble
 from situ_studio.rehearsing.taking_notice import TakingNotice
 from situ_studio.screens.media_import import home_of
 from situ_studio.screens.shown import Content
+from situ_studio.screens.tag_chips import Flow
 from situ_studio.texts.listening import Listening
 from situ_studio.theme import Theme
 
@@ -59,6 +61,8 @@ class Desk(OverScroll):
         self._drawn: Project | None = None
         self._phrases: list[tuple[str, str]] = []
         self._pending: list[Pending] = []
+        self._known: dict[str, str] | None = None
+        """What services answer, by name; None before it was asked for."""
         self.dials: dict[str, DialRow] = {}
         self.modules: dict[str, ModuleRow] = {}
         self.setWidgetResizable(True)
@@ -82,8 +86,10 @@ class Desk(OverScroll):
         self.says.sound_asked.connect(self._on_sound)
         self.sounding.told.connect(self.says.show_unheard)
         column.addWidget(self.says)
-        self._people = self._section(column, self.tr("People say"))
+        # What the robot waits for stands above what people may say: that can be a great deal.
         self._actions = self._section(column, self.tr("Goes on"))
+        self._people = Flow(4)
+        self._section(column, self.tr("People say")).addLayout(self._people)
         self._data = self._section(column, self.tr("Data"))
         self._askers = self._section(column, self.tr("Modules"))
         column.addStretch(1)
@@ -158,6 +164,7 @@ class Desk(OverScroll):
         """What can be done to it is that of another version."""
         assert self._running is not None
         project = self._running.course.project
+        self._known = None
         clear(self._data)
         clear(self._askers)
         self.dials, self.modules = {}, {}
@@ -292,7 +299,12 @@ class Desk(OverScroll):
         """
         line = QLineEdit()
         assert self._running is not None
-        said = example(self._running.course.project, pending)
+        project = self._running.course.project
+        if self._known is None:
+            self._known = known(project)
+        line.setText(self._known.get(pending.name or "", ""))
+        line.setCursorPosition(0)
+        said = example(project, pending)
         line.setPlaceholderText(self.tr('its answer, such as {"names": []}').replace(USUAL, said))
         line.returnPressed.connect(lambda: self._end(pending, True, line))
         line.setAccessibleName(self.tr("What {0} answers").format(what))
@@ -304,7 +316,7 @@ class Desk(OverScroll):
         self._give(pending.finish(ok, read(text) if text else None))
 
 
-def _show(rows: QVBoxLayout, shown: bool) -> None:
+def _show(rows: QLayout, shown: bool) -> None:
     """A section is there while it has rows."""
     whole = rows.parentWidget()
     if whole is not None:

@@ -40,7 +40,7 @@ def gather(project: Project) -> dict[str, tuple[Any, ...]]:
         _add(found, tag, value)
     applications = tuple(project.flows.values())
     here = ""
-    for line in _lines(project):
+    for line in lines(project):
         match line.does:
             case Expect(fields={"kind": "enter", "state": str(state)}):
                 here = state
@@ -154,7 +154,7 @@ def _files(project: Project) -> list[Path]:
     return sorted(folder.glob("*.jsonl"))[:FEW] if folder is not None else []
 
 
-def _lines(project: Project) -> Iterator[scenario.Line]:
+def lines(project: Project) -> Iterator[scenario.Line]:
     ours: list[scenario.Line] = []
     others: list[scenario.Line] = []
     for file in _files(project):

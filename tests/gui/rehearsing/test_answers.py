@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import json
 
+from msgspec.structs import replace
+
 from situ.document.project import Project
 from situ.document.rbd import Application, Result, Service, State
-from situ_studio.rehearsing.answers import USUAL, example
+from situ.document.ready import load_ready
+from situ.resources import example as example_project
+from situ_studio.rehearsing.answers import USUAL, example, known
 from situ_studio.rehearsing.course import Pending
 
 
@@ -29,3 +33,11 @@ def test_an_answer_has_the_parts_that_the_service_takes_out_of_it() -> None:
     assert json.loads(example(project, in_a_part)) == {"weight": 1}
     assert example(project, Pending("a", "service", "nobody's", None, 0, None)) == USUAL
     assert example(project, Pending("b", "service", "measure", None, 0, None)) == USUAL
+
+
+def test_what_a_service_answers_in_the_scenarios_is_known_where_it_ends_well() -> None:
+    project = load_ready(example_project("vitals"))
+    answers = known(project)
+    assert json.loads(answers["measurePressure"]).keys() == {"systolic", "diastolic", "pulse"}
+    assert json.loads(answers["login"])["user"]["limits"]["systolic_high"] == 150
+    assert known(replace(project, scenarios=None)) == {}

@@ -205,6 +205,28 @@ def test_what_a_service_answers_is_given(desk: Any) -> None:
     assert used.state == "14"  # nobody has these initials
 
 
+def test_what_the_robot_waits_for_is_above_what_is_said_and_answered_as_in_the_scenarios(
+    desk: Any,
+) -> None:
+    used = desk("vitals")
+    used.go_on(1)
+    shown, running = used.desk, used.side.running
+    running.give(inputs.Touch())
+    running.give(inputs.Use("room", 12))
+    running.give(inputs.Use("pin", "1234"))
+    used.studio.settle()
+    (answer,) = (line for line in shown.findChildren(QLineEdit) if "login" in line.accessibleName())
+    phrases = [b for b in shown.findChildren(QPushButton) if b.text().startswith("“")]
+    lowest = answer.mapTo(shown, QPoint(0, answer.height())).y()
+    assert lowest <= min(button.mapTo(shown, QPoint(0, 0)).y() for button in phrases)
+    # It is seen at once, and short phrases share a line.
+    assert lowest <= shown.viewport().height()
+    assert len({button.y() for button in phrases}) < len(phrases)
+    used.studio.click(answer)
+    used.studio.key(Qt.Key.Key_Return)
+    assert used.side.running.course.look("user.name") == "Jack Nilsen"
+
+
 def test_after_an_edit_it_is_offered_to_start_again(desk: Any) -> None:
     used = desk("conversation")
     used.touch("YES")
