@@ -172,6 +172,18 @@ def test_a_call_is_open_until_a_nurse_has_seen_it(store: Store, clock: Clock) ->
     assert [(one.why, one.seen) for one in store.calls()] == [("fall", None), ("help", seen_at)]
 
 
+def test_who_has_fallen_stands_before_who_has_not_taken_a_medicine(
+    store: Store, clock: Clock
+) -> None:
+    for why in ("fall", "medicine not taken, three times", "help at night"):
+        store.keep({"kind": "call", "why": why, "room": 12})
+        clock.on(minutes=1)
+    urgent = ["help at night", "fall", "medicine not taken, three times"]
+    assert [one.why for one in store.calls()] == urgent
+    store.see(1)
+    assert [one.id for one in store.calls()] == [3, 2, 1]
+
+
 def test_a_call_without_a_reason_is_none(store: Store) -> None:
     with pytest.raises(Unfit):
         store.keep({"kind": "call", "room": "12"})

@@ -24,8 +24,8 @@ def form(resident: int, contacts: Mapping[str, Sequence[Contact]], entry: Entry)
     )
     listed = table("contacts", ("Name", "Group", "Address", ""), rows) if rows else ""
     return (
-        f"<h2>{say('Whom they may call')}</h2>{listed}{entry.wrong}"
-        f'<form method="post" action="/residents/{resident}/contacts">'
+        f'<h2 id="contacts">{say("Whom they may call")}</h2>{listed}{entry.wrong}'
+        f'<form method="post" action="/residents/{resident}/contacts#contacts">'
         f'<label for="contact">{say("Name")}</label>'
         '<input id="contact" name="contact" maxlength="80" autocomplete="off" required '
         f'value="{escape(given.get("contact", ""))}">'
@@ -40,7 +40,7 @@ def form(resident: int, contacts: Mapping[str, Sequence[Contact]], entry: Entry)
 
 def _row(resident: int, group: str, one: Contact) -> str:
     remove = (
-        f'<form method="post" action="/residents/{resident}/contacts/{one.id}/remove">'
+        f'<form method="post" action="/residents/{resident}/contacts/{one.id}/remove#contacts">'
         f'<button class="quiet">{say("Remove")}</button></form>'
     )
     return (

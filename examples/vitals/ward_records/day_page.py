@@ -136,10 +136,10 @@ def medicine_form(resident: int, medicines: Sequence[Medicine], entry: Entry) ->
         for name, value in written(medicines).items()
     )
     return (
-        f"<h2>{say('Medicine')}</h2>"
+        f'<h2 id="medicine">{say("Medicine")}</h2>'
         f"<p>{say('As the robot is to say it, with how to take it. Empty: nothing then.')}</p>"
-        f'{entry.wrong}<form method="post" action="/residents/{resident}/medicine">{fields}'
-        f"<button>{say('Save medicine')}</button></form>"
+        f'{entry.wrong}<form method="post" action="/residents/{resident}/medicine#medicine">'
+        f"{fields}<button>{say('Save medicine')}</button></form>"
     )
 
 

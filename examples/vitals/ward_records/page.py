@@ -31,6 +31,7 @@ _KINDS = {
     "game": "Brain game",
 }
 _LAST = ("Measured last", "When")
+_MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 _LISTED = 30
 """Readings of one resident; all of them are in the table to take away."""
 
@@ -87,10 +88,23 @@ def resident(
     body = (
         f'<p><a href="/">{say("Ward")}</a></p><h1>{name}</h1>'
         f"<p>{say('Room {0}').format(one.room if open_ else HIDDEN)}</p>"
-        f"{_note(open_)}<h2>{say('Measured')}</h2>{_curves(one, readings) if open_ else ''}"
+        f"{_note(open_)}{_places() if open_ else ''}"
+        f"<h2>{say('Measured')}</h2>{_curves(one, readings) if open_ else ''}"
         f"{measured}"
     )
     return framed("Resident", body + (_taken_away(one) + _limits(one, limits) + forms) * open_)
+
+
+def _places() -> str:
+    """Where on this long page something is; a form, when sent, comes back to its own."""
+    places = {
+        "limits": "Limits",
+        "medicine": "Medicine",
+        "contacts": "Whom they may call",
+        "person": "Resident",
+    }
+    links = "".join(f'<a href="#{place}">{say(label)}</a> ' for place, label in places.items())
+    return f'<p class="links">{links}</p>'
 
 
 def _curves(one: Resident, readings: Sequence[Reading]) -> str:
@@ -139,9 +153,9 @@ def _limits(one: Resident, entry: Entry) -> str:
         for name, value in stands.items()
     )
     return (
-        f"<h2>{say('Limits')}</h2>"
+        f'<h2 id="limits">{say("Limits")}</h2>'
         f"<p>{say('Outside of these the robot measures again, and then calls you.')}</p>"
-        f'{entry.wrong}<form method="post" action="/residents/{one.id}">{fields}'
+        f'{entry.wrong}<form method="post" action="/residents/{one.id}#limits">{fields}'
         f"<button>{say('Save')}</button></form>"
     )
 
@@ -199,7 +213,8 @@ def _note(open_: bool) -> str:
 
 def when(at: datetime) -> str:
     local = at.astimezone()
-    shown = f"{local:%d.%m. %H:%M}"
+    # In words: by numbers, the month comes first for some and last for others.
+    shown = f"{local.day} {_MONTHS[local.month - 1]} {local:%H:%M}"
     if spoken() == "ja":
         shown = f"{local.month}月{local.day}日 {local:%H:%M}"
     return f'<time datetime="{at.isoformat()}">{shown}</time>'

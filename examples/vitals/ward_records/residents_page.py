@@ -34,8 +34,8 @@ def change(one: Resident, pin_mark: str, entry: Entry) -> str:
     stands = written(one)
     before = "".join(stood(name, value) for name, value in {**stands, "pin": pin_mark}.items())
     return (
-        f"<h2>{say('Resident')}</h2>{entry.wrong}"
-        f'<form method="post" action="/residents/{one.id}/person">'
+        f'<h2 id="person">{say("Resident")}</h2>{entry.wrong}'
+        f'<form method="post" action="/residents/{one.id}/person#person">'
         f"{_fields({**stands, **entry.given}, say(LABELS['pin']), False)}{before}"
         f"<button>{say('Save resident')}</button></form>"
         f'<p><a href="/residents/{one.id}/remove">{say("Remove this resident")}</a></p>'

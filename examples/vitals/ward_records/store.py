@@ -41,6 +41,9 @@ LIMITS: dict[str, float] = {
 }
 """Between these nobody is told, for whom the nurse has not set others. In mmHg, %, mmol/L."""
 
+URGENT = ("fall", "help", "help at night")
+"""Why somebody calls who can not wait."""
+
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS resident (
   id INTEGER PRIMARY KEY, room INTEGER NOT NULL, name TEXT NOT NULL,
@@ -325,11 +328,12 @@ class Store:
         return [_reading(*row) for row in rows]
 
     def calls(self, most: int = 50) -> list[Call]:
-        """Those that nobody has seen first, then the newest."""
+        """Those that nobody has seen first, of these who may lie on the floor; then the newest."""
         rows = self._db.execute(
             "SELECT id, at, why, room, seen FROM call "
-            "ORDER BY seen IS NOT NULL, at DESC, id DESC LIMIT ?",
-            (most,),
+            "ORDER BY seen IS NOT NULL, seen IS NULL AND why NOT IN (?, ?, ?), at DESC, id DESC "
+            "LIMIT ?",
+            (*URGENT, most),
         )
         return [
             Call(number, _at(at), why, room, _at(seen) if seen is not None else None)
