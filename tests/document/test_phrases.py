@@ -34,6 +34,18 @@ def test_lines_end_between_words_and_phrases(text: str, phrases: list[str]) -> N
     assert lines(text) == phrases
 
 
+def test_a_sentence_that_has_just_begun_is_not_broken_off() -> None:
+    def phrases(text: str) -> list[str]:
+        return [one.replace("|", "") for one in lines(text)]
+
+    assert phrases("測ります。息は普段どおりで結構です。") == [
+        *("測ります。", "息は普段どおりで", "結構です。"),
+    ]
+    # What is long enough for a line of its own may stand there, and what would be too long.
+    assert phrases("はい。看護師さんは来ます。") == ["はい。", "看護師さんは", "来ます。"]
+    assert phrases("はい。息は普段どおりのままで。")[:2] == ["はい。", "息は普段どおりの"]
+
+
 def whole(found: tuple[Part, ...]) -> str:
     return "".join("".join(one) for one in found)
 

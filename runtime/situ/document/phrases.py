@@ -4,14 +4,16 @@ The robot's page and the editor both take these places, and no others: what is d
 the robot breaks it, in every browser.
 
 Words stay whole, but for a hyphen, a dash or a stroke between two letters and two. Japanese,
-Chinese and Thai, which are written without spaces, go on after a phrase (BudouX); where phrases
-are too long, Japanese and Chinese after any character that may end a line (JIS X 4051, strict).
+Chinese and Thai, which are written without spaces, go on after a phrase (BudouX), but not after
+the first of a sentence where it is short; where phrases are too long, Japanese and Chinese after
+any character that may end a line (JIS X 4051, strict).
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
 from functools import lru_cache
 from itertools import pairwise
 
@@ -35,6 +37,9 @@ _NOT_FIRST = frozenset(
     "ーｰヽヾゝゞ々〻、。，．・：；！？‼⁇⁈⁉）］｝〉》」』】〕〗〙〟｠»）｡､｣％‰℃°′″…‥〜–—"
     ",.:;!?)]}%’”"
 )
+_STOPS = frozenset("。！？!?")
+_BEGUN, _TOGETHER = 4, 10
+"""So many characters of a new sentence do not stay behind; with what follows they are so many."""
 _NOT_LAST = frozenset("（［｛〈《「『【〔〖〘〝｟｢￥＄￡#$([{£¥€‘“«")
 
 
@@ -58,8 +63,23 @@ def _phrases(run: str) -> list[tuple[str, ...]]:
     ends = _ends(parser.parse(run))
     if not _WIDE.search(run):
         return [(one,) for one in _cut(run, ends | _hyphens(run))]
-    phrases = _cut(run, ends & _between(run) | _hyphens(run))
+    ends = ends & _between(run)
+    phrases = _cut(run, ends - _begun(run, ends) | _hyphens(run))
     return [tuple(_cut(one, _between(one))) for one in phrases]
+
+
+def _begun(run: str, ends: set[int]) -> set[int]:
+    """Where a sentence that has just begun would be broken off: its topic, or a ``then``, at the
+    end of the line of the sentence before goes on in its own."""
+    found = set()
+    for start, end, after in _three([0, *sorted(ends), len(run)]):
+        if run[start - 1] in _STOPS and end - start <= _BEGUN and after - start <= _TOGETHER:
+            found.add(end)
+    return found
+
+
+def _three(places: list[int]) -> Iterator[tuple[int, int, int]]:
+    return zip(places[1:], places[2:], places[3:], strict=False)
 
 
 def _hyphens(run: str) -> set[int]:
