@@ -100,14 +100,14 @@ def places_of(document: Document) -> Iterable[tuple[Place, str, str, str, str]]:
                 ("state", state.no),
                 token,
                 token,
-                f"{state.no} {state.name}".strip(),
+                words.state_called(state.no, state.name),
                 " ".join(texts),
             )
             for index, event in enumerate(state.events):
                 if event.name:
                     text = f"{event.name} → {words.leads_to(document, event.next)}"
                     place = ("state", state.no, "event", str(index))
-                    yield place, "event", "text2", text, f"{state.no} {state.name}"
+                    yield place, "event", "text2", text, words.state_called(state.no, state.name)
     elif isinstance(document, spds.Spds):
         for situation in document.situations:
             yield ("situation", situation.name), "situation", "situation", situation.name, ""

@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject, Signal
 
 from situ.document.project import Project
 from situ.errors import SituError, UsageError
-from situ.rehearse.telling import Teller
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
 from situ_studio.language import said
@@ -24,6 +23,7 @@ from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
 from situ_studio.panels.trace import Trace
 from situ_studio.theme import Theme
+from situ_studio.words import running_state
 from situ_studio.working import OneWork
 
 if TYPE_CHECKING:
@@ -162,7 +162,7 @@ class RobotSide(QObject):
 
     def state_name(self, application: str, state: str) -> str:
         """By number and name, as the open project has it: in what is told of traces too."""
-        return Teller(self._window.session.project).state(application, state)
+        return running_state(self._window.session.project, application, state)
 
     def show_live(self, file: str, live: LiveView | LiveScript | None) -> None:
         for view in self._window.sides.views_of(file):

@@ -8,6 +8,7 @@ from typing import Any
 from msgspec import Struct
 
 from situ.document import rbd
+from situ.document import words as said
 from situ_studio import kinds, mentions, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.mentions import Found, Mention, Role
@@ -82,9 +83,9 @@ def search(
 
 
 def _called(document: Document) -> dict[str, str]:
-    """The states' numbers with their names: ``6 show names``."""
+    """What the states are called, by their numbers."""
     states = document.states if isinstance(document, rbd.Application) else ()
-    return {s.no: f"{s.no} {s.name}".strip() for s in states}
+    return {s.no: words.state_called(s.no, s.name) for s in states}
 
 
 def _fits(mention: Mention, called: dict[str, str], wanted: list[str]) -> bool:
@@ -108,12 +109,12 @@ def _hit(document: Document, called: dict[str, str], found: Found, several: bool
     text = " ".join(mention.text.split())
     if mention.attribute == "no":
         text = called.get(mention.text, text)
-    where = _where(document, called, mention, value)
+    where = _where(document, mention, value)
     named = f"{stem(found.file)}: {where}" if several and where else where or stem(found.file)
     return Hit(found.file, mention.place, icon, token, text, named)
 
 
-def _where(document: Document, called: dict[str, str], mention: Mention, value: Any) -> str:
+def _where(document: Document, mention: Mention, value: Any) -> str:
     """``state 6 show names, button yes: sends``."""
     place = mention.place
     if not place:
@@ -121,7 +122,8 @@ def _where(document: Document, called: dict[str, str], mention: Mention, value: 
     root = places.root(place)
     outer = "every state" if root == ("always",) else ""
     if root[0] == "state":
-        outer = f"state {called.get(root[1], root[1])}"
+        state = places.get(document, root)
+        outer = f"state {said.state(state) if state is not None else root[1]}"
     outer = outer or words.place_words(document, root)
     inner = words.member_words(value) if len(place) > len(root) else ""
     kind = kinds.kind_of(value)

@@ -9,15 +9,33 @@ from situ.document import rbd, spds
 from situ.document import words as said
 from situ.document.condition import Condition
 from situ.document.drawing import Drawn, Note
+from situ.document.project import Project
+from situ.rehearse.ways import label
 from situ_studio import kinds, places
 from situ_studio.edit import Document, Place
 from situ_studio.language import say, tr, translated
 
 
 def state_words(document: Document, no: str) -> str:
-    """``6 show names``, or the number alone."""
+    """``6 show names``, as ``state_called`` has it; the number alone where there is none."""
     state = document.state(no) if isinstance(document, rbd.Application) else None
-    return f"{no} {state.name}".strip() if state is not None else no
+    return state_called(no, state.name) if state is not None else no
+
+
+def state_called(no: str, name: str) -> str:
+    """What a state is called where nothing else says that it is one: ``6 show names``, and
+    ``state 6`` where its name says no more than the number."""
+    return state_alone(no, said.numbered(no, name))
+
+
+def state_alone(no: str, told: str) -> str:
+    """The same of what ``situ.document.words`` or a ``Teller`` tells of it."""
+    return tr("state {0}").format(no) if told == no else told
+
+
+def running_state(project: Project | None, application: str, no: str) -> str:
+    """The same of a state that a trace names; of one in a part its own name."""
+    return state_called(no, label(project, application, no) if project is not None else "")
 
 
 def leads_to(document: Document, next_: str | None) -> str:

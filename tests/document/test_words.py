@@ -53,6 +53,9 @@ def test_a_state_called_by_its_number_is_named_once() -> None:
     assert words.state(State(no="2")) == "2"
     assert words.state(State(no="2", name="state 3")) == "2 state 3"
     assert words.state(State(no="6", name="show names")) == "6 show names"
+    # Of a state in a part, too.
+    assert words.numbered("4/2", "state 2") == "4/2"
+    assert words.numbered("4/2", "look") == "4/2 look"
 
 
 def test_an_action_is_told_by_what_it_does() -> None:

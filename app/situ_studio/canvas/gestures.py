@@ -72,8 +72,7 @@ def called(application: Application, place: Place) -> str:
 
 def title(application: Application, no: str) -> str:
     """A state as it is named in an edit: ``5 names``."""
-    state = application.state(no)
-    return f"{no} {state.name}".strip() if state is not None else no
+    return words.state_words(application, no)
 
 
 def move(application: Application, to: Mapping[Place, tuple[float, float]]) -> Done:
@@ -169,7 +168,8 @@ def choices(application: Application, owner: Place, exit: str) -> tuple[Follow, 
     stays = leaving is None or leaving.next is not None
     always = owner == (ALWAYS,)
     known = (
-        Follow(s.no, f"{s.no}  {s.name}", "state", "existing state") for s in application.states
+        Follow(s.no, words.state_called(s.no, s.name), "state", "existing state")
+        for s in application.states
     )
     return (
         *(f for f in FOLLOWS if (f.key or stays) and not (always and f.key == rbd.AGAIN)),

@@ -22,7 +22,7 @@ from situ_studio import kinds
 from situ_studio.canvas.problem_marks import NONE, Mark, Marks, Sign, changed, marks_of
 from situ_studio.edit import Place
 from situ_studio.language import say, tr
-from situ_studio.words import condition_words
+from situ_studio.words import condition_words, state_called
 
 WIDTH = 176.0
 HEADER = 28.0
@@ -140,7 +140,8 @@ class Card(Struct, frozen=True):
             return "Drag to where a new event leads"
         leaving = self.exit(name)
         if leaving is None:
-            said = (f"{self.no} {self.name}".strip(), self.line, *self.wrong.told())
+            called = state_called(self.no, self.name) if self.no else self.name
+            said = (called, self.line, *self.wrong.told())
             return "\n".join(part for part in said if part)
         parts = [leaving.label]
         if leaving.phrase:

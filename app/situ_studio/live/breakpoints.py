@@ -182,13 +182,13 @@ class Breakpoints(QWidget):
         if one.get("situation") is not None:
             said = tr("in situation {0}").format(one["situation"])
         elif one.get("state") is not None:
-            said = tr("in state {0}").format(name(one["state"]))
+            said = tr("in {0}").format(name(one["state"]))
         elif one.get("to") is None:
-            said = tr("before it leaves state {0}").format(name(one["from"]))
+            said = tr("before it leaves {0}").format(name(one["from"]))
         elif one.get("from") is None:
-            said = tr("before it comes to state {0}").format(name(one["to"]))
+            said = tr("before it comes to {0}").format(name(one["to"]))
         else:
-            said = tr("between state {0} and state {1}").format(name(one["from"]), name(one["to"]))
+            said = tr("between {0} and {1}").format(name(one["from"]), name(one["to"]))
         condition = _condition(one)
         if condition is not None:
             said = tr("{0}, while {1}").format(said, words.condition(condition, say))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,6 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QMenu
 
 from situ.errors import UsageError
-from situ.rehearse.telling import Teller
 from situ_studio.language import said
 from situ_studio.letters import px
 from situ_studio.live.comparing import Compared, Comparing
@@ -21,6 +21,7 @@ from situ_studio.live.recordings import ReadingRecording, Recording
 from situ_studio.live.timeline.beside import LETTERS, Marked, RunBeside
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
 from situ_studio.theme import Theme
+from situ_studio.words import running_state
 from situ_studio.working import OneWork
 
 if TYPE_CHECKING:
@@ -211,7 +212,8 @@ class ComparingSide(QObject):
         if self._shown != comparing.others:
             self._shown = list(comparing.others)
             self._runs = tuple(
-                RunBeside(one.log, theme, Teller(one.project).state) for one in comparing.others
+                RunBeside(one.log, theme, partial(running_state, one.project))
+                for one in comparing.others
             )
         for run, shift, one in zip(self._runs, comparing.shifts, comparing.others, strict=True):
             run.shift, run.bookmarks = shift, one.bookmarks

@@ -9,6 +9,7 @@ from situ.document import words
 from situ.rehearse.usage import Row as Used
 from situ_studio.language import tr
 from situ_studio.panels.table import Row
+from situ_studio.words import state_called
 
 _VALUES: tuple[Callable[[Used], Any], ...] = (
     lambda one: (one.application, _numbers(one.state)),
@@ -65,8 +66,7 @@ def rows(used: Sequence[Used]) -> list[Row]:
 
 
 def cells(one: Used) -> tuple[str, ...]:
-    state = f"{one.state} {one.name}".strip()
-    named = tr("{0}, {1}").format(one.application, state)
+    named = tr("{0}, {1}").format(one.application, state_called(one.state, one.name))
     if not one.times:
         return (named, one.place, tr("never"), *("" for _ in NUMBERS[1:]))
     return (

@@ -30,6 +30,7 @@ from situ_studio.live.why_places import priorities, tags_of, thing_at, where
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.why import Link, Why
 from situ_studio.theme import Theme
+from situ_studio.words import state_alone
 
 if TYPE_CHECKING:
     from situ_studio.document_view import DocumentView
@@ -328,10 +329,11 @@ class WhySide(QObject):
         name = wanted.get("application", "")
         match wanted["kind"]:
             case "enter":
-                state = teller.state(name, wanted["state"])
+                state = state_alone(wanted["state"], teller.state(name, wanted["state"]))
                 return self.tr("Why is {0} not in {1}?").format(name, state)
             case "transition":
-                state, by = teller.state(name, wanted["from"]), wanted["event"]
+                state, by = wanted["from"], wanted["event"]
+                state = state_alone(state, teller.state(name, state))
                 if by is None:
                     return self.tr("Why does {0} not leave {1} by itself?").format(name, state)
                 return self.tr("Why does {0} not leave {1} by {2}?").format(name, state, by)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
 from situ.document.rbd import AGAIN, BACK
+from situ.document.words import numbered
 from situ_studio.language import translated
 from situ_studio.panels.fields import (
     Choice,
@@ -79,7 +80,7 @@ def offer(
 @lru_cache(maxsize=4)
 def _states(states: tuple[tuple[str, str], ...]) -> tuple[tuple[str, str], ...]:
     """Numbers, and what stands for each; one list for all fields of a form."""
-    return tuple((no, f"{no} {name}".strip()) for no, name in states)
+    return tuple((no, numbered(no, name)) for no, name in states)
 
 
 def next_choices(vocabulary: Vocabulary, stay: str) -> tuple[tuple[Any, str], ...]:

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document import rbd
+from situ.document.words import numbered
 from situ_studio.help_topics import explain
 from situ_studio.language import translated
 from situ_studio.letters import px
@@ -76,7 +77,7 @@ class TimeoutRows(QWidget):
         self.next.offer(
             (
                 (None, self.tr("raises the event timeout")),
-                *((no, f"{no} {name}".strip()) for no, name in vocabulary.states),
+                *((no, numbered(no, name)) for no, name in vocabulary.states),
                 (rbd.AGAIN, self.tr("the same state, anew")),
                 (rbd.BACK, self.tr("back to where it came from")),
             )

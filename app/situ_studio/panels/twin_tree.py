@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ.document import rbd, spds
+from situ.document import rbd, spds, words
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.project_tree import Tree
 from situ_studio.panels.twin_model import AnyIndex, TwinModel
@@ -101,7 +101,7 @@ class TwinDelegate(QStyledItemDelegate):
                 choice.offer(
                     (
                         (None, self.tr("nothing, it stays")),
-                        *((s.no, f"{s.no} {s.name}") for s in document.states),
+                        *((s.no, words.state(s)) for s in document.states),
                         (rbd.AGAIN, self.tr("the same state, anew")),
                         (rbd.BACK, self.tr("back to where it came from")),
                     )

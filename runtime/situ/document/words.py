@@ -112,7 +112,13 @@ def _inner(value: Test | Group, among: tuple[Test | Group, ...], say: Say) -> st
 def state(value: rbd.State) -> str:
     """``6 show names``, or the number alone, also where the name says no more than it: ``state 6``,
     as new states are called."""
-    return value.no if value.name == f"state {value.no}" else f"{value.no} {value.name}".strip()
+    return numbered(value.no, value.name)
+
+
+def numbered(no: str, name: str) -> str:
+    """A state by its number and name, as ``state`` does; ``4/6`` is 6 of a part."""
+    own = no.rpartition("/")[2]
+    return no if name == f"state {own}" else f"{no} {name}".strip()
 
 
 def leads(application: rbd.Application, target: str | None) -> str:

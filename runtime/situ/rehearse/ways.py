@@ -96,8 +96,8 @@ def _document(project: Project, file: str) -> Application | None:
 
 
 def name_of_state(project: Project, application: str, no: str) -> str:
-    """``6 show names``: number and label of a state."""
-    return f"{no} {label(project, application, no)}".strip()
+    """``6 show names``: number and label of a state, the number alone where that says no more."""
+    return words.numbered(no, label(project, application, no))
 
 
 def label(project: Project, application: str, no: str) -> str:

@@ -200,7 +200,7 @@ def test_who_listens_hears_what_comes_goes_and_is_renamed(
     assert (event.NameChanged, "5 bye") in told
     told.clear()
     made.canvas.add_state()
-    assert (event.ObjectCreated, "6 state 6") in told
+    assert (event.ObjectCreated, "state 6") in told
     told.clear()
     made.canvas.delete_selection()
     assert next(kind for kind, _ in told) == event.ObjectDestroyed

@@ -116,7 +116,7 @@ def test_breakpoints_pause_the_robot_where_they_are_shown_and_hands_lead_it_on(
     assert live().breakpoints == {"2"}
     # Each is listed in words; a click leads there, Delete takes it away.
     panel = window.operating.panel.table
-    assert panel.rows.rows[0].cells[1] == "between state 2 sleep and state 3 glad"
+    assert panel.rows.rows[0].cells[1] == "between 2 sleep and 3 glad"
     window.bottom.choose("breakpoints")
     it.settle()
     it.select("state", "5")
