@@ -7,15 +7,18 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, QPoint
 
+from situ.document import rbd
 from situ.errors import UsageError
 from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.insert import NotHere, insert
-from situ_studio.screens import media_import, placing
+from situ_studio.screens import media_import
 from situ_studio.screens.media_picker import MediaPicker
 from situ_studio.screens.media_rows import IMPORT
+from situ_studio.screens.state_screen import lying
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -156,10 +159,11 @@ class ChoosingMedia(QObject):
         src: str,
     ) -> None:
         after, place, text = insert(document, kind, at)
-        after = places.change(after, place, **{kind.file: src})
-        if middle is not None:
-            box = placing.centred(placing.box_of(places.get(after, place)), *middle)
-            after = places.change(after, place, **box._asdict())
+        made = replace(places.get(after, place), **{kind.file: src})
+        project = self._window.session.project
+        if isinstance(made, rbd.Component) and project is not None:
+            made = lying(made, media_import.home_of(project), middle)
+        after = places.put(after, place, made)
         self._window.commit(after, text)
         if middle is None:
             self._window.fill_in(place)

@@ -109,6 +109,16 @@ def _near(one: Box, other: Box, gap: float) -> bool:
     )
 
 
+def shaped(box: Box, proportion: float) -> Box:
+    """The largest within the box, about its middle, that is so many times as wide as high, each in
+    percent of its side of the screen.
+    """
+    width = min(box.width, box.height * proportion)
+    height = min(box.height, box.width / proportion)
+    x, y = box.x + (box.width - width) / 2, box.y + (box.height - height) / 2
+    return inside(Box(x, y, width, height))
+
+
 def moved(boxes: Mapping[str, Box], dx: float, dy: float) -> dict[str, Box]:
     """All of these shifted together, as far as the screen goes: their distances stay."""
     if not boxes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, QPoint, Signal
 
 from situ.document import rbd
@@ -13,10 +14,25 @@ from situ_studio import kinds, places
 from situ_studio.edit import Place
 from situ_studio.insert import NotHere, insert
 from situ_studio.screens import placing
+from situ_studio.screens.devices import USUAL
+from situ_studio.screens.media_pictures import picture
 from situ_studio.screens.problem_marks import Told, by_screen
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.shown import Values
 from situ_studio.theme import Theme
+
+
+def lying(made: rbd.Component, media: Path | None, at: tuple[float, float] | None) -> rbd.Component:
+    """A new component with its middle there, or where it is; a picture in its own shape."""
+    box = placing.box_of(made)
+    if at is not None:
+        box = placing.centred(box, *at)
+    shown = picture(media, made.src) if isinstance(made, rbd.Image) else None
+    if shown is not None:
+        size = shown.whole().size()
+        of_screen = USUAL.high / USUAL.wide
+        box = placing.shaped(box, size.width() / size.height() * of_screen)
+    return replace(made, **box._asdict())
 
 
 class StateScreen(QObject):
@@ -160,10 +176,8 @@ class StateScreen(QObject):
         except NotHere as refused:
             self.status.emit(str(refused))
             return None
-        if at is not None:
-            box = placing.centred(placing.box_of(places.get(after, place)), *at)
-            fields |= box._asdict()
-        after = places.change(after, place, **fields)
+        made = replace(places.get(after, place), **fields)
+        after = places.put(after, place, lying(made, self.media, at))
         self.edited.emit(after, text)
         self.sheet.choose(place[-1:])
         return place

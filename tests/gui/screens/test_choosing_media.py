@@ -55,6 +55,8 @@ def test_a_dropped_picture_is_asked_for_and_lies_where_it_was_dropped(
     made = table.components[-1]
     assert (made.element, made.src) == ("image", "robot.png")
     assert (made.x + made.width / 2, made.y + made.height / 2) == (50, 50)
+    # As wide as high on the robot's screen, as the picture is.
+    assert made.width * 1280 == made.height * 800
     assert table.used.window.inspector.place == ("state", "11", "screen", made.id)
     assert [p for p in table.used.session.problems if p.code == "missing-media"] == []
     # It is one step, and arrows move what was dropped.

@@ -83,6 +83,19 @@ def test_free_room_is_below_what_is_there_and_a_picture_of_the_ground_takes_none
     assert placing.in_free_room(there, full) == there
 
 
+@given(BOXES, st.floats(0.2, 5))
+@settings(max_examples=60, deadline=None)
+def test_a_shape_is_the_largest_within_a_box_about_its_middle(box: Box, proportion: float) -> None:
+    new = placing.shaped(box, proportion)
+    assert new.width == pytest.approx(new.height * proportion, abs=0.03 * max(1, proportion))
+    assert new.width <= box.width + 0.01
+    assert new.height <= box.height + 0.01
+    full = (new.width / box.width, new.height / box.height)
+    assert max(full) == pytest.approx(1, abs=0.01)
+    assert new.x + new.width / 2 == pytest.approx(box.x + box.width / 2, abs=0.02)
+    assert new.y + new.height / 2 == pytest.approx(box.y + box.height / 2, abs=0.02)
+
+
 @given(st.lists(BOXES, min_size=2, max_size=5), WAYS, WAYS)
 @settings(max_examples=60, deadline=None)
 def test_what_is_moved_together_keeps_its_distances(boxes: list[Box], dx: float, dy: float) -> None:
