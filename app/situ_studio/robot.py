@@ -22,6 +22,7 @@ from situ_studio.live.timeline.panel import Timeline
 from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
 from situ_studio.panels.trace import Trace
+from situ_studio.panels.trace_kinds import TraceKinds
 from situ_studio.theme import Theme
 from situ_studio.words import running_state
 from situ_studio.working import OneWork
@@ -62,7 +63,9 @@ class RobotSide(QObject):
             self.tr("Authority"),
             self.tr("Trace"),
         )
-        for name, title, panel in zip(PANELS, titles, self.panels, strict=True):
+        self.kinds = TraceKinds(self.trace)
+        shown = (*self.panels[:-1], self.kinds)
+        for name, title, panel in zip(PANELS, titles, shown, strict=True):
             window.bottom.add(name, title, panel)
             window.bottom.set_shown(name, False)
         self.recording: Recording | None = None

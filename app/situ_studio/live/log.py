@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 from array import array
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from itertools import compress
 from typing import Any, overload
 
 import msgspec
@@ -29,6 +30,14 @@ LIMIT = 2_000_000
 """Events that are kept, about 90 MB."""
 FORGOTTEN = 64
 """Parts of the limit, of which the oldest is forgotten at once: each time much is moved."""
+
+KINDS = (
+    "data", "condition", "situation", "acquire", "abandon", "lost", "connected", "authority",
+    "mapping", "event", "ignored", "exit", "enter", "transition", "screen", "action", "finished",
+    "cancelled", "suspend", "resume", "paused", "resumed", "deployed", "warning", "error",
+)  # fmt: skip
+"""Of events (formats.md, *Trace*)."""
+_CODES = {kind: code for code, kind in enumerate(KINDS, 1)}
 
 _pack = zstandard.ZstdCompressor(level=1)
 _unpack = zstandard.ZstdDecompressor()
@@ -83,6 +92,8 @@ class TraceLog:
         self._lines: list[bytes] = []
         self._open_before = Moment()
         self._times: array[float] = array("d")
+        self._codes = bytearray()
+        self._firsts: list[int] = []
         # By tag and time: a link that came back tells most of it again.
         self._standing: dict[tuple[str, float], tuple[Any, str | None]] = {}
         self.clock = ClockSeen()
@@ -125,7 +136,7 @@ class TraceLog:
     def _take(self, pairs: Iterable[tuple[TraceFields, bytes]]) -> bool:
         # A million of them come at once: what is the same for all is looked up once.
         seq, now, told, over_time = self._seq, self.now, self._told, self.lanes
-        on_moment, on_lanes = moment.ACCEPT.get, lanes.TAKE.get
+        on_moment, on_lanes, code = moment.ACCEPT.get, lanes.TAKE.get, _CODES.get
         begins = not self._times
         t = -math.inf if begins else self._times[-1]
         whole = True
@@ -151,6 +162,7 @@ class TraceLog:
             if take is not None:
                 take(over_time, event)
             self._times.append(t)
+            self._codes.append(code(kind, 0))
             self._open.append(event)
             self._lines.append(line)
             if len(self._open) == self._size:
@@ -177,6 +189,7 @@ class TraceLog:
         if lines.count(b"\n") >= len(self._lines):
             # JSON may have line breaks, if ours has none.
             lines = b"\n".join(map(msgspec.json.encode, self._open))
+        self._firsts.append(self._open[0]["seq"])
         before = moment.packed(self._open_before)
         self._blocks.append(_Block(_packed(before), _packed(lines)))
         self._open, self._lines, self._open_before = [], [], self._told.copy()
@@ -188,7 +201,9 @@ class TraceLog:
         """The oldest go, and the cursor's places go down by as many events."""
         events = blocks * self._size
         del self._blocks[:blocks]
+        del self._firsts[:blocks]
         del self._times[:events]
+        del self._codes[:events]
         self.gone += events
         self.late += sum(gap.count for gap in self.gaps if gap.to <= self._times[0])
         self.gaps = [gap for gap in self.gaps if gap.to > self._times[0]]
@@ -251,6 +266,38 @@ class TraceLog:
         """When the event of that place happened."""
         return self._times[index]
 
+    def place(self, seq: int) -> int | None:
+        """Where the event of that seq is; None where it is not kept. Blocks are looked into only
+        where some of theirs never came.
+        """
+        begins = [self._open[0]["seq"]] if self._open else []
+        number = bisect_right(self._firsts, seq) - 1
+        if begins and seq >= begins[0]:
+            number = len(self._blocks)
+        if number < 0 or seq > self._seq:
+            return None
+        starts = [*self._firsts[number : number + 2], *begins, self._seq + 1]
+        first, behind = int(starts[0]), int(starts[1])
+        begun = number * self._size
+        if behind - first == min(self._size, len(self) - begun):
+            return begun + seq - first
+        block = self._block(number)
+        near = bisect_left(block, seq, key=_seq_of)
+        return begun + near if near < len(block) and block[near]["seq"] == seq else None
+
+    def kind(self, place: int) -> str:
+        """The kind of the event there, without looking at it; "" where it is none of ``KINDS``."""
+        code = self._codes[place]
+        return KINDS[code - 1] if code else ""
+
+    def of_kinds(self, kinds: Collection[str], since: int = 0) -> array[int]:
+        """The places of all events of these kinds, from ``since`` on."""
+        wanted = bytearray(256)
+        for kind in kinds:
+            wanted[_CODES[kind]] = 1
+        mask = self._codes[since:].translate(wanted)
+        return array("L", compress(range(since, len(self)), mask))
+
     def count(self, t: float) -> int:
         """How many of the kept events had happened at ``t``."""
         return bisect_right(self._times, t)
@@ -305,3 +352,7 @@ class TraceLog:
         if self._unpacked[0] != number:
             self._unpacked = (number, self._blocks[number].events())
         return self._unpacked[1]
+
+
+def _seq_of(event: TraceFields) -> int:
+    return int(event["seq"])

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from array import array
+from bisect import bisect_left
+from collections.abc import Callable, Collection, Sequence
 from typing import overload
 
 from situ_studio.live.log import TraceLog
@@ -16,12 +18,22 @@ GONE = Row("", ("", "", "", ""))
 
 
 class LogRows(Sequence[Row]):
-    """The events that ``log`` had when it was looked at last; ``news`` says what it has now."""
+    """The events that ``log`` had when it was looked at last; ``news`` says what it has now.
 
-    def __init__(self, log: TraceLog, row: Callable[[TraceFields], Row]) -> None:
-        self._log, self._row = log, row
+    kinds: only events of these are among the rows; none: all are.
+    """
+
+    def __init__(
+        self,
+        log: TraceLog,
+        row: Callable[[TraceFields], Row],
+        kinds: Collection[str] = (),
+    ) -> None:
+        self._log, self._row, self._kinds = log, row, kinds
         self._lanes = log.lanes
-        self._gone, self._count = log.gone, len(log)
+        # Events keep their number when earlier ones go.
+        self._gone, self._end = log.gone, log.gone + len(log)
+        self._numbers = self._among(self._gone) if kinds else None
         self._kept: dict[int, Row] = {}
 
     def news(self) -> tuple[int, int] | None:
@@ -29,21 +41,56 @@ class LogRows(Sequence[Row]):
         log = self._log
         if self._lanes is not log.lanes:
             return None
-        gone = min(log.gone - self._gone, self._count)
-        return gone, len(log) - (self._count - gone)
+        if self._numbers is not None:
+            gone = bisect_left(self._numbers, log.gone)
+            return gone, len(self._among(max(self._end, log.gone)))
+        gone = min(log.gone - self._gone, len(self))
+        return gone, len(log) - (len(self) - gone)
 
     def drop(self, gone: int) -> None:
         """The first are not among the rows any more."""
-        self._count -= gone
+        if self._numbers is not None:
+            del self._numbers[:gone]
         self._gone = self._log.gone
+        self._end = max(self._end, self._gone)
 
     def take(self, came: int) -> None:
         """What came is among the rows."""
-        self._count += came
-        self._gone = self._log.gone
+        if self._numbers is not None:
+            self._numbers.extend(self._among(self._end)[:came])
+        self._end = self._log.gone + len(self._log)
+
+    def _among(self, number: int) -> array[int]:
+        """The numbers of those that are rows, from that one on."""
+        gone = self._log.gone
+        found = self._log.of_kinds(self._kinds, number - gone)
+        return array("L", (gone + place for place in found)) if gone else found
+
+    def forget(self) -> None:
+        """Rows are worked out anew: their words may be others now."""
+        self._kept.clear()
+
+    def place(self, row: int) -> int:
+        """Where the log has the event of a row; below 0 where it has it no more."""
+        return self._number(row) - self._log.gone
+
+    def before(self, count: int) -> int:
+        """The last row of the first ``count`` events of the log; -1 where there is none."""
+        number = count + self._log.gone
+        if self._numbers is not None:
+            return bisect_left(self._numbers, number) - 1
+        return min(number - self._gone, len(self)) - 1
+
+    def row_at(self, place: int) -> int | None:
+        """The row of the event at that place; None where it is none of the rows."""
+        row = self.before(place + 1)
+        return row if row >= 0 and self.place(row) == place else None
+
+    def _number(self, row: int) -> int:
+        return self._gone + row if self._numbers is None else self._numbers[row]
 
     def __len__(self) -> int:
-        return self._count
+        return self._end - self._gone if self._numbers is None else len(self._numbers)
 
     @overload
     def __getitem__(self, index: int) -> Row: ...
@@ -53,18 +100,17 @@ class LogRows(Sequence[Row]):
 
     def __getitem__(self, index: int | slice) -> Row | list[Row]:
         if isinstance(index, slice):
-            return [self[i] for i in range(*index.indices(self._count))]
-        place = index if index >= 0 else self._count + index
-        if not 0 <= place < self._count:
+            return [self[i] for i in range(*index.indices(len(self)))]
+        at = index if index >= 0 else len(self) + index
+        if not 0 <= at < len(self):
             raise IndexError(index)
-        # Rows keep their number when earlier ones go.
-        number = place + self._gone
+        number = self._number(at)
         row = self._kept.get(number)
         if row is None:
-            at = number - self._log.gone
-            if at < 0 or self._lanes is not self._log.lanes:
+            place = number - self._log.gone
+            if place < 0 or self._lanes is not self._log.lanes:
                 return GONE
             if len(self._kept) >= KEPT:
                 self._kept.clear()
-            row = self._kept[number] = self._row(self._log[at])
+            row = self._kept[number] = self._row(self._log[place])
         return row

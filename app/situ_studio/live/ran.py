@@ -47,6 +47,10 @@ class WhatRan:
         log = self._window.robot.follower.viewing.log
         return running.course if running is not None and log is running.course.log else None
 
+    def project(self, t: float) -> Project | None:
+        """As ``at``, without comparing it with what is open."""
+        return self._project(t) or self._window.session.project
+
     def at(self, t: float) -> Ran | None:
         """What ran then; None where no project is open."""
         mine = self._window.session.project

@@ -43,29 +43,12 @@ class Thing(Struct, frozen=True):
 Fits = Callable[[TraceFields], bool]
 
 
-def place_of(log: TraceLog, seq: int) -> int | None:
-    """Where the event of that seq is in the log; None where it is not kept."""
-    if not len(log):
-        return None
-    guess = seq - int(log[0]["seq"])
-    if 0 <= guess < len(log) and log[guess]["seq"] == seq:
-        return guess
-    low, high = 0, len(log)
-    while low < high:
-        middle = (low + high) // 2
-        if log[middle]["seq"] < seq:
-            low = middle + 1
-        else:
-            high = middle
-    return low if low < len(log) and log[low]["seq"] == seq else None
-
-
 def latest(log: TraceLog, project: Project, thing: Thing, t: float) -> Iterator[int | None]:
     """Yields None after each block that it has looked through, last the place of the event; ends
     without one where there is none up to ``t``.
     """
     if thing.kind == "event":
-        place = place_of(log, int(thing.name))
+        place = log.place(int(thing.name))
         if place is not None:
             yield place
         return
@@ -217,7 +200,7 @@ def trail(log: TraceLog, place: int) -> list[int]:
 def _before(log: TraceLog, place: int) -> Iterator[int]:
     event = log[place]
     if event["cause"] is not None and event["cause"] < event["seq"]:
-        cause = place_of(log, event["cause"])
+        cause = log.place(event["cause"])
         if cause is not None:
             yield cause
     elif event["kind"] == "mapping" and event["module"] is not None:

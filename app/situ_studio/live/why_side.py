@@ -21,8 +21,9 @@ from situ_studio.edit import Document, Place
 from situ_studio.language import said
 from situ_studio.live.by_clock import by_clock
 from situ_studio.live.counterpart import counterpart
+from situ_studio.live.moment import TraceFields
 from situ_studio.live.ran import Ran, WhatRan
-from situ_studio.live.why import Thing, latest, place_of, trail
+from situ_studio.live.why import Thing, latest, trail
 from situ_studio.live.why_menus import WhyMenus
 from situ_studio.live.why_not import Question, Wanted, events_until, wanted_at
 from situ_studio.live.why_not_asking import AskingWhyNot
@@ -68,6 +69,9 @@ class WhySide(QObject):
         self.menus = WhyMenus(window, self)
         window.robot.link.state_changed.connect(self.settle)
         self._viewing.exchanged.connect(self._on_exchanged)
+        self._robot.trace.teller = self._teller_of
+        window.robot.link.documents_came.connect(lambda _: self._robot.trace.retell())
+        window.session.changed.connect(lambda _: self._robot.trace.retell())
         self.settle()
 
     def set_theme(self, theme: Theme) -> None:
@@ -98,15 +102,18 @@ class WhySide(QObject):
 
     def project_at(self, t: float) -> Project | None:
         """The same for another moment."""
-        ran = self._ran.at(t)
-        return ran.project if ran is not None else None
+        return self._ran.project(t)
 
     def document(self, file: str) -> Document | None:
         """A document of that project; None where it has none of the name."""
         project = self.project
         return project_documents.document(project, file) if project is not None else None
 
-    def teller(self, project: Project) -> Teller:
+    def _teller_of(self, event: TraceFields) -> Teller:
+        """Of a row of the trace."""
+        return self.teller(self._ran.project(event["t"]))
+
+    def teller(self, project: Project | None) -> Teller:
         """Tells events of what is looked at; what who sits here did is told as *you*."""
         link = self._robot.link
         if self._ran.course is not None:
@@ -208,7 +215,7 @@ class WhySide(QObject):
 
     def place(self, seq: int) -> int | None:
         """Where the event of that seq is in the log that is looked at."""
-        return place_of(self._viewing.log, seq)
+        return self._viewing.log.place(seq)
 
     def _begin(self, t: float) -> None:
         self._stop()
@@ -302,7 +309,8 @@ class WhySide(QObject):
         if isinstance(answer, str):
             self.panel.tell(said(answer))
             return
-        place = place_of(self._viewing.log, answer.happened["seq"]) if answer.happened else None
+        happened = answer.happened
+        place = self._viewing.log.place(happened["seq"]) if happened is not None else None
         if place is not None:
             self._answer(place)
             return
@@ -353,7 +361,7 @@ class WhySide(QObject):
     def _reason(self, project: Project, reason: Reason, depth: int) -> Link:
         """A reason as a link: to the event that tells of it, else to what was asked about."""
         log = self._viewing.log
-        place = place_of(log, reason.seq) if reason.seq is not None else None
+        place = log.place(reason.seq) if reason.seq is not None else None
         t, about = self._viewing.t, self._about
         if place is not None:
             t, about = log.time(place), where(project, log[place])

@@ -19,12 +19,15 @@ BESIDE = 20
 
 
 class Row(Struct, frozen=True):
-    """key: what a row is about, the same over changes. marked: drawn in the live colour."""
+    """key: what a row is about, the same over changes. marked: drawn in the live colour. link: the
+    cell that leads elsewhere.
+    """
 
     key: str
     cells: tuple[str, ...]
     marked: bool = False
     tip: str = ""
+    link: int = -1
 
 
 class RowsModel(QAbstractTableModel):
@@ -105,6 +108,8 @@ class RowsModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return row.cells[index.column()]
         if role == Qt.ItemDataRole.ForegroundRole:
+            if index.column() == row.link:
+                return self._theme.color("accent")
             token = "text2" if index.column() else "text"
             return self._theme.color("live" if row.marked else token)
         if role == Qt.ItemDataRole.ToolTipRole:

@@ -18,7 +18,7 @@ from tests.gui.live.test_recordings import opened
 import situ
 from situ.rehearse.why import chain
 from situ_studio.live.log import TraceLog
-from situ_studio.live.why import Thing, latest, place_of, trail
+from situ_studio.live.why import Thing, latest, trail
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 SLAP = {"yaw": 40, "pitch": 0}
@@ -89,7 +89,7 @@ def test_every_event_hangs_on_its_causes_and_on_what_gave_the_resource() -> None
     log.add(events)
     by_seq = {event["seq"]: event for event in events}
     for place, event in enumerate(events):
-        assert place_of(log, event["seq"]) == place
+        assert log.place(event["seq"]) == place
         seqs = [log[one]["seq"] for one in trail(log, place)]
         assert seqs == sorted(seqs)
         assert seqs[-1] == event["seq"]
@@ -106,7 +106,7 @@ def test_events_are_found_by_seq_where_some_are_missing() -> None:
     log.add(events[3::3])
     kept = {event["seq"]: place for place, event in enumerate(log)}
     for event in events:
-        assert place_of(log, event["seq"]) == kept.get(event["seq"])
+        assert log.place(event["seq"]) == kept.get(event["seq"])
 
 
 @pytest.mark.parametrize(
