@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from typing import Any
 
@@ -9,12 +10,14 @@ from msgspec import Struct
 
 from situ.decide import inputs
 from situ.decide.step import SECOND, microseconds
+from situ.document.project import Project
 from situ.rehearse import scenario
 from situ.rehearse.expect import Expect
 from situ.rehearse.scenario import End
 from situ_studio.language import tr
 from situ_studio.live.moment import TraceFields
 from situ_studio.rehearsing.course import Course
+from situ_studio.words import running_state
 
 _FIELDS = {
     "enter": ("application", "state"),
@@ -36,13 +39,13 @@ class Chance(Struct, frozen=True):
     fields: dict[str, Any]
     usual: bool
 
-    @property
-    def words(self) -> str:
-        """As a designer tells it."""
+    def words(self, project: Project) -> str:
+        """As a designer tells it, of that project."""
         fields = self.fields
         match fields["kind"]:
             case "enter":
-                what = tr("{0} is in state {1}").format(fields["application"], fields["state"])
+                state = running_state(project, fields["application"], fields["state"])
+                what = tr("{0} is in {1}").format(fields["application"], state)
             case "situation":
                 what = tr("the situation is {0}").format(fields["to"] or tr("none"))
             case "authority":
@@ -59,11 +62,21 @@ class Chance(Struct, frozen=True):
 
 
 def chances(events: Iterable[TraceFields]) -> list[Chance]:
-    """Those of a run, in its order."""
-    return [
-        Chance(microseconds(event["t"]), _expected(event), event["kind"] in _USUAL)
+    """Those of a run, in its order. That an application which then did nothing has begun is not
+    usual: it says nothing of what somebody rehearsed."""
+    kept = [
+        event
         for event in events
         if event["kind"] in _FIELDS and event.get("action", "speech") in _TOLD
+    ]
+    entered = Counter(event["application"] for event in kept if event["kind"] == "enter")
+    return [
+        Chance(
+            microseconds(event["t"]),
+            _expected(event),
+            event["kind"] in _USUAL and entered.get(event.get("application"), 2) > 1,
+        )
+        for event in kept
     ]
 
 

@@ -47,7 +47,7 @@ class SavingScenario(QDialog):
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("What is expected"))
         for one in chances(course.log):
-            item = QListWidgetItem(one.words)
+            item = QListWidgetItem(one.words(course.project))
             item.setData(Qt.ItemDataRole.UserRole, one)
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             checked = Qt.CheckState.Checked if one.usual else Qt.CheckState.Unchecked

@@ -92,7 +92,21 @@ def test_what_was_done_gives_the_same_again(deeds: list[tuple[int, Any]]) -> Non
     assert verdict.fulfilled == len(expected) > 0
 
 
-CONVERSATION = ready("conversation")
+def test_of_what_did_nothing_but_begin_nothing_is_expected_at_first() -> None:
+    course = Course(VITALS)
+    course.advance(SECOND)
+    course.give(inputs.Touch())
+    course.take()
+    every = chances(course.log)
+    assert {one.fields["application"] for one in every if one.fields["kind"] == "enter"} > {"home"}
+    usual = [one for one in every if one.usual]
+    assert {one.fields.get("application", "home") for one in usual} == {"home"}
+    told = [one.words(VITALS) for one in usual]
+    assert told[0] == "0 s: the situation is day"
+    assert told[-1] == "1 s: home is in 2 room"
+
+
+CONVERSATION, VITALS = ready("conversation"), ready("vitals")
 
 
 @settings(max_examples=10, deadline=None)
