@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from situ.document.modules import Modules
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
@@ -41,17 +42,23 @@ def exchanged(project: Project, file: str, document: Document) -> Project:
     return replace(project, modules=document)
 
 
-def added(project: Project, file: str, document: Application | Spds) -> Project:
-    """The project with a file more: a script becomes its script, an application a part of it."""
+def added(project: Project, file: str, document: Document) -> Project:
+    """The project with a file more: a script becomes its script, module information its own, an
+    application a part of it.
+    """
     if isinstance(document, Spds):
         return replace(project, spds=document, spds_file=file)
+    if isinstance(document, Modules):
+        return replace(project, modules=document, modules_file=file)
     return replace(project, parts={**project.parts, file: document})
 
 
 def without(project: Project, file: str) -> Project:
-    """The project without the script, application or part of that file."""
+    """The project without the script, module information, application or part of that file."""
     if file == project.spds_file:
         return replace(project, spds=None, spds_file=None)
+    if file == project.modules_file:
+        return replace(project, modules=None, modules_file=None)
     for kind in ("applications", "parts"):
         left = {f: a for f, a in getattr(project, kind).items() if f != file}
         project = replace(project, **{kind: left})

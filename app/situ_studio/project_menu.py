@@ -8,8 +8,9 @@ from PySide6.QtCore import QObject, QPoint, Qt
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QMenu
 
+from situ.document.beside import Toml
 from situ.document.folder import PROJECT_FILE
-from situ_studio import icons
+from situ_studio import icons, new_information
 from situ_studio.icon_widgets import IconButton
 
 if TYPE_CHECKING:
@@ -45,12 +46,25 @@ class ProjectMenu(QObject):
         script = window.actions_.actions["begin_script"]
         if script.isVisible():
             menu.addAction(script)
+        project = window.session.project
+        if project is not None and new_information.can_begin(project):
+            modules = menu.addAction(
+                self._icon("module"), self.tr("What modules say of themselves")
+            )
+            modules.triggered.connect(lambda _=False: self._begin_information())
         language = menu.addAction(self._icon("language"), self.tr("Language…"))
         language.triggered.connect(lambda: window.pages.add_language())
         menu.addSeparator()
         form = menu.addAction(self._icon("folder"), self.tr("What the project is"))
         form.triggered.connect(lambda: window.open_file(PROJECT_FILE))
         menu.popup(at)
+
+    def _begin_information(self) -> None:
+        toml = self._window.session.value(PROJECT_FILE)
+        if isinstance(toml, Toml):
+            changed = new_information.begun(toml)
+            if self._window.session.commit_all(changed, self.tr("Begin module information")):
+                self._window.open_file(new_information.FILE)
 
     def _on_button(self) -> None:
         self.open(self.button.mapToGlobal(self.button.rect().bottomLeft()))

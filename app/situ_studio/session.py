@@ -22,7 +22,6 @@ from situ.document.folder import PROJECT_FILE
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.rbd import Application
-from situ.document.spds import Spds
 from situ.errors import UsageError
 from situ_studio import project_documents, projects
 from situ_studio.checking import Checker
@@ -556,7 +555,6 @@ class Session(QObject):
         if document is None:
             project = project_documents.without(project, file)
         elif not listed:
-            assert isinstance(document, Application | Spds)
             project = project_documents.added(project, file, document)
             if isinstance(document, Application):
                 project = self._regrouped(project)

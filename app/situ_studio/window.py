@@ -470,7 +470,9 @@ class MainWindow(Frame):
         if other is not None and file == other.current_file and file != self.current_file:
             self.sides.enter(other)
         elif file != self.current_file and not self.pages.shows(file):
-            self.open_file(file)
+            # Nothing is shown of a file that the step had begun.
+            if self.session.value(file) is not None:
+                self.open_file(file)
         view = self.current_view
         document = self.current_document
         if view is not None and document is not None:

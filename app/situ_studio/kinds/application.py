@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from situ.document import drawing, rbd
 from situ_studio.kinds.kind import Field, Kind, Section
-from situ_studio.kinds.noted import MORE, NOTE
+from situ_studio.kinds.noted import MORE, NOTED
 from situ_studio.language import tr
 
 _TIMEOUT = Field(
@@ -91,7 +91,7 @@ _MORE = Section(
             editor="flag",
             help="What “In every state” adds is part of this one too.",
         ),
-        NOTE,
+        NOTED,
     ),
 )
 PART = Kind(

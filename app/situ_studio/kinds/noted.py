@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from situ_studio.kinds.kind import Field, Section
 
-NOTE = Field(
+NOTED = Field(
     attribute="note",
     label="Note",
     editor="note",
     help="What is to be remembered about it; the robot does not see it.",
     empty="",
 )
-MORE = Section(title="More", help="What is seldom needed.", fields=(NOTE,))
+MORE = Section(title="More", help="What is seldom needed.", fields=(NOTED,))

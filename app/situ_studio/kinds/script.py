@@ -5,6 +5,7 @@ from __future__ import annotations
 from situ.document import modules, spds, words
 from situ.document.condition import Test
 from situ_studio.kinds.kind import Field, Kind, Section
+from situ_studio.kinds.noted import MORE
 from situ_studio.kinds.said import TESTS, TYPES, type_words
 from situ_studio.language import tr
 
@@ -59,6 +60,7 @@ SITUATION = Kind(
             help="Of each module in this situation; the higher wins.",
         ),
         Section(title="In words", editor="words", help="The same as a sentence."),
+        MORE,
     ),
     make=lambda name: spds.Situation(name=name),
     palette="script",
@@ -106,6 +108,7 @@ MODULE = Kind(
             placeholder="none",
         ),
     ),
+    sections=(MORE,),
     make=lambda name: spds.Declaration(name=name),
     summary=lambda v: " ".join(v.resources),
     palette="script",
@@ -135,6 +138,7 @@ DATA = Kind(
         _TYPE,
         Field(attribute="unit", label="Unit", help="Such as deg or m."),
     ),
+    sections=(MORE,),
     make=lambda name: spds.Observed(tag=name, type="boolean"),
     summary=lambda v: type_words(v.type, v.unit),
     palette="script",
@@ -190,6 +194,7 @@ SCRIPT = Kind(
     tint="situation",
     help="Situations in their order, and the modules' priorities in each.",
     fields=(Field(attribute="name", label="Name", help="How the robot calls it.", fixed=True),),
+    sections=(MORE,),
     summary=lambda v: f"{len(v.situations)}",
 )
 INFORMATION = Kind(
@@ -226,6 +231,7 @@ INFORMATION = Kind(
             editor="provides",
             help="The values that it writes.",
         ),
+        MORE,
     ),
     make=lambda name: modules.Module(name=name),
     summary=lambda v: str(v.description),

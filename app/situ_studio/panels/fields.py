@@ -251,6 +251,11 @@ class Paragraph(QPlainTextEdit):
             self.tags = TagCompletion(self)
         self.tags.offer(tags)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # A narrower one has more lines.
+        self.on_size_changed()
+
     def on_size_changed(self) -> None:
         lines = min(8, max(2, int(self.document().size().height())))
         self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + 16)

@@ -31,10 +31,14 @@ class PrioritiesEditor(QFrame):
         self._entries: tuple[Entry, ...] = ()
         self._vocabulary = Vocabulary()
         self._shape: Any = None
+        self._inherited: Any = None
         self._rows: list[tuple[Choice, Number]] = []
-        self._layout = QVBoxLayout(self)
-        self._layout.setContentsMargins(1, 1, 1, 1)
-        self._layout.setSpacing(0)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(1, 1, 1, 1)
+        column.setSpacing(0)
+        self._own, self._others = QVBoxLayout(), QVBoxLayout()
+        column.addLayout(self._own)
+        column.addLayout(self._others)
 
     def show_value(
         self, theme: Theme, script: Spds, situation: Situation, vocabulary: Vocabulary
@@ -45,10 +49,14 @@ class PrioritiesEditor(QFrame):
         inherited = tuple(
             sorted(((m, p) for m, p in every.items() if m not in own), key=lambda pair: -pair[1])
         )
-        shape = (theme.name, len(situation.entries), inherited)
+        # Apart: who writes into a row goes on there while what is taken over becomes less.
+        shape = (theme.name, len(situation.entries))
         if shape != self._shape:
             self._shape = shape
-            self._rebuild(theme, len(situation.entries), inherited)
+            self._rebuild(theme, len(situation.entries))
+        if (shape, inherited) != self._inherited:
+            self._inherited = (shape, inherited)
+            self._show_inherited(theme, inherited)
         for (module, priority), entry in zip(self._rows, situation.entries, strict=True):
             module.offer(tuple((m, m) for m in vocabulary.modules))
             module.show_value(entry.module)
@@ -65,12 +73,14 @@ class PrioritiesEditor(QFrame):
         if free:
             made = (*self._entries, Entry(free[0], 10))
             self.changed.emit(made, self.tr("Add a priority for {0}").format(free[0]))
+            if self._rows:
+                self._rows[-1][0].setFocus(Qt.FocusReason.OtherFocusReason)
 
-    def _rebuild(self, theme: Theme, count: int, inherited: tuple[tuple[str, int], ...]) -> None:
-        clear(self._layout)
+    def _rebuild(self, theme: Theme, count: int) -> None:
+        clear(self._own)
         self._rows = []
         for index in range(count):
-            holder, line = self._line(theme, "module")
+            holder, line = self._line(theme, "module", self._own)
             module = Choice(theme)
             module.setAccessibleName(self.tr("Module"))
             module.committed.connect(lambda v, i=index: self._change(i, module=v))
@@ -88,10 +98,13 @@ class PrioritiesEditor(QFrame):
             remove.setFixedSize(px(18), px(18))
             remove.clicked.connect(lambda _=False, i=index: self._remove(i))
             line.addWidget(remove)
-            self._layout.addWidget(holder)
+            self._own.addWidget(holder)
             self._rows.append((module, priority))
+
+    def _show_inherited(self, theme: Theme, inherited: tuple[tuple[str, int], ...]) -> None:
+        clear(self._others)
         for name, number in inherited:
-            holder, line = self._line(theme, "text3")
+            holder, line = self._line(theme, "text3", self._others)
             line.addWidget(Elided(name, "dim"), 1)
             words = QLabel(self.tr("taken over"))
             words.setProperty("role", "hint")
@@ -102,11 +115,11 @@ class PrioritiesEditor(QFrame):
             value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             line.addWidget(value)
             line.addSpacing(4)
-            self._layout.addWidget(holder)
+            self._others.addWidget(holder)
 
-    def _line(self, theme: Theme, tint: str) -> tuple[QWidget, QHBoxLayout]:
-        if self._layout.count():
-            self._layout.addWidget(rule())
+    def _line(self, theme: Theme, tint: str, among: QVBoxLayout) -> tuple[QWidget, QHBoxLayout]:
+        if among.count() or (among is self._others and self._own.count()):
+            among.addWidget(rule())
         holder = QWidget()
         holder.setFixedHeight(px(34))
         line = QHBoxLayout(holder)

@@ -6,19 +6,17 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtWidgets import QAbstractButton, QApplication
-from tests.gui.drawing.forms import FormFiller
+from PySide6.QtWidgets import QApplication
+from tests.gui.drawing.conditions import ConditionFiller
 
 from situ.document import rbd
-from situ.document.condition import Condition, Group, Test
 from situ.document.datatypes import write_number
 from situ_studio import kinds
-from situ_studio.kinds import GROUPS, TESTS, Field, Kind
+from situ_studio.kinds import Field, Kind
 from situ_studio.notes import note_of
-from situ_studio.panels.test_box import listed
 from situ_studio.screens.media_picker import MediaPicker
 
-STAYS = "nothing, it stays"
+ALWAYS = "always"
 COUNTED = {"id", "event", "x", "y", "width", "height"}
 """What something new has depends on what is there."""
 PAIRS: dict[str, Callable[[Any], tuple[str, list[tuple[str, ...]]]]] = {
@@ -27,7 +25,7 @@ PAIRS: dict[str, Callable[[Any], tuple[str, list[tuple[str, ...]]]]] = {
 }
 
 
-class ApplicationDrawer(FormFiller):
+class ApplicationDrawer(ConditionFiller):
     """Draws applications into the tab that is open, which is empty."""
 
     def draw(self, wanted: rbd.Application) -> None:
@@ -37,21 +35,27 @@ class ApplicationDrawer(FormFiller):
         if wanted.always is not None:
             self.press("In every state")
             self.inside(wanted.always)
-        self.click_ground()
-        about: dict[str, str | bool] = {"Note": note_of(wanted)}
+        if wanted.states:
+            self.click_state(wanted.states[0].no)
+        self.key(Qt.Key.Key_Escape)
+        about: dict[str, str | bool] = {"Name": wanted.name, "Note": note_of(wanted)}
         if wanted.start is not None:
             about["Starts with"] = self.target(wanted.start)
-        self.press_in_form("Name")
-        self.fill(about)
+        self.fill_form(about)
         for state in wanted.states:
             self.leads_on(state.no, state)
         if wanted.always is not None:
-            self.leads_on("always", wanted.always)
+            self.leads_on(ALWAYS, wanted.always)
 
     # -- states ---------------------------------------------------------------------------
 
     def state(self, state: rbd.State) -> None:
-        self.press("State")
+        if state.flow is None:
+            self.press("State")
+        else:
+            self.answer(state.flow.removesuffix(".rbd.xml"))
+            self.press("Part")
+            self.press_in_form("Name")
         fields: dict[str, str | bool] = {"Name": state.name, "Number": state.no}
         if state.timeout is not None:
             fields["Timeout"] = write_number(state.timeout.seconds)
@@ -80,10 +84,10 @@ class ApplicationDrawer(FormFiller):
         """Something new into what is selected: from the palette, then its form."""
         kind = kinds.kind_of(value)
         assert kind is not None
-        self.asked = str(getattr(value, kind.file, "")) if kind.file else ""
+        self.wanted_file = str(getattr(value, kind.file)) if kind.file else ""
         self.press(kind.title)
         if kind.file:
-            self.choose_file(self.asked)
+            self.choose_file(self.wanted_file)
             self.press_in_form("File")
         self.form(kind, value)
 
@@ -148,41 +152,6 @@ class ApplicationDrawer(FormFiller):
         special = {rbd.AGAIN: "the same state, anew", rbd.BACK: "back to where it came from"}
         return special.get(no) or self.no_names[no]
 
-    def condition(self, condition: Condition) -> None:
-        groups = [0]
-        for child in condition.children:
-            self.tested(child, 0, groups)
-
-    def tested(self, child: Test | Group, group: int, groups: list[int]) -> None:
-        """group: of which plus it is; groups: how many there are by now, in one number."""
-        if isinstance(child, Test):
-            self.menu_in_form("Add a test", "A test", group)
-            self.one_test(child)
-            return
-        self.menu_in_form("Add a test", dict(GROUPS)[child.kind].capitalize(), group)
-        groups[0] += 1
-        own = groups[0]
-        for index, one in enumerate(child.children):
-            if index == 0 and isinstance(one, Test):
-                self.one_test(one)
-            else:
-                self.tested(one, own, groups)
-
-    def one_test(self, test: Test) -> None:
-        """Into the fields of a test that has just been added."""
-        missing = test.test == "exists" and test.value == "false"
-        fields: dict[str, str | bool] = {
-            "Tag": test.tag,
-            "Test": "is missing" if missing else dict(TESTS)[test.test],
-        }
-        if test.test != "exists":
-            fields["Value"] = listed(test.value) if test.test == "in" else test.value
-        if test.within is not None:
-            fields["within"] = write_number(test.within)
-        if test.hold is not None:
-            fields["for"] = write_number(test.hold)
-        self.fill(fields)
-
     # -- the drawing ----------------------------------------------------------------------
 
     @property
@@ -194,17 +163,17 @@ class ApplicationDrawer(FormFiller):
         found: QPoint = viewer.viewport().mapToGlobal(viewer.mapFromScene(spot))
         return found
 
+    def node(self, card: str) -> Any:
+        """A card by the number of its state, or ALWAYS."""
+        place = (ALWAYS,) if card == ALWAYS else ("state", card)
+        cards = self.canvas.graph.cards
+        return self.canvas.graph.nodes[next(u for u in cards if cards[u].place == place)]
+
     def click_state(self, card: str) -> None:
-        face = self.canvas.graph.nodes[card].view
+        face = self.node(card).view
         spot = face.scenePos() + QPointF(20, 16)
         self.see(spot)
         self.click_at(self.on_canvas(spot))
-
-    def click_ground(self) -> None:
-        """Where nothing is drawn: what is chosen then is all of it."""
-        viewer = self.canvas.viewer
-        corner = viewer.viewport().mapToGlobal(viewer.viewport().rect().topRight())
-        self.click_at(corner + QPoint(-30, 90))
 
     def see(self, *spots: QPointF) -> None:
         """Shows everything where one of them can not be seen."""
@@ -215,9 +184,8 @@ class ApplicationDrawer(FormFiller):
 
     def pull_new(self, card: str, target: str) -> None:
         """From the plus of a card that is selected onto another."""
-        graph = self.canvas.graph
-        start = graph.nodes[card].port("out", "new").view.centre()
-        face = graph.nodes[target].view
+        start = self.node(card).port("out", "new").view.centre()
+        face = self.node(target).view
         end = face.scenePos() + QPointF(88, 60)
         self.see(start, end)
         self.drag(self.on_canvas(start), self.on_canvas(end))
@@ -232,10 +200,6 @@ class ApplicationDrawer(FormFiller):
             else:
                 self.key(Qt.Key.Key_Up)
                 self.key(Qt.Key.Key_Return)
-
-    def press(self, name: str) -> None:
-        """A kind of the palette."""
-        self.click(name, QAbstractButton)
 
 
 def shown(field: Field, value: Any) -> Any:

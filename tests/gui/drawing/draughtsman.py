@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
 import shiboken6
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QInputMethodEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -54,8 +56,14 @@ class Draughtsman(Person):
 
     def type(self, text: str, end: Qt.Key | None = Qt.Key.Key_Return) -> None:
         self.gestures += 1
-        for letter in text:
-            QTest.keyClicks(self.hears(), letter)
+        for letters in re.findall(r"[ -~]|[^ -~]+", text):
+            if letters.isascii():
+                QTest.keyClicks(self.hears(), letters)
+            else:
+                # No key has it: it comes through an input method.
+                done = QInputMethodEvent()
+                done.setCommitString(letters)
+                QApplication.sendEvent(self.hears(), done)
         self.settle()
         if end is not None:
             self.key(end)

@@ -21,6 +21,8 @@ from tests.gui.test_newcomer import CONTROL, NONE
 
 from situ_studio.panels.rows import RowWidget
 
+ANSWERS = {"true": "yes", "false": "no"}
+"""What a person chooses where a value is one of two."""
 FARTHEST = 60
 """Fields that one goes through before one looks elsewhere."""
 
@@ -49,6 +51,15 @@ class FormFiller(Draughtsman):
         if wanted:
             self.key(Qt.Key.Key_Tab)
 
+    def fill_form(self, wanted: Mapping[str, str | bool]) -> None:
+        """From its first field that is wanted on."""
+        self.press_in_form(next(iter(wanted)))
+        self.fill(wanted)
+
+    def press(self, name: str) -> None:
+        """A kind of the palette."""
+        self.click(name, QAbstractButton)
+
     def write(self, field: QWidget, wanted: str | bool) -> None:
         """Over what stands in the field that has the focus."""
         if isinstance(field, QCheckBox):
@@ -57,6 +68,8 @@ class FormFiller(Draughtsman):
             return
         assert isinstance(wanted, str)
         if isinstance(field, QComboBox):
+            if field.findText(wanted) < 0:
+                wanted = ANSWERS.get(wanted, wanted)
             if field.currentText() != wanted:
                 self.type(wanted, None)
                 assert field.currentText() == wanted, f"{wanted!r} is not offered"
@@ -121,13 +134,14 @@ class FormFiller(Draughtsman):
         for _ in range(FARTHEST):
             top = widget.mapTo(port, QPoint()).y()
             if top < 0:
-                self._turn(port, 120)
+                self.turn(port, 120)
             elif top + widget.height() > port.height():
-                self._turn(port, -120)
+                self.turn(port, -120)
             else:
                 return
 
-    def _turn(self, port: QWidget, by: int) -> None:
+    def turn(self, port: QWidget, by: int) -> None:
+        """The wheel over what scrolls."""
         self.gestures += 1
         spot = port.rect().center()
         event = QWheelEvent(
