@@ -46,6 +46,7 @@ class Status(QStatusBar):
         line.addWidget(self._link_icon)
         self.link = QLabel(self.tr("no robot"))
         line.addWidget(self.link)
+        self._line = line
         line.addSpacing(10)
         self.errors = self._button(theme, "error", "error")
         line.addWidget(self.errors)
@@ -60,6 +61,7 @@ class Status(QStatusBar):
         end = QHBoxLayout(right)
         end.setContentsMargins(0, 0, 12, 0)
         end.setSpacing(16)
+        self._end = end
         end.addWidget(self.selection)
         end.addWidget(self.counts)
         saved = QHBoxLayout()
@@ -90,6 +92,11 @@ class Status(QStatusBar):
         button = ThemedButton(theme, icon, "0", "", token, 14)
         button.clicked.connect(self.problems_asked)
         return button
+
+    def add_to_link(self, behind: QWidget, at_the_right: QWidget) -> None:
+        """More about the link: behind what it is, and before the selection."""
+        self._line.insertWidget(2, behind)
+        self._end.insertWidget(0, at_the_right)
 
     def show_project(self, there: bool) -> None:
         """Problems only where there is a document; else what program this is."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QSizePolicy, QVBoxLayout, QWidget
 
 from situ.document.spds import Spds
@@ -23,7 +23,7 @@ from situ_studio.live.moment import Moment
 from situ_studio.live.timeline.rows import RowKind
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.header import PanelHeader
-from situ_studio.theme import Theme
+from situ_studio.theme import CAPTION, Theme, font
 
 FRAME = 16
 """Milliseconds between two drawings at least."""
@@ -50,6 +50,8 @@ class MomentColumn(QWidget):
         self.header = PanelHeader(tr("Situation"))
         self.back = IconButton(theme, "close", tr("Project, outline and palette again"))
         self.back.clicked.connect(self.left)
+        self.since = Since(theme)
+        self.header.add(self.since)
         self.header.add(self.back)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -132,6 +134,7 @@ class MomentColumn(QWidget):
     def set_theme(self, theme: Theme) -> None:
         retheme(self, theme)
         retheme(self.header, theme)
+        self.since.theme = theme
         for rows in (self.states, self.resources, self.data):
             rows.set_theme(theme)
 
@@ -204,12 +207,11 @@ class MomentColumn(QWidget):
         head = tr("Situation") if scripted else tr("Applications")
         if self.header.title.text() != head:
             self.header.title.setText(head)
-        hint = ""
+        since = ""
         if told is not None:
             self.card.show_told(told)
-            hint = tr("since {0}").format(ago(t - moment.situation_since))
-        if self.header.hint.text() != hint:
-            self.header.hint.setText(hint)
+            since = tr("since {0}").format(ago(t - moment.situation_since))
+        self.since.show_words(since)
         self.states.show_rows(
             sorted(moment.applications),
             lambda name: telling.state(name, moment, t, self._state_name),
@@ -231,3 +233,29 @@ class MomentColumn(QWidget):
         else:
             self.wanted.clear()
         self.draw()
+
+
+class Since(QWidget):
+    """How long the situation has lasted: always as wide, for it is another one in each frame, and
+    a label that grows has the whole window laid out anew.
+    """
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self.theme = theme
+        self.words = ""
+        self.setFixedSize(px(96), px(20))
+
+    def show_words(self, words: str) -> None:
+        if words != self.words:
+            self.words = words
+            self.setAccessibleName(words)
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setFont(font(CAPTION))
+        painter.setPen(self.theme.color("text3"))
+        middle = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight
+        painter.drawText(self.rect(), middle, self.words)
+        painter.end()

@@ -53,7 +53,6 @@ class LinkStatus(QObject):
         self.button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.button.setToolTip(self.tr("What is known of the robot and of the link to it"))
         self.button.clicked.connect(self.open)
-        window.status.insertWidget(1, self.button)
         self.right = QWidget()
         line = QHBoxLayout(self.right)
         line.setContentsMargins(0, 0, 0, 0)
@@ -61,7 +60,7 @@ class LinkStatus(QObject):
         self.rate, self.version_label = QLabel(), QLabel()
         line.addWidget(self.rate)
         line.addWidget(self.version_label)
-        window.status.addPermanentWidget(self.right)
+        window.status.add_to_link(self.button, self.right)
         self.popup = LinkPopup(window)
         self._timer = QTimer(self)
         self._timer.setInterval(EACH)
@@ -117,7 +116,7 @@ class LinkStatus(QObject):
         self.right.setVisible(connected)
         self.rate.setText(self._events)
         self.version_label.setText(self._version)
-        self.version_label.setVisible(self.version is not None)
+        self.version_label.setVisible(bool(self.version))
         if self.popup.isVisible():
             self.popup.show_facts(self.facts())
 
@@ -127,9 +126,7 @@ class LinkStatus(QObject):
 
     @property
     def _version(self) -> str:
-        if self.version is None:
-            return ""
-        return self.tr("Version {0}").format(self.version) if self.version else self.tr("As given")
+        return self.tr("Version {0}").format(self.version) if self.version else ""
 
     def facts(self) -> list[tuple[str, str]]:
         """What is known, each with its name."""

@@ -30,9 +30,12 @@ class Authority(RowsTable):
 
     def show_moment(self, moment: Moment, t: float) -> None:
         """Every resource that is held, asked for or mapped, by name, at ``t`` seconds."""
+        self.show_made(lambda: self._rows_at(moment, t))
+
+    def _rows_at(self, moment: Moment, t: float) -> list[Row]:
         asked = {resource for wanted in moment.asking.values() for resource in wanted}
         every = sorted(asked | moment.holders.keys() | moment.robot.keys())
-        self.rows.show([self._row(resource, moment, t) for resource in every])
+        return [self._row(resource, moment, t) for resource in every]
 
     def _row(self, resource: str, moment: Moment, t: float) -> Row:
         holder, since = moment.holders.get(resource, (None, 0.0))

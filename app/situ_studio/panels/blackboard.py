@@ -31,7 +31,9 @@ class Blackboard(RowsTable):
 
     def show_moment(self, moment: Moment, t: float, private: Sequence[str] = ()) -> None:
         """The board at ``t`` seconds. private: patterns of tags whose values are not shown."""
-        self.rows.show([_row(tag, moment, t, private) for tag in sorted(moment.board, key=_order)])
+        self.show_made(
+            lambda: [_row(tag, moment, t, private) for tag in sorted(moment.board, key=_order)]
+        )
 
 
 def _order(tag: str) -> tuple[bool, str]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from msgspec import Struct
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
-from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from situ_studio.letters import px
@@ -42,18 +42,36 @@ class RowsModel(QAbstractTableModel):
         super().__init__(parent)
         self._titles = list(titles)
         self._theme = theme
-        self.rows: Sequence[Row] = []
+        self._rows: Sequence[Row] = []
+        self._later: Callable[[], list[Row]] | None = None
+
+    @property
+    def rows(self) -> Sequence[Row]:
+        """Also those that nobody has looked at yet."""
+        self.settle()
+        return self._rows
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
-        self._told(0, len(self.rows) - 1)
+        self._told(0, len(self._rows) - 1)
+
+    def show_later(self, make: Callable[[], list[Row]]) -> None:
+        """Takes the rows that ``make`` gives, once somebody looks."""
+        self._later = make
+
+    def settle(self) -> None:
+        """Takes what was to be taken later."""
+        make, self._later = self._later, None
+        if make is not None:
+            self.show(make())
 
     def show(self, rows: list[Row]) -> None:
         """Takes these rows; the same keys in the same order keep their places."""
-        if [row.key for row in rows] != [row.key for row in self.rows]:
+        self._later = None
+        if [row.key for row in rows] != [row.key for row in self._rows]:
             self.exchange(rows)
             return
-        before, self.rows = self.rows, rows
+        before, self._rows = self._rows, rows
         changed = [n for n, (a, b) in enumerate(zip(before, rows, strict=True)) if a != b]
         if changed:
             self._told(changed[0], changed[-1])
@@ -61,7 +79,7 @@ class RowsModel(QAbstractTableModel):
     def exchange(self, rows: Sequence[Row]) -> None:
         """Takes other rows, which may be read where they are looked at only."""
         self.beginResetModel()
-        self.rows = rows
+        self._rows = rows
         self.endResetModel()
 
     def drop(self, gone: int, drop: Callable[[int], None]) -> None:
@@ -74,7 +92,7 @@ class RowsModel(QAbstractTableModel):
     def add(self, came: int, add: Callable[[int], None]) -> None:
         """``add`` puts so many rows at the end."""
         if came:
-            first = len(self.rows)
+            first = len(self._rows)
             self.beginInsertRows(QModelIndex(), first, first + came - 1)
             add(came)
             self.endInsertRows()
@@ -85,7 +103,7 @@ class RowsModel(QAbstractTableModel):
             self.dataChanged.emit(self.index(first, 0), end)
 
     def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:
-        return 0 if parent.isValid() else len(self.rows)
+        return 0 if parent.isValid() else len(self._rows)
 
     def columnCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:
         return 0 if parent.isValid() else len(self._titles)
@@ -104,7 +122,7 @@ class RowsModel(QAbstractTableModel):
         index: QModelIndex | QPersistentModelIndex,
         role: int = Qt.ItemDataRole.DisplayRole,
     ) -> Any:
-        row = self.rows[index.row()]
+        row = self._rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return row.cells[index.column()]
         if role == Qt.ItemDataRole.ForegroundRole:
@@ -158,6 +176,17 @@ class RowsTable(QTableView):
 
     def set_theme(self, theme: Theme) -> None:
         self.rows.set_theme(theme)
+
+    def show_made(self, make: Callable[[], list[Row]]) -> None:
+        """The rows that ``make`` gives: at once where they are seen, else once they are."""
+        if self.isVisible():
+            self.rows.show(make())
+        else:
+            self.rows.show_later(make)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        self.rows.settle()
+        super().showEvent(event)
 
     def make_room(self, column: int, text: str) -> None:
         """That column becomes as wide as it must be for the text, never narrower."""

@@ -46,7 +46,10 @@ def test_records_and_lists_are_told_by_name_and_operators_as_such(qt: Any) -> No
     heard = {"text": "Yes please", "confidence": 0.9}
     entries = {"heard": Entry(heard, "operator:ann", 1.0), "names": Entry(["Jo"], None, 1.0)}
     board.show_moment(Moment(board=entries), 31.0)
+    # What nobody sees is told once somebody does.
     model = board.model()
+    assert model.rowCount() == 0
+    board.show()
     assert [model.index(0, column).data() for column in range(4)] == [
         "heard",
         "text: Yes please, confidence: 0.9",

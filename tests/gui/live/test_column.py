@@ -69,7 +69,7 @@ def test_it_shows_the_moment_of_the_cursor_in_place_of_what_one_draws_with(
     at(4.2)
     assert column.card.name.text() == "accepted"
     assert column.card.place.text() == "5th of 6"
-    assert column.header.hint.text() == "since 0.2 s"
+    assert column.since.words == "since 0.2 s"
     assert rows(column.states)["converse"][0].startswith("2 ")
     held = rows(column.resources)
     assert held["head"] == ("nod", "40")
