@@ -45,5 +45,5 @@ def _row(resident: int, group: str, one: Contact) -> str:
     )
     return (
         f"<tr><td>{escape(one.name)}</td><td>{say(_GROUPS[group])}</td>"
-        f"<td>{escape(one.address)}</td><td>{remove}</td></tr>"
+        f'<td class="address">{escape(one.address)}</td><td>{remove}</td></tr>'
     )
