@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QTreeView
 
 NAME, ROLE = QAccessible.Text.Name, QAccessible.Role
 ACTIONABLE = {
@@ -68,6 +68,19 @@ def nameless(used: Studio) -> list[str]:
     return found
 
 
+def open_without_rows(used: Studio) -> list[str]:
+    """Cells that say to be open or closed, and have no rows in them."""
+    found = []
+    for tree in used.window.findChildren(QTreeView):
+        if tree.isVisible():
+            for cell in every(QAccessible.queryAccessibleInterface(tree)):
+                state, at = cell.state(), cell.tableCellInterface()
+                closed = bool(at and at.columnIndex() and state.expandable)
+                if closed or (state.expanded and not state.expandable):
+                    found.append(cell.text(NAME))
+    return found
+
+
 def test_everything_that_can_be_used_has_a_name(studio: Start, project: Copy) -> None:
     used = studio(project("conversation"))
     used.window.current_view.select((("state", "1"),))
@@ -77,6 +90,7 @@ def test_everything_that_can_be_used_has_a_name(studio: Start, project: Copy) ->
             used.window.show_mode(way)
             used.settle()
             assert nameless(used) == [], f"{file} as {way}"
+            assert open_without_rows(used) == [], f"{file} as {way}"
 
 
 def test_a_rehearsal_has_names_and_none_hides_the_words_of_a_label(

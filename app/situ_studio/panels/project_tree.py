@@ -170,7 +170,8 @@ class ProjectTree(QWidget):
             found = (Path(project.root) / project.scenarios).rglob("*")
             self._files[SCENARIOS].setData(str(sum(1 for one in found if one.is_file())), COUNT)
             self._files[SCENARIOS].setToolTip(project.scenarios)
-        self.tree.expandAll()
+        # Not all: a row without others would be read as an open one.
+        self.tree.expand(top.index())
         height = self.height_wanted()
         self.setMinimumHeight(min(height, px(9 * 24 + 8)))
         self.setMaximumHeight(height)

@@ -28,6 +28,9 @@ from situ_studio.panels.twin_tree import TwinDelegate, TwinTree
 from situ_studio.script_copying import ScriptCopying
 from situ_studio.theme import Theme
 
+SHORT = 40
+"""Rows at the top up to which all are open at the start."""
+
 
 class Twin(QWidget, Copying):
     """The same contract as a canvas: shows a document, tells whole new ones."""
@@ -110,7 +113,7 @@ class Twin(QWidget, Copying):
             # The cell's editor is gone, and the focus would go to whatever comes next.
             self.tree.setFocus()
         if first:
-            self.tree.expandToDepth(0) if len(self.model._top) <= 40 else None
+            self._open_top()
         for place in opened:
             index = self.model.index_of(place)
             if index.isValid():
@@ -123,6 +126,14 @@ class Twin(QWidget, Copying):
                 flag = self.tree.selectionModel().SelectionFlag.NoUpdate
                 self.tree.selectionModel().setCurrentIndex(index.siblingAtColumn(column), flag)
         self.tree.verticalScrollBar().setValue(at)
+
+    def _open_top(self) -> None:
+        """Of a short document; a row without others would be read as an open one."""
+        if self.model.rowCount() <= SHORT:
+            for row in range(self.model.rowCount()):
+                index = self.model.index(row, 0)
+                if self.model.hasChildren(index):
+                    self.tree.expand(index)
 
     def select(self, chosen: tuple[Place, ...]) -> None:
         """Shows this selection without telling it."""

@@ -97,11 +97,16 @@ class TwinModel(QAbstractItemModel):
 
     def rowCount(self, parent: AnyIndex = QModelIndex()) -> int:
         node = self.node(parent)
-        return len(self._top) if node is None else len(node.children)
+        if node is None:
+            return len(self._top)
+        # Other cells of a row are read as closed ones of their own if they have rows too.
+        return len(node.children) if parent.column() == 0 else 0
 
     def hasChildren(self, parent: AnyIndex = QModelIndex()) -> bool:
         node = self.node(parent)
-        return bool(self._top) if node is None else node.has_children
+        if node is None:
+            return bool(self._top)
+        return node.has_children and parent.column() == 0
 
     def columnCount(self, parent: AnyIndex = QModelIndex()) -> int:
         return 4
