@@ -119,9 +119,12 @@ class Status(QStatusBar):
         token = {"true": "live", "lost": "error"}.get(live, "text2")
         self._link_icon.set_icon(icon, token)
         self.link.setText(words)
-        if self.link.property("live") != live:
+        before = self.link.property("live")
+        if before != live:
             self.link.setProperty("live", live)
-            self.announcements.tell(words)
+            # None at the start, when there is nothing to tell of.
+            if (before or "") != live:
+                self.announcements.tell(words)
             self.link.style().unpolish(self.link)
             self.link.style().polish(self.link)
 

@@ -96,6 +96,17 @@ def test_what_the_status_bar_says_in_passing_is_told(studio: Start) -> None:
     assert told == ["Saved"]
 
 
+def test_what_becomes_of_the_link_is_told_and_not_each_second_of_it(studio: Start) -> None:
+    used = studio()
+    told = hears(used)
+    for words, live in (("live, 12 ms behind", "true"), ("live, 9 ms behind", "true")):
+        used.window.status.show_link("link", words, live)
+        used.settle()
+    used.window.status.show_link("unlink", "lost 2 s ago", "lost")
+    used.settle()
+    assert told == ["live, 12 ms behind", "lost 2 s ago"]
+
+
 def test_who_listens_hears_an_announcement_as_a_notification(
     studio: Start, listening: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
