@@ -12,6 +12,7 @@ from situ.document import words
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.canvas.style import Look, whole_label
 from situ_studio.language import tr
+from situ_studio.lasting import lasting
 
 HIGH = 18.0
 """Px of the strip that lies over the card's upper edge."""
@@ -27,7 +28,7 @@ def told(live: LiveView, no: str) -> str:
     if no in live.counts:
         lines.append(tr("It came here {0}×.").format(live.counts[no]))
     if no in live.times:
-        lines.append(tr("It was here for {0} in all.").format(words.seconds(round(live.times[no]))))
+        lines.append(tr("It was here for {0} in all.").format(lasting(round(live.times[no]))))
     if live.gave_up.get(no):
         lines.append(tr("The time ran out {0}×: nobody went on.").format(live.gave_up[no]))
     if lines and live.since:
@@ -47,7 +48,7 @@ def _pieces(look: Look, live: LiveView, no: str) -> list[tuple[str, str, str]]:
     if no in live.active:
         found.append(("", _lasts(live, no), "live"))
     elif no in live.times:
-        found.append(("", words.seconds(round(live.times[no])), "text2"))
+        found.append(("", lasting(round(live.times[no])), "text2"))
     if live.gave_up.get(no):
         found.append(("timeout", f"{live.gave_up[no]}×", "warning"))
     return found
@@ -67,7 +68,7 @@ def paint_situation(
     if name in live.counts:
         found.append(("", f"{live.counts[name]}×", "text"))
     if name in live.times:
-        found.append(("", words.seconds(round(live.times[name])), "text2"))
+        found.append(("", lasting(round(live.times[name])), "text2"))
     _paint(painter, look, found, right)
 
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractButton, QCheckBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from situ.document import names
+from situ.document import names, words
 from situ.rehearse.usage import PLACE
 from situ.rehearse.usage import Row as Used
 from situ_studio.icon_widgets import Elided, ThemedButton, retheme
@@ -17,7 +17,7 @@ from situ_studio.panels.fields import Line
 from situ_studio.panels.table import RowsTable
 from situ_studio.theme import Theme
 
-WIDTHS = (190, 70, 56, 56, 84, 64, 70, 84)
+WIDTHS = (180, 64, 52, 52, 88, 68, 78, 96)
 
 
 class FieldTable(RowsTable):
@@ -41,8 +41,8 @@ class FieldTable(RowsTable):
         self._sort()
 
     def copy(self) -> None:
-        """All rows below their heads, into the clipboard."""
-        lines = [titles(), *map(cells, self.used)]
+        """All rows below their heads, into the clipboard; times in seconds, to be counted with."""
+        lines = [titles(), *(cells(one, _seconds) for one in self.used)]
         QGuiApplication.clipboard().setText("\n".join(map("\t".join, lines)))
 
     def event(self, event: QEvent) -> bool:
@@ -71,6 +71,10 @@ class FieldTable(RowsTable):
         down = self.horizontalHeader().sortIndicatorOrder() != ASCENDING
         self.used = by_column(self.used, self._column, down)
         self.rows.exchange(rows(self.used))
+
+
+def _seconds(time: float) -> str:
+    return words.seconds(round(time, 1))
 
 
 ASCENDING = Qt.SortOrder.AscendingOrder

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from situ.document import words
 from situ.rehearse.usage import Row as Used
 from situ_studio.language import tr
+from situ_studio.lasting import lasting
 from situ_studio.panels.table import Row
 from situ_studio.words import state_called
 
@@ -65,7 +65,8 @@ def rows(used: Sequence[Used]) -> list[Row]:
     return [Row(str(n), cells(one)) for n, one in enumerate(used)]
 
 
-def cells(one: Used) -> tuple[str, ...]:
+def cells(one: Used, told: Callable[[float], str] = lasting) -> tuple[str, ...]:
+    """told: a time in words."""
     named = tr("{0}, {1}").format(one.application, state_called(one.state, one.name))
     if not one.times:
         return (named, one.place, tr("never"), *("" for _ in NUMBERS[1:]))
@@ -75,8 +76,8 @@ def cells(one: Used) -> tuple[str, ...]:
         str(one.times),
         str(one.visits),
         tr("{0} %").format(f"{one.percent:g}"),
-        words.seconds(round(one.seconds, 1)),
-        words.seconds(round(one.mean, 1)),
+        told(one.seconds),
+        told(one.mean),
         str(one.timeouts or ""),
         str(one.gave_up or ""),
     )

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from situ.document import folder, words
+from situ.document import folder
 from situ.errors import UsageError
 from situ.rehearse.usage import PLACE, write_csv
 from situ.rehearse.ways import frames
 from situ_studio.language import said, tr
+from situ_studio.lasting import lasting
 from situ_studio.live.field import Asked, Field, painted, whole
 from situ_studio.live.field_panel import FieldPanel
 from situ_studio.live.field_reading import FieldReading
@@ -189,6 +190,5 @@ def _situations(field: Field) -> str:
     """``called 3×, 12 s``, the ones that were current longest first."""
     every = sorted(field.situations.items(), key=lambda one: -one[1].seconds)
     return tr(", ").join(
-        tr("{0} {1}×, {2}").format(name, one.times, words.seconds(round(one.seconds)))
-        for name, one in every
+        tr("{0} {1}×, {2}").format(name, one.times, lasting(one.seconds)) for name, one in every
     )

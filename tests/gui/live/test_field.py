@@ -10,6 +10,7 @@ from typing import Any
 
 import msgspec
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QEventLoop, QObject, QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -19,6 +20,7 @@ from tests.gui.live.test_recordings import PATIENCE, recording
 from situ.document.ready import load_ready
 from situ.rehearse.usage import Row
 from situ.resources import examples
+from situ_studio.lasting import lasting
 from situ_studio.live.field import Asked, Field, counted, painted, recordings_in, whole
 from situ_studio.live.field_reading import FieldReading
 from situ_studio.live.field_rows import by_column, cells
@@ -40,6 +42,16 @@ def recorded(folder: Path, name: str, *scripts: str) -> list[Path]:
         file.write_bytes(file.read_bytes().replace(b'"runtime":"r"', b'"runtime":"%d"' % number))
         made.append(file)
     return made
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [(0, "0 s"), (1.5, "1.5 s"), (119, "119 s"), (4844.5, "80.7 min"), (3 * 86400, "3 d")],
+)
+def test_how_long_it_was_is_told_in_the_unit_that_people_would_take(
+    seconds: float, words: str
+) -> None:
+    assert lasting(seconds) == words
 
 
 def test_what_was_counted_is_what_the_robots_did(tmp_path: Path) -> None:
@@ -170,12 +182,20 @@ def test_recordings_are_chosen_counted_painted_sorted_copied_and_exported(
     assert times == sorted(times, reverse=True)
     QTest.mouseClick(head.viewport(), LEFT, pos=_middle(head, 2))
     assert [one.times for one in panel.table.used] == sorted(times)
+    used = panel.table.used
     panel.table.setFocus()
     QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     lines = QApplication.clipboard().text().split("\n")
     assert lines[0].startswith("State\tPlace\tTimes")
     assert len(lines) == len(times) + 1
     assert "reception, 16 register" in "".join(lines)
+    # On the screen as people say it, copied to be counted with.
+    longest = max(panel.table.used, key=lambda one: one.seconds)
+    panel.table.show_used([replace(longest, seconds=4844.5)])
+    assert panel.table.rows.rows[0].cells[5] == "80.7 min"
+    panel.table.copy()
+    assert "\t4844.5 s\t" in QApplication.clipboard().text()
+    panel.table.show_used(used)
     out = tmp_path / "usage.csv"
     it.answers.put("usage_file", out)
     QTest.mouseClick(panel.export, LEFT)

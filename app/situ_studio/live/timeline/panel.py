@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayo
 
 from situ_studio.icon_widgets import IconButton, retheme
 from situ_studio.language import tr
+from situ_studio.lasting import lasting
 from situ_studio.letters import px
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.chart import ZOOM, TimelineChart
@@ -123,13 +124,5 @@ def opens(menu: QMenu, words: str, tip: str) -> QToolButton:
 
 
 def _long(seconds: float) -> str:
-    """How long that is, in the unit that people would take."""
-    if seconds < 1:
-        return tr("{0} ms").format(f"{seconds * 1000:.3g}")
-    if seconds < 120:
-        return tr("{0} s").format(f"{seconds:.3g}")
-    if seconds < 7200:
-        return tr("{0} min").format(f"{seconds / 60:.3g}")
-    if seconds < 48 * 3600:
-        return tr("{0} h").format(f"{seconds / 3600:.3g}")
-    return tr("{0} d").format(f"{seconds / 86400:.3g}")
+    """How much time is seen."""
+    return tr("{0} ms").format(f"{seconds * 1000:.3g}") if seconds < 1 else lasting(seconds)
