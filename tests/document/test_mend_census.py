@@ -52,6 +52,7 @@ WITHOUT = {
     "never-holds": MEANT,
     "not-utf-8": UNREAD,
     "one-test": UNREAD,
+    "private-copied": "what is private is the author's to move",
     "private-shown": "what is private is the author's to move",
     "private-spoken": "what is private is the author's to move",
     "reference-in-script": MEANT,

@@ -312,6 +312,34 @@ def test_a_number_that_no_application_has_set_was_not_filled_in(
     assert on_board.shown("x", value, writer) == told["value"]
 
 
+@pytest.mark.parametrize(
+    ("number", "hidden"),
+    [
+        (5551234, True),
+        (-555123, True),
+        (35.689487, True),
+        (0.00123456, True),
+        # Short ones, and round ones, are others' too.
+        (55512, False),
+        (120.5, False),
+        (1_000_000, False),
+        (12_345_000, False),
+        (True, False),
+    ],
+)
+def test_a_private_number_is_hidden_wherever_a_module_sets_it_if_it_can_be_no_other_one(
+    number: Any, hidden: bool
+) -> None:
+    mask = Mask(["user.*"], applications=["home"])
+    mask.know("user.phone", number)
+    shown = HIDDEN if hidden else number
+    assert mask.shown("called", {"number": [number]}, "phone") == {"number": [shown]}
+    command = {"kind": "mapping", "resource": "base", "module": "phone", "value": number}
+    assert mask.step([command])[0]["value"] == shown
+    other = 7654321
+    assert mask.shown("called", other, "phone") == other
+
+
 def test_what_a_module_commands_has_its_numbers_and_what_an_application_commands_has_not() -> None:
     mask = Mask(["user.*"], applications=["home"])
     mask.know("user.room", 3)

@@ -5,7 +5,8 @@ with it, a speech, a screen, the address of a service, does not say so in a trac
 private value, or holds one, is hidden whole wherever it stands; of a service's result all of it.
 Rather too much is hidden than too little. Shown, for no private value can have come there: what
 the runtime itself says of its states, situations and clock, the project's texts as they are
-written, and numbers that a module, a person or the project sets.
+written, and numbers that a module, a person or the project sets, unless they are so long that they
+can be no others.
 """
 
 from __future__ import annotations
@@ -24,6 +25,9 @@ from situ.document.texts_shown import shown_texts
 HIDDEN = "•••"
 MANY = 2_000
 """Private texts, and private numbers, known at once; those not seen for longest are forgotten."""
+
+LONG = 6
+"""Digits of a number that is no other one by chance: there are 500 times as many as ``MANY``."""
 
 # What is the project's or the runtime's own: it is never filled in.
 _OWN = frozenset(
@@ -172,10 +176,11 @@ class Mask:
             }
         if isinstance(value, list):
             return [self._shown(inner, component, counts=counts) for inner in value]
-        number = isinstance(value, (int, float)) and not isinstance(value, bool)
-        if counts or not number:
+        if not isinstance(value, (int, float)) or isinstance(value, bool):
             return value
         plain = _plain(value)
+        if counts and _digits(plain) < LONG:
+            return value
         return HIDDEN if plain in self._alone or plain in self._within else value
 
     def _holds(self, text: str) -> bool:
@@ -210,6 +215,11 @@ def _plain(value: Any) -> str:
     """As it is looked for: in any case of letters, but for one that stands alone."""
     text = in_text(value).strip()
     return text if len(text) == 1 else text.casefold()
+
+
+def _digits(number: str) -> int:
+    """How many digits tell it from others: those before and behind which there are only zeros."""
+    return len(number.lstrip("-").replace(".", "").strip("0"))
 
 
 def _is_number(text: str) -> bool:

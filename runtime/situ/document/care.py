@@ -7,6 +7,7 @@ Each rule stands with the function that searches for it, its figures and where t
 - ``care_screen``: ``small-target``, ``small-text``, ``low-contrast``;
 - ``care_people``: ``no-way-back-by-hand``, ``private-spoken``, ``private-shown``,
   ``private-stays``;
+- ``care_copies``: ``private-copied``;
 - ``care_script``: ``nothing-stops``, ``isnot-without-exists``;
 - ``care_calls``: ``suspended-call``.
 
@@ -19,6 +20,7 @@ from __future__ import annotations
 
 from situ.document.analysis_search import Search
 from situ.document.care_calls import suspended_calls
+from situ.document.care_copies import copies
 from situ.document.care_people import only_waiting, private_data
 from situ.document.care_screen import low_contrast, small_targets, small_texts
 from situ.document.care_script import isnot_alone, nothing_stops
@@ -40,6 +42,7 @@ def search_care(search: Search) -> None:
         only_waiting(search, file, application, along[file])
     search.go_on()
     private_data(search, along)
+    copies(search)
     languages(search)
     isnot_alone(search)
     nothing_stops(search)

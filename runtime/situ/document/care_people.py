@@ -148,7 +148,7 @@ def _spoken(search: Search, file: str, state: State) -> None:
     for index, action in enumerate(state.actions):
         if not isinstance(action, Speech):
             continue
-        secret = _private(search.project, names.references(action.text))
+        secret = private_among(search.project, names.references(action.text))
         if secret is not None:
             message = (
                 f"{shown(secret)} is private, and this says it before anybody has shown that they "
@@ -167,7 +167,7 @@ def _shown(
 ) -> None:
     """``told``: places of components of ``always`` that were told with another state."""
     for component, place in _on(application, state):
-        secret = _private(search.project, _names(component))
+        secret = private_among(search.project, _names(component))
         if secret is not None and place not in told:
             told.add(place)
             message = (
@@ -186,7 +186,7 @@ def _keeps(
     for holder in _kept(application, state, along):
         assert holder.screen is not None
         for component in holder.screen.components:
-            secret = _private(search.project, _names(component))
+            secret = private_among(search.project, _names(component))
             if secret is not None:
                 message = (
                     f"This keeps the screen of {words.state(holder)}, with {shown(secret)}, where "
@@ -199,7 +199,7 @@ def _keeps(
 
 def _stays(search: Search, file: str, application: Application, state: State) -> None:
     own = state.screen.components if state.screen is not None else ()
-    secrets = (_private(search.project, _names(component)) for component in own)
+    secrets = (private_among(search.project, _names(component)) for component in own)
     secret = next((one for one in secrets if one is not None), None)
     if secret is None:
         return
@@ -251,8 +251,8 @@ def _names(component: Component) -> Iterator[str]:
         yield component.tag
 
 
-def _private(project: Project, used: Iterator[str] | tuple[str, ...]) -> str | None:
-    """The first of these names that is private."""
+def private_among(project: Project, used: Iterator[str] | tuple[str, ...]) -> str | None:
+    """The first of these names that is private: that a private tag begins."""
     for name in used:
         parts = name.split(".")
         for count in range(1, len(parts) + 1):
