@@ -79,6 +79,8 @@ class Sheet(ScreenPreview):
         """The screen of the document, while what is proposed is painted in its place."""
         self._all_above: tuple[rbd.Component, ...] = ()
         self._shows_above = True
+        self.invitation = ""
+        """What there is to do, where nothing is on the screen yet."""
         self.looked_at = USUAL
         """Whose millimetres are told."""
         self._hand = Hand(self)
@@ -345,11 +347,7 @@ class Sheet(ScreenPreview):
             self._screen, self._kept = kept, None
 
     def nothing(self) -> str:
-        kept = self.tr("This state keeps what was shown before.")
-        return f"{kept}\n{self._invitation()}"
-
-    def _invitation(self) -> str:
-        return self.tr("Drag a component here, or press one of them.")
+        return self.invitation
 
     def paint_screen(self, painter: QPainter, rect: QRectF, screen: rbd.Screen) -> None:
         """What is not dragged is painted once in a drag, while no sizes change."""
@@ -385,7 +383,7 @@ class Sheet(ScreenPreview):
         if self._kept == rbd.Screen():
             painter.setPen(theme.color("text3"))
             wrapped = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(self.rect(), int(wrapped), self._invitation())
+            painter.drawText(self.rect(), int(wrapped), self.invitation)
         if self._hand.band is not None:
             marks.paint_band(painter, theme, scale, self._hand.band)
         if self.hasFocus() and not boxes:

@@ -144,7 +144,17 @@ class StateScreen(QObject):
         """Shows it anew: with another theme, or other values."""
         if self.application is not None:
             self.sheet.setVisible(self.part is not None)
+            self.sheet.invitation = self._invitation()
             self.sheet.show_screen(self._theme, self.screen, self.above, self.media, self.values)
+
+    def _invitation(self) -> str:
+        part = self.part
+        if isinstance(part, rbd.State) and part.flow is not None:
+            return self.tr("{0} shows its own screens.").format(part.flow)
+        begin = self.tr("Drag a component here, or press one of them.")
+        if isinstance(part, rbd.State) and part.screen is None:
+            return self.tr("This state keeps what was shown before.") + "\n" + begin
+        return begin
 
     def may_add(self) -> bool:
         """Whether components can be put there; says why not."""

@@ -253,6 +253,7 @@ def test_a_state_that_runs_a_part_takes_no_component_template_or_file(
 ) -> None:
     part = next(s for s in desk.document.states if s.flow is not None)
     desk.go_to(part.no)
+    assert desk.sheet.nothing() == f"{part.flow} shows its own screens."
     before = desk.document
     desk.click(desk.designer.side.templates.tiles["list"])
     assert part.flow in desk.told[-1]
