@@ -59,7 +59,8 @@ bench: $(VENV)/.bench
 	@$(BIN)/python -m tests.benchmarks $(ARGS)
 
 soak: $(READY)
-	@SITU_SOAK=1 $(BIN)/pytest -q -s --timeout 3600 tests/faults tests/vitals/test_two_weeks.py tests/vitals/test_a_day.py $(ARGS)
+	@SITU_SOAK=1 QT_QPA_PLATFORM=offscreen $(BIN)/pytest -q -s --timeout 3600 tests/faults \
+		tests/gui/drawing/test_drawn_by_hand.py tests/vitals/test_two_weeks.py tests/vitals/test_a_day.py $(ARGS)
 
 fuzz: $(READY)
 	@SITU_FUZZ=$(SECONDS) $(BIN)/pytest -q -o timeout=0 -n $(WORKERS) tests/test_fuzz.py

@@ -94,6 +94,8 @@ def test_a_new_entry_stands_behind_the_text_before_it() -> None:
     found = catalogue.with_entries(value, new, ["first", "a", "b", "b2", "c"])
     texts = [one.text for one in found.translations]
     assert texts == ["first", "a", "b", "b2", "c", "old", "other"]
+    twice = catalogue.with_entries(value, new, ["first", "a", "b", "a", "b", "b2", "c"])
+    assert twice == found
     again = catalogue.with_entries(found, {"b": Translation("b", "y")}, ["c", "b"])
     assert [one.text for one in again.translations] == texts
     assert again.used == found.used | {"b": "y"}

@@ -158,7 +158,8 @@ def with_entries(
     known = catalogue.by_text()
     behind: dict[str | None, list[Translation]] = {}
     last: str | None = None
-    for text in order:
+    # What stands in several places is one text.
+    for text in dict.fromkeys(order):
         if text in known:
             last = text
         elif text in entries:

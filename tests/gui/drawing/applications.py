@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QAbstractButton, QApplication
 from tests.gui.drawing.conditions import ConditionFiller
 
 from situ.document import rbd
@@ -29,6 +29,10 @@ class ApplicationDrawer(ConditionFiller):
     """Draws applications into the tab that is open, which is empty."""
 
     def draw(self, wanted: rbd.Application) -> None:
+        for place in [one.place for one in self.canvas.graph.cards.values()]:
+            # What an application begins with.
+            self.click_state(place[-1])
+            self.key(Qt.Key.Key_Delete)
         self.no_names = {state.no: f"{state.no} {state.name}".strip() for state in wanted.states}
         for state in wanted.states:
             self.state(state)
@@ -72,7 +76,11 @@ class ApplicationDrawer(ConditionFiller):
         """What a state says and does, and its screen."""
         for action in getattr(part, "actions", ()):
             self.put(action)
-        if part.screen is not None:
+        if part.screen == rbd.Screen():
+            # An empty one is begun where screens are drawn.
+            self.press_in_form("Open the screen")
+            self.click("Graph", QAbstractButton)
+        elif part.screen is not None:
             for component in part.screen.components:
                 self.put(component)
             if part.screen.background or part.screen.touched:
@@ -112,10 +120,10 @@ class ApplicationDrawer(ConditionFiller):
 
     def leads_on(self, card: str, part: rbd.State | rbd.Always) -> None:
         timeout = part.timeout
-        if timeout is not None and (timeout.next is not None or timeout.idle):
+        if timeout is not None:
             self.click_state(card)
             self.press_in_form("Timeout")
-            fields: dict[str, str | bool] = {}
+            fields: dict[str, str | bool] = {"Timeout": write_number(timeout.seconds)}
             if timeout.next is not None:
                 fields["The timeout leads to"] = self.target(timeout.next)
             if timeout.idle:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator
+from pathlib import Path
 
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QAbstractButton, QTreeView
 from tests.gui.drawing.applications import ApplicationDrawer
 from tests.gui.drawing.scripts import ScriptDrawer
+from tests.gui.drawing.translations import Translator
+from tests.gui.drawing.values import ValuesFiller
 
 from situ.document.modules import Modules
 from situ.document.project import Project
@@ -19,7 +23,7 @@ NEW = "New application…"
 ADD = "Add to the project"
 
 
-class ProjectDrawer(ApplicationDrawer, ScriptDrawer):
+class ProjectDrawer(ApplicationDrawer, ScriptDrawer, ValuesFiller, Translator):
     """Begins at the welcome page."""
 
     def draw_project(self, wanted: Project) -> None:
@@ -38,6 +42,11 @@ class ProjectDrawer(ApplicationDrawer, ScriptDrawer):
             self.choose_in_menu("What modules say of themselves", lambda: self.click(ADD))
             self.settle()
             self.draw_information(wanted.modules)
+        toml = (Path(wanted.root) / "situ.toml").read_text(encoding="utf-8")
+        self.fill_project(tomllib.loads(toml))
+        for language, texts in wanted.texts.items():
+            self.open_in_tree("texts")
+            self.translate(language, texts)
 
     def begin_project(self, name: str) -> None:
         self.answer(name)
