@@ -132,6 +132,8 @@ def title(document: Document, place: Place) -> tuple[str, str, str, str]:
             document.situations.index(value) + 1, len(document.situations)
         )
         return icon, tint, value.name, where
+    if isinstance(value, spds.Entry):
+        return icon, tint, tr("{0} in {1}").format(value.module, place[1]), called
     if isinstance(value, rbd.Always):
         return icon, tint, called, tr("Part of every state")
     name = getattr(value, "name", None) or getattr(value, "tag", None) or called

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QWidget as Widget
 from situ_studio.canvas.chips import arrow
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.pipe_labels import LEAST, PIXELS
-from situ_studio.canvas.pipes import ABOVE, HIT, RoutedPipe
+from situ_studio.canvas.pipes import ABOVE, HIT, UNDER, RoutedPipe
 from situ_studio.canvas.routes import Route
 from situ_studio.canvas.script_faces import Inherited, ScriptLink
 from situ_studio.canvas.style import Label, Look
@@ -29,6 +29,8 @@ PILL = 18.0
 FAR_SIGN = 16.0
 """Px on screen that the sign of a problem keeps in the smallest drawings."""
 DOT = 2.5
+BELOW = UNDER - 0.25
+"""Where lies what strikes no number: below all pipes."""
 REACH = 0.45
 """How much wider and higher a pill can be painted at each side, as a part of its own size."""
 
@@ -269,31 +271,61 @@ class CurvedPipe(RoutedPipe):
             look.icon(painter, mark, area.left(), area.top(), side, look[mark])
 
 
-class InheritedPipe(QGraphicsPathItem):
-    """A priority that the selected situation takes over: pale and dashed, not in the document."""
+class InheritedWay(QGraphicsPathItem):
+    """The line of a priority that is taken over: under all pipes, so that it strikes no number."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self._end = QPointF()
+        self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
+        self.setZValue(BELOW)
+
+    def set_curve(self, start: QPointF, end: QPointF) -> None:
+        self.prepareGeometryChange()
+        self._end = end
+        self.setPath(curve(start, end))
+
+    def boundingRect(self) -> QRectF:
+        return self.path().boundingRect().adjusted(-8, -8, 8, 8)
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
+    ) -> None:
+        painter.setOpacity(0.65)
+        pen = QPen(self._look["accent"], 1.5)
+        pen.setDashPattern([4 / 1.5, 4 / 1.5])
+        painter.setPen(pen)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPath(self.path())
+        arrow(painter, self._look["accent"], self._end.x(), self._end.y())
+
+
+class InheritedPipe(QGraphicsItem):
+    """A priority that the selected situation takes over: pale and dashed, not in the document.
+    way: its line, which lies deeper than its number."""
 
     def __init__(self, look: Look, value: Inherited) -> None:
         super().__init__()
         self.look = look
         self.value = value
+        self.way = InheritedWay(look)
         self._text = Label(str(value.priority), 11, 500)
-        self._end = QPointF()
-        self._pill = self._room = QRectF()
+        self._pill = QRectF()
         # Its pill is pressed, not a pipe that passes below.
         self.setZValue(ABOVE)
 
     def set_curve(self, start: QPointF, end: QPointF, part: float) -> None:
         self.prepareGeometryChange()
-        way = curve(start, end)
-        self._end, self._pill = end, pill_area(way.pointAtPercent(part), self._text, False)
-        self._room = way.boundingRect().united(self._pill).adjusted(-8, -8, 8, 8)
-        self.setPath(way)
+        self.way.set_curve(start, end)
+        self._pill = pill_area(self.way.path().pointAtPercent(part), self._text, False)
 
     def pill(self) -> QRectF:
         return QRectF(self._pill)
 
     def boundingRect(self) -> QRectF:
-        return self._room
+        more_x, more_y = self._pill.width() * REACH, self._pill.height() * REACH
+        return self._pill.adjusted(-more_x - 3, -more_y - 3, more_x + 3, more_y + 3)
 
     def shape(self) -> QPainterPath:
         path = QPainterPath()
@@ -308,14 +340,6 @@ class InheritedPipe(QGraphicsPathItem):
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
     ) -> None:
         look = self.look
-        painter.setOpacity(0.65)
-        pen = QPen(look["accent"], 1.5)
-        pen.setDashPattern([4 / 1.5, 4 / 1.5])
-        painter.setPen(pen)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawPath(self.path())
-        arrow(painter, look["accent"], self._end.x(), self._end.y())
-        painter.setOpacity(1.0)
         if look.level in ("quarter", "tiny"):
             return
         box = self.pill()
@@ -324,7 +348,7 @@ class InheritedPipe(QGraphicsPathItem):
             painter.translate(box.center())
             painter.scale(scale, scale)
             painter.translate(-box.center())
-        pen = QPen(look["line_strong"], 1)
+        pen = QPen(look["pipe"], 1)
         pen.setDashPattern([3, 2])
         painter.setPen(pen)
         painter.setBrush(look["canvas"])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF
@@ -24,6 +24,7 @@ from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.script_commands import ScriptCommands
 from situ_studio.canvas.script_faces import STRIP, ScriptNode, ScriptPicture
+from situ_studio.canvas.script_landing import Landing
 from situ_studio.canvas.script_laws import Laws
 from situ_studio.canvas.script_layout import Columns
 from situ_studio.canvas.script_nodes import ScriptItem
@@ -60,6 +61,7 @@ class ScriptCanvas(ScriptCommands):
         self.paste, self.duplicate = self._copying.paste, self._copying.duplicate
         self.priorities = Priorities(self, self._prioritise, self.status.emit)
         self.curving = Curving(self, self.priorities)
+        self.landing = Landing(self)
         self.menu = self.test_editor = self.field_editor = None
         self._drop: tuple[Any, Any, QPointF] | None = None
         self._why_not: tuple[ScriptNode, ScriptNode] | None = None
@@ -253,7 +255,16 @@ class ScriptCanvas(ScriptCommands):
         source, target = start.node.face, end.node.face
         return script_piping.accepts(source, target)
 
+    def _follow_cards(self) -> None:
+        self.landing.follow(self.graph.moved(self.viewer.touched))
+        super()._follow_cards()
+
+    def _on_cancelled(self) -> None:
+        self.landing.end()
+        super()._on_cancelled()
+
     def settle(self) -> None:
+        self.landing.end()
         moved = self.graph.moved(self.viewer.touched)
         connections, slices = self.graph.take_intents()
         edit: tuple[Spds, str, Place] = (self.document, "", ())
@@ -293,14 +304,21 @@ class ScriptCanvas(ScriptCommands):
 
     def _reordered(self, moved: dict[str, tuple[float, float]]) -> tuple[Spds, str]:
         """The situation that was dragged goes where it was dropped among the others."""
-        key = max(moved, key=lambda k: abs(moved[k][1] - self._picture.cards[k].y))
-        dragged = self._picture.cards[key]
-        if dragged.kind != "situation":
+        dragged = self.dragged(moved)
+        if dragged is None:
             return self.document, ""
-        index = self._index_at(moved[key][1] + dragged.height / 2, key)
+        index = self.index_at(moved[dragged.uid][1] + dragged.height / 2, dragged.uid)
         return gestures.reorder(self.document, dragged.name, index)
 
-    def _index_at(self, y: float, but: str = "") -> int:
+    def dragged(self, moved: Mapping[str, tuple[float, float]]) -> ScriptNode | None:
+        """Of cards that are elsewhere the situation that was dragged farthest."""
+        if not moved:
+            return None
+        key = max(moved, key=lambda k: abs(moved[k][1] - self._picture.cards[k].y))
+        dragged = self._picture.cards[key]
+        return dragged if dragged.kind == "situation" else None
+
+    def index_at(self, y: float, but: str = "") -> int:
         """Which place among the situations a height stands for."""
         every = self._picture.cards.values()
         others = (c for c in every if c.kind == "situation" and c.uid != but)
@@ -334,7 +352,7 @@ class ScriptCanvas(ScriptCommands):
                 self._edit(*edit)
                 return
         if script_piping.choices(self.document, source):
-            self._ask_from(source, spot, self._index_at(spot.y()))
+            self._ask_from(source, spot, self.index_at(spot.y()))
         else:
             self.status.emit(script_piping.refusal(source, source))
 
@@ -351,7 +369,7 @@ class ScriptCanvas(ScriptCommands):
                 self.add_data()
             case "situation":
                 tag = node.name if node is not None and node.kind == "data" else ""
-                index = self._index_at(spot.y())
+                index = self.index_at(spot.y())
                 after, text, name = gestures.add_situation(self.document, index, tag)
                 self._edit(after, text, ("situation", name))
             case "module":

@@ -77,6 +77,7 @@ class Priorities:
         for item in self.taken_over:
             self._pills.remove(item)
             canvas.viewer.release_pipe(item)
+            canvas.viewer.release_pipe(item.way)
         self.taken_over = []
         keys = [k for k in chosen if picture.cards[k].kind == "situation"]
         if len(keys) != 1:
@@ -87,6 +88,7 @@ class Priorities:
             if value.target not in canvas.graph.nodes:
                 continue
             item = InheritedPipe(canvas.look, value)
+            canvas.viewer.hold_pipe(item.way)
             canvas.viewer.hold_pipe(item)
             start = canvas.port_at(value.source, OUT) + QPointF(0, 8)
             end = canvas.port_at(value.target, "in") - QPointF(0, 7)

@@ -273,7 +273,7 @@ def test_an_exit_dropped_on_the_ground_asks_what_follows(made: Any, check: Check
     menu = made.canvas.menu
     labels = [menu.list.item(i).text() for i in range(menu.list.count())]
     assert labels[0] == "New state"
-    assert "3  names" in labels
+    assert "3 names" in labels
     check(made)
     hand.type(menu.field, "question")
     assert menu.list.item(0).text() == "New question with Yes and No"
@@ -292,7 +292,7 @@ def test_a_name_that_nothing_has_is_offered_as_a_new_state(made: Any, check: Che
     menu = made.canvas.menu
     made.hand.type(menu.field, "names")
     offered = [menu.list.item(i).text() for i in range(menu.list.count())]
-    assert offered == ["3  names", "New state “names”"]
+    assert offered == ["3 names", "New state “names”"]
     made.hand.type(menu.field, " again")
     QTest.keyClick(menu.field, Qt.Key.Key_Return)
     made.hand.settle()

@@ -396,28 +396,30 @@ def test_nodes_are_heard_in_the_order_of_reading_with_their_pipes(made: Any) -> 
     place = ("situation", "rest", "entry", "0")
     tie = Problem(file="x", severity="warning", code="tie", message="t", place=place)
     made.canvas.show_document(made.document, [tie])
+    told = "calling is true; heat above 30; calling is true"
+    held = "while calling is true and heat above 30 and calling is true"
     assert heard(tree(made.canvas)) == [
-        ("heat", "data; number"),
-        ("calling", "data; yes or no"),
-        ("Condition of hot", "condition; all of these; is true; above 30; is true"),
+        ("heat", "data; number; looked at in hot"),
+        ("calling", "data; yes or no; looked at in hot, called"),
+        ("Condition of hot", f"condition; all of these; {told}"),
         ("  calling is true", "test of hot"),
         ("  heat above 30", "test of hot"),
         ("  calling is true", "test of hot"),
-        ("hot", "situation; number 1; stays 2 s at least"),
-        ("Condition of called", "condition; is true"),
+        ("hot", f"situation; number 1; stays 2 s at least; {held}"),
+        ("Condition of called", "condition; calling is true"),
         ("  calling is true", "test of called"),
-        ("called", "situation; number 2; extends rest"),
+        ("called", "situation; number 2; extends rest; while calling is true"),
         ("  priority 20 for nod", "taken over from rest"),
         ("  priority 10 for talk", "taken over from rest"),
-        ("rest", "situation; number 3; always"),
+        ("rest", "situation; number 3; always; priority 20 for nod; priority 10 for talk"),
         ("  priority 20 for nod", "priority in rest; with a warning; t"),
         ("  priority 10 for talk", "priority in rest"),
-        ("nod", "module"),
+        ("nod", "module; in rest"),
         ("  uses head", "resource of nod"),
-        ("talk", "module"),
+        ("talk", "module; in rest"),
         ("  uses speech", "resource of talk"),
-        ("head", "resource"),
-        ("speech", "resource"),
+        ("head", "resource; used by nod"),
+        ("speech", "resource; used by talk"),
     ]
 
 
@@ -481,7 +483,8 @@ def test_a_note_is_seen_told_where_the_mouse_rests_and_to_those_who_hear(
     assert farthest(corner(made), before) > 60
     assert made.hand.card("situation rest").toolTip().endswith("Note: Nothing else is going on")
     (told,) = [told for name, told in heard(tree(made.canvas)) if name == "rest"]
-    assert told == "situation; number 3; always; Note: Nothing else is going on"
+    said = "situation; number 3; always; Note: Nothing else is going on"
+    assert told == f"{said}; priority 20 for nod; priority 10 for talk"
     made.undo()
     assert "Note" not in made.hand.card("situation rest").toolTip()
 

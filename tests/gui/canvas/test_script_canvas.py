@@ -170,6 +170,18 @@ def test_inherited_priorities_show_for_the_selected_situation_only(made: Any) ->
     assert canvas.priorities.taken_over == []
 
 
+def test_the_line_of_what_is_taken_over_strikes_no_number(made: Any) -> None:
+    """It passes below every pipe that has one."""
+    canvas = made.canvas
+    canvas.select([("situation", "sound")])
+    (over,) = canvas.priorities.taken_over
+    pipes = [canvas.graph.pipe(id) for id in canvas.graph.links]
+    assert over.way.scene() is canvas.viewer.scene()
+    assert all(over.way.zValue() < pipe.zValue() for pipe in (*pipes, over))
+    canvas.select([("situation", "invited")])
+    assert over.way.scene() is None
+
+
 def test_an_edit_makes_what_is_taken_over_anew_once(
     made: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -20,7 +20,7 @@ from situ.document.modules import Module, Modules
 from situ.document.project import Project
 from situ.document.rbd import Application, Speech, State
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
-from situ_studio import new_script, places
+from situ_studio import new_script, places, words
 from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas.script_layout import Pills, spread
 from situ_studio.canvas.script_projection import picture
@@ -223,6 +223,13 @@ def test_what_is_one_of_several_is_typed_as_it_is_shown(values: list[Any]) -> No
 )
 def test_words_divided_by_commas_become_an_array(typed: str, array: str) -> None:
     assert several(typed) == array
+
+
+def test_a_priority_that_is_selected_says_whose_it_is_and_where() -> None:
+    """In the heading of its form."""
+    script = Spds("ward", situations=(Situation("called", entries=(Entry("nod", 5),)),))
+    _, _, name, what = words.title(script, ("situation", "called", "entry", "0"))
+    assert (name, what) == ("nod in called", "Priority")
 
 
 def test_pills_stand_on_none_of_the_others() -> None:

@@ -124,6 +124,50 @@ def test_a_new_card_goes_to_the_free_place_nearest_to_what_it_belongs_to(made: A
     agree(made)
 
 
+def test_while_a_situation_is_dragged_a_line_shows_where_it_will_stand(made: Any) -> None:
+    told: list[str] = []
+    made.canvas.status.connect(told.append)
+    start, landing = body(made, "situation sound"), made.canvas.landing
+    made.hand.press(start)
+    for down in (-20, -60, -110):
+        made.hand.move(start + QPointF(0, down))
+        made.hand.settle()
+    assert landing.number == 1
+    assert told[-1] == "sound becomes number 1"
+    (line,) = (i for i in made.canvas.viewer.scene().items() if i is landing._line)
+    area = line.path().boundingRect()
+    cards = made.canvas.graph.cards
+    assert area.bottom() < cards["situation invited"].y
+    assert area.left() < cards["situation sound"].x
+    assert area.right() > cards["situation sound"].x + cards["situation sound"].width
+    # Back where it was it stays what it is.
+    made.hand.move(start + QPointF(0, -4))
+    made.hand.settle()
+    assert (landing.number, told[-1]) == (0, "")
+    assert line.path().isEmpty()
+    made.hand.move(start + QPointF(0, -110))
+    made.hand.settle()
+    made.hand.release(start + QPointF(0, -110))
+    assert made.edits == ["Move sound to place 1"]
+    assert (landing.number, told[-1]) == (0, "")
+    assert line.path().isEmpty()
+    agree(made)
+
+
+def test_a_drag_of_a_situation_that_is_given_up_leaves_no_line(made: Any) -> None:
+    start = body(made, "situation sound")
+    made.hand.press(start)
+    for down in (-20, -110):
+        made.hand.move(start + QPointF(0, down))
+        made.hand.settle()
+    assert made.canvas.landing.number == 1
+    made.hand.key(Qt.Key.Key_Escape)
+    assert made.canvas.landing.number == 0
+    made.hand.release(start)
+    assert made.edits == []
+    agree(made)
+
+
 def test_arranged_by_itself_each_card_stands_near_what_it_belongs_to_again(made: Any) -> None:
     made.hand.drag(out(made, "situation invited"), middle(made, "module converse"))
     made.hand.drag(out(made, "situation talking"), middle(made, "module transfer"))
