@@ -19,7 +19,9 @@ from situ.decide.clock import CLOCK
 from situ.errors import BlackboardError, Unreachable
 from situ.rehearse.clock import Hidden
 from situ_studio.language import tr
+from situ_studio.lasting import lasting
 from situ_studio.live.clock_seen import is_clock
+from situ_studio.live.delay import Delays
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
 
@@ -39,7 +41,7 @@ class LinkState(Struct, frozen=True):
 
     kind: ``none`` (no robot), ``connecting``, ``live``, ``lost`` or ``refused``.
     since: seconds of the link's clock when it became so. behind: seconds between the
-    last event at the robot and here, by both wall clocks; None before the first.
+    last event at the robot and here; None before the first. apart: as ``Delay.apart``.
     looks_only: whether the robot takes nothing from us but questions.
     """
 
@@ -48,6 +50,7 @@ class LinkState(Struct, frozen=True):
     project: str = ""
     since: float = 0.0
     behind: float | None = None
+    apart: float = 0.0
     why: str = ""
     looks_only: bool = False
 
@@ -57,6 +60,11 @@ class LinkState(Struct, frozen=True):
             told = tr("live")
             if self.behind is not None:
                 told = tr("live, {0} ms behind").format(round(self.behind * 1000))
+            if self.apart:
+                words = tr("{0}, its clock is {1} ahead")
+                if self.apart > 0:
+                    words = tr("{0}, its clock is {1} late")
+                told = words.format(told, lasting(abs(self.apart)))
             return tr("{0}, you can look only").format(told) if self.looks_only else told
         if self.kind == "lost":
             return tr("lost {0} s ago").format(round(now - self.since))
@@ -97,6 +105,7 @@ class RobotLink(QObject):
         self._link: Link | None = None
         self._notifiers: list[QSocketNotifier] = []
         self._restarts = self._backlog = 0
+        self._delays = Delays()
         self._hands: list[Call[Any]] = []
         self.found = 0
         """How often a robot was found: what was meant for one is none of the next one's."""
@@ -278,8 +287,9 @@ class RobotLink(QObject):
             return
         if last["seq"] <= self._backlog:
             return
-        behind = (self._now() - datetime.fromisoformat(written)).total_seconds()
-        self.state = replace(self.state, behind=max(behind, 0.0))
+        at = datetime.fromisoformat(written).timestamp()
+        found = self._delays.take(last["t"], self.clock(), at, self._now().timestamp())
+        self.state = replace(self.state, behind=found.behind, apart=found.apart)
 
     def _on_dialog(self) -> None:
         link = self._link
@@ -293,6 +303,7 @@ class RobotLink(QObject):
             if self.state.kind != "live":
                 # What had happened before is no measure of how far behind we are.
                 self._backlog = dialog.welcome.seq
+                self._delays = Delays()
                 self.found += 1
                 self._greeted(dialog.welcome.runtime)
                 project = dialog.welcome.project

@@ -4,12 +4,35 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from tests.gui.live.test_deploying import connect, listed, press, rename
 
 from situ.blackboard.client import connect as operator
+from situ_studio.live.delay import APART, Delays
+
+
+@given(
+    st.lists(st.floats(0, 90), min_size=1),
+    st.sampled_from((0.0, 0.5, 3600.0, -3600.0, 86400.0)),
+    st.floats(0, 1e6),
+)
+def test_what_differs_from_event_to_event_is_delay_and_what_stays_is_the_clocks(
+    late: list[float], slow: float, begun: float
+) -> None:
+    """slow: how far the robot's clock is behind; late: how much later than at once each came."""
+    delays = Delays()
+    for n, seconds in enumerate((0.0, *late)):
+        t = float(n)
+        came = begun + t + seconds
+        found = delays.take(t, came, 1e9 + t - slow, 1e9 + t + seconds)
+        assert found.behind == pytest.approx(seconds + (slow if abs(slow) < APART else 0), abs=1e-4)
+        assert found.apart == pytest.approx(0 if abs(slow) < APART else slow, abs=1e-4)
 
 
 def test_a_version_that_waits_for_what_is_paused_says_so_and_runs_once_that_goes_on(
@@ -53,6 +76,15 @@ def test_a_robot_that_is_frozen_goes_or_comes_back_as_another_projects_is_told_a
     window = it.window
     told: list[str] = []
     link.state_changed.connect(lambda: told.append(window.status.link.text()))
+    # Clocks on walls need not agree: what differs is no delay.
+    link._now = lambda: datetime.now(UTC) - timedelta(hours=1)
+    with operator(there.endpoint, role="operator") as board:
+        board.set("spo2", 96)
+    until(link.moment_changed, lambda: "spo2" in link.log.now.board)
+    window.robot.follower.refresh()
+    assert ", its clock is 60 min ahead" in window.status.link.text()
+    assert link.state.behind < 60
+    link._now = lambda: datetime.now(UTC)
     # Its computer sleeps, and wakes: it is followed on, with every event once.
     there.process.send_signal(signal.SIGSTOP)
     until(link.state_changed, lambda: link.state.kind == "lost")
@@ -60,7 +92,7 @@ def test_a_robot_that_is_frozen_goes_or_comes_back_as_another_projects_is_told_a
     until(link.state_changed, lambda: link.connected)
     with operator(there.endpoint, role="operator") as board:
         board.set("spo2", 97)
-    until(link.moment_changed, lambda: "spo2" in link.log.now.board)
+    until(link.moment_changed, lambda: link.log.now.board["spo2"].value == 97)
     assert [event["seq"] for event in link.log] == list(range(1, len(link.log) + 1))
     assert told[0].startswith("lost ")
     assert told[1].startswith("live")
