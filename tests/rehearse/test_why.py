@@ -454,7 +454,8 @@ def test_an_action_that_is_nowhere(lab: Project, record: Record) -> None:
 
 BUSY = """<application name="busy">
 <state no="1"><screen touched="poked"><components>
-<movie id="film" x="1" y="1" width="9" height="9" src="f.webm" done="seen" failed="dark"/></components></screen>
+<movie id="film" x="1" y="1" width="9" height="9" src="f.webm" done="seen" failed="dark"/>
+</components></screen>
 <backgroundactions>
   <speech>One</speech><sound src="two.ogg"/><service name="s" url="http://x/" wait="true"/>
   <launch program="game" done="played"/></backgroundactions>
@@ -530,7 +531,7 @@ def test_what_would_have_raised_an_event(make: Make, record: Record) -> None:
 
     assert ask("poked") == ["  - a touch of the screen raises it"]
     assert ask("seen") == ["  - movie film of its screen raises it by its end"]
-    assert ask("dark") == ["  - movie film of its screen raises it where it can not play"]
+    assert ask("dark") == ["  - movie film of its screen raises it if it can not play"]
     assert ask("played") == ["  - launch game raises it when it ends well: it had not begun"]
     assert ask("timeout") == ["  - its timeout of 5 s had not run out: 2 s had passed"]
     assert ask("resumed") == ["  - it comes when a suspension ends"]

@@ -244,7 +244,7 @@ class Stuck:
                         verb = "its end" if isinstance(one, Movie) else "a person's use of it"
                         yield f"{words.component(one)} of its screen raises it by {verb}"
                     elif name == getattr(one, "failed", None):
-                        yield f"{words.component(one)} of its screen raises it where it can not play"
+                        yield f"{words.component(one)} of its screen raises it if it can not play"
             for action in frame.state.actions:
                 for event, well in ((action.done, "well"), (action.failed, "badly")):
                     if event == name:
