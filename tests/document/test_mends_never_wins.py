@@ -67,6 +67,15 @@ def test_it_is_raised_above_all_of_those_that_are_in_its_way_and_to_a_number_of_
     assert problem.mend.words == 'Raise it to 11 in "z", above "n0", "n1" and 2 more'
 
 
+def test_it_is_raised_above_who_holds_it_and_not_only_above_the_next() -> None:
+    modules = f'<modules>{SPEAKER}<module name="m" resources="speech"/>'
+    modules += '<module name="n" resources="base"/></modules>'
+    rest = entries(("app", 20), ("n", 9), ("m", 5))
+    _, words, after = mended(script(modules + situation("z", rest=rest)), ALWAYS)
+    assert words == 'Raise it to 21 in "z", above "app"'
+    assert found(after, ALWAYS) == []
+
+
 def test_a_priority_that_is_taken_over_is_raised_where_it_stands() -> None:
     modules = f'<modules>{SPEAKER}<module name="m" resources="speech"/></modules>'
     never_current = situation("a", 'in="[]"', entries(("m", 7)))
