@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
-    <name></name>
+    <name/>
     <message>
         <source>Note</source>
         <translation>メモ</translation>
@@ -30,6 +30,38 @@
     <message>
         <source>Priority</source>
         <translation>優先度</translation>
+    </message>
+    <message>
+        <source>after {0}</source>
+        <translation>{0} の後</translation>
+    </message>
+    <message>
+        <source>begins the same state anew</source>
+        <translation>同じ状態を最初からやり直します</translation>
+    </message>
+    <message>
+        <source>leads back</source>
+        <translation>前に戻ります</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>部品</translation>
+    </message>
+    <message>
+        <source>has an error</source>
+        <translation>エラーがあります</translation>
+    </message>
+    <message>
+        <source>has a warning</source>
+        <translation>警告があります</translation>
     </message>
     <message>
         <source>if {0}</source>
@@ -144,6 +176,10 @@
         <translation>書き込まれてからの時間。</translation>
     </message>
     <message>
+        <source>operator {0}</source>
+        <translation>操作者 {0}</translation>
+    </message>
+    <message>
         <source>Set by</source>
         <translation>書き込み元</translation>
     </message>
@@ -164,7 +200,7 @@
         <translation>ブレークポイント</translation>
     </message>
     <message>
-        <source>The breakpoint&apos;s number; green where something waits at it</source>
+        <source>The breakpoint's number; green where something waits at it</source>
         <translation>ブレークポイントの番号。そこで待っているものがあれば緑</translation>
     </message>
     <message>
@@ -196,20 +232,16 @@
         <translation>状況 {0} のとき</translation>
     </message>
     <message>
-        <source>in state {0}</source>
-        <translation>状態 {0} で</translation>
+        <source>before it leaves {0}</source>
+        <translation>{0} を離れる前</translation>
     </message>
     <message>
-        <source>before it leaves state {0}</source>
-        <translation>状態 {0} を出る前</translation>
+        <source>before it comes to {0}</source>
+        <translation>{0} に入る前</translation>
     </message>
     <message>
-        <source>before it comes to state {0}</source>
-        <translation>状態 {0} に入る前</translation>
-    </message>
-    <message>
-        <source>between state {0} and state {1}</source>
-        <translation>状態 {0} と状態 {1} の間</translation>
+        <source>between {0} and {1}</source>
+        <translation>{0} と {1} の間</translation>
     </message>
     <message>
         <source>{0}, while {1}</source>
@@ -232,8 +264,28 @@
         <translation>経過</translation>
     </message>
     <message>
+        <source>Project, outline and palette again</source>
+        <translation>プロジェクト、アウトライン、パレットに戻す</translation>
+    </message>
+    <message>
+        <source>Who holds what</source>
+        <translation>使用中のリソース</translation>
+    </message>
+    <message>
         <source>Blackboard</source>
         <translation>ブラックボード</translation>
+    </message>
+    <message>
+        <source>Find in the data</source>
+        <translation>データ内を検索</translation>
+    </message>
+    <message>
+        <source>Find a tag</source>
+        <translation>タグを検索</translation>
+    </message>
+    <message>
+        <source>since {0}</source>
+        <translation>{0} から</translation>
     </message>
     <message>
         <source>{0} s</source>
@@ -328,16 +380,92 @@
         <translation>トレース</translation>
     </message>
     <message>
-        <source>What happened, with its number.</source>
-        <translation>起きたことと、その番号。</translation>
+        <source>What kind of event it is.</source>
+        <translation>出来事の種類。</translation>
     </message>
     <message>
-        <source>The number of what it came from.</source>
-        <translation>もとになったできごとの番号。</translation>
+        <source>What it came from, and when: a click goes there.</source>
+        <translation>何から、いつ起きたか。クリックするとそこへ移ります。</translation>
     </message>
     <message>
-        <source>What is known about it.</source>
-        <translation>詳しい内容。</translation>
+        <source>What happened.</source>
+        <translation>起きたこと。</translation>
+    </message>
+    <message>
+        <source>not kept any more</source>
+        <translation>もう残っていません</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>要求</translation>
+    </message>
+    <message>
+        <source>Given back</source>
+        <translation>返却</translation>
+    </message>
+    <message>
+        <source>Module lost</source>
+        <translation>モジュールの切断</translation>
+    </message>
+    <message>
+        <source>Module connected</source>
+        <translation>モジュールの接続</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Event ignored</source>
+        <translation>無視されたイベント</translation>
+    </message>
+    <message>
+        <source>State left</source>
+        <translation>状態の終わり</translation>
+    </message>
+    <message>
+        <source>State entered</source>
+        <translation>状態の始まり</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>遷移</translation>
+    </message>
+    <message>
+        <source>Action begins</source>
+        <translation>動作の開始</translation>
+    </message>
+    <message>
+        <source>Action ends</source>
+        <translation>動作の終了</translation>
+    </message>
+    <message>
+        <source>Action cancelled</source>
+        <translation>動作の取り消し</translation>
+    </message>
+    <message>
+        <source>Suspended</source>
+        <translation>中断</translation>
+    </message>
+    <message>
+        <source>Goes on</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>No longer paused</source>
+        <translation>一時停止の解除</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>バージョン</translation>
     </message>
     <message>
         <source>stays</source>
@@ -410,6 +538,18 @@
     <message>
         <source>Number</source>
         <translation>番号</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>成り立つ</translation>
+    </message>
+    <message>
+        <source>does not hold</source>
+        <translation>成り立たない</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
     </message>
     <message>
         <source>Situation {0}</source>
@@ -788,8 +928,76 @@
         <translation>が {0} 以下</translation>
     </message>
     <message>
+        <source>the situation rests on it</source>
+        <translation>今の状況のもとになっています</translation>
+    </message>
+    <message>
+        <source>{0}st of {1}</source>
+        <translation>{1} 個中 {0} 番目</translation>
+    </message>
+    <message>
+        <source>{0}nd of {1}</source>
+        <translation>{1} 個中 {0} 番目</translation>
+    </message>
+    <message>
+        <source>{0}rd of {1}</source>
+        <translation>{1} 個中 {0} 番目</translation>
+    </message>
+    <message>
+        <source>{0}th of {1}</source>
+        <translation>{1} 個中 {0} 番目</translation>
+    </message>
+    <message>
+        <source>not begun</source>
+        <translation>開始前</translation>
+    </message>
+    <message>
+        <source>suspended</source>
+        <translation>中断中</translation>
+    </message>
+    <message>
+        <source>{0} is in {1}</source>
+        <translation>{0} は {1} にいます</translation>
+    </message>
+    <message>
+        <source>{0}; it waits for {1}</source>
+        <translation>{0}。{1} を待っています</translation>
+    </message>
+    <message>
+        <source>Nobody holds {0}.</source>
+        <translation>{0} は誰も使っていません。</translation>
+    </message>
+    <message>
+        <source>{0} has held {1} for {2}.</source>
+        <translation>{0} は {1} を {2} 使っています。</translation>
+    </message>
+    <message>
+        <source>Waiting for it: {0}.</source>
+        <translation>待っているもの: {0}。</translation>
+    </message>
+    <message>
+        <source>{0} waits</source>
+        <translation>{0} が待っています</translation>
+    </message>
+    <message>
+        <source>{0} wait</source>
+        <translation>{0} が待っています</translation>
+    </message>
+    <message>
+        <source>{0} Priority {1}.</source>
+        <translation>{0} 優先度 {1}。</translation>
+    </message>
+    <message>
         <source>not set</source>
         <translation>未設定</translation>
+    </message>
+    <message>
+        <source>until {0}</source>
+        <translation>{0} まで</translation>
+    </message>
+    <message>
+        <source>stays {0} s at least</source>
+        <translation>少なくとも {0} 秒続きます</translation>
     </message>
     <message>
         <source> or </source>
@@ -834,6 +1042,14 @@
     <message>
         <source>{0}: {1}</source>
         <translation>{0}：{1}</translation>
+    </message>
+    <message>
+        <source>Of the runs beside, none is a recording that all views could show</source>
+        <translation>並べた実行の中に、すべての表示に出せる記録がありません</translation>
+    </message>
+    <message>
+        <source>Let all views show another of the runs</source>
+        <translation>すべての表示に別の実行を出す</translation>
     </message>
     <message>
         <source>nothing of that</source>
@@ -884,7 +1100,7 @@
         <translation>{0} {1} 回、{2}</translation>
     </message>
     <message>
-        <source>the state&apos;s speech</source>
+        <source>the state's speech</source>
         <translation>状態の発話</translation>
     </message>
     <message>
@@ -1340,6 +1556,22 @@
         <translation>{1} の優先度 {0}</translation>
     </message>
     <message>
+        <source>while {0}</source>
+        <translation>{0} の間</translation>
+    </message>
+    <message>
+        <source>looked at in {0}</source>
+        <translation>{0} で使われます</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>{0} で</translation>
+    </message>
+    <message>
+        <source>used by {0}</source>
+        <translation>{0} が使います</translation>
+    </message>
+    <message>
         <source>priority in {0}</source>
         <translation>{0} での優先度</translation>
     </message>
@@ -1356,7 +1588,7 @@
         <translation>これは一つの文書ですが、ロボットはプロジェクト全体を動かしています。</translation>
     </message>
     <message>
-        <source>This is the project {0}, and the robot runs {1}: it is another robot&apos;s.</source>
+        <source>This is the project {0}, and the robot runs {1}: it is another robot's.</source>
         <translation>これはプロジェクト {0} ですが、ロボットは {1} を動かしています。別のロボット用です。</translation>
     </message>
     <message>
@@ -1378,6 +1610,10 @@
     <message>
         <source>Version {0} runs, not version {1}.</source>
         <translation>動いているのはバージョン {1} ではなく {0} です。</translation>
+    </message>
+    <message>
+        <source>{0} is paused: let it go on.</source>
+        <translation>{0} は一時停止中です。再開してください。</translation>
     </message>
     <message>
         <source>The robot checks version {0}.</source>
@@ -1432,7 +1668,7 @@
         <translation>バージョン {0} を断った</translation>
     </message>
     <message>
-        <source>Version {0}: what lies in the robot&apos;s own folder</source>
+        <source>Version {0}: what lies in the robot's own folder</source>
         <translation>バージョン {0}：ロボット自身のフォルダーにあるもの</translation>
     </message>
     <message>
@@ -1588,7 +1824,7 @@
         <translation>空欄にはできません。</translation>
     </message>
     <message>
-        <source>A folder inside the project&apos;s own: no .. and no / at its beginning.</source>
+        <source>A folder inside the project's own: no .. and no / at its beginning.</source>
         <translation>プロジェクトの中のフォルダーです。.. や先頭の / は使えません。</translation>
     </message>
     <message>
@@ -1792,11 +2028,11 @@
         <translation>タグ。user.name のように語を点でつなぎます。</translation>
     </message>
     <message>
-        <source>Metres along the map&apos;s x axis.</source>
+        <source>Metres along the map's x axis.</source>
         <translation>地図の x 方向のメートル。</translation>
     </message>
     <message>
-        <source>Metres along the map&apos;s y axis.</source>
+        <source>Metres along the map's y axis.</source>
         <translation>地図の y 方向のメートル。</translation>
     </message>
     <message>
@@ -1900,7 +2136,7 @@
         <translation>ロボットを使う人のための設定</translation>
     </message>
     <message>
-        <source>Each is a field on the robot&apos;s settings page and changes a value there.</source>
+        <source>Each is a field on the robot's settings page and changes a value there.</source>
         <translation>それぞれロボットの設定ページの欄になり、そこで値を変えられます。</translation>
     </message>
     <message>
@@ -1970,10 +2206,6 @@
     <message>
         <source>{0} days ago</source>
         <translation>{0} 日前</translation>
-    </message>
-    <message>
-        <source>{0} is in state {1}</source>
-        <translation>{0} は状態 {1}</translation>
     </message>
     <message>
         <source>the situation is {0}</source>
@@ -2048,7 +2280,7 @@
         <translation>{0} × {1} mm（{2} mm 以上必要）</translation>
     </message>
     <message>
-        <source>Text {0} mm high, read from {1}&#xa0;m</source>
+        <source>Text {0} mm high, read from {1} m</source>
         <translation>文字の高さ {0} mm、{1} m から読める</translation>
     </message>
     <message>
@@ -2568,8 +2800,16 @@
         <translation>{0} には、この後に別の実行が入っています。それは表示されません。</translation>
     </message>
     <message>
+        <source>{0} is damaged: what comes behind that is not shown.</source>
+        <translation>{0} が壊れています。それより後は表示されません。</translation>
+    </message>
+    <message>
         <source>{0} ends without its end: the robot was still running, or was killed.</source>
         <translation>{0} は途中で終わっています。ロボットがまだ動いていたか、強制終了されたためです。</translation>
+    </message>
+    <message>
+        <source>Nothing that a robot did is in it.</source>
+        <translation>ロボットがしたことは何も入っていません。</translation>
     </message>
     <message>
         <source>{0} events are not known</source>
@@ -2600,12 +2840,144 @@
         <translation>[1, 2] のようにリストを入力してください。</translation>
     </message>
     <message>
-        <source>Write an object, like {&quot;x&quot;: 1}.</source>
-        <translation>{&quot;x&quot;: 1} のようにオブジェクトを入力してください。</translation>
+        <source>Write an object, like {"x": 1}.</source>
+        <translation>{"x": 1} のようにオブジェクトを入力してください。</translation>
     </message>
     <message>
         <source>Write a number.</source>
         <translation>数を入力してください。</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>図</translation>
+    </message>
+    <message>
+        <source>Tab goes from card to card, F6 to the next panel.</source>
+        <translation>Tab でカードからカードへ、F6 で次のパネルへ移ります。</translation>
+    </message>
+    <message>
+        <source>reached from {0}</source>
+        <translation>{0} から来ます</translation>
+    </message>
+    <message>
+        <source>action on entry of {0}</source>
+        <translation>{0} に入ったときの動作</translation>
+    </message>
+    <message>
+        <source>only if {0}</source>
+        <translation>{0} のときだけ</translation>
+    </message>
+    <message>
+        <source>said as {0}</source>
+        <translation>言い方: {0}</translation>
+    </message>
+    <message>
+        <source>{0}, which does not exist</source>
+        <translation>{0}（存在しません）</translation>
+    </message>
+    <message>
+        <source>transition of {0}</source>
+        <translation>{0} の遷移</translation>
+    </message>
+    <message>
+        <source>action on the way</source>
+        <translation>遷移中の動作</translation>
+    </message>
+    <message>
+        <source>then {0}</source>
+        <translation>次は {0}</translation>
+    </message>
+    <message>
+        <source>{0} if it fails</source>
+        <translation>失敗したら {0}</translation>
+    </message>
+    <message>
+        <source>About the link</source>
+        <translation>接続について</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>接続中</translation>
+    </message>
+    <message>
+        <source>application</source>
+        <translation>アプリケーション</translation>
+    </message>
+    <message>
+        <source>script</source>
+        <translation>スクリプト</translation>
+    </message>
+    <message>
+        <source>module information</source>
+        <translation>モジュール情報</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>Situations</source>
+        <translation>状況</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>動作</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>バージョン</translation>
+    </message>
+    <message>
+        <source>Kinds of events that are shown</source>
+        <translation>表示する出来事の種類</translation>
+    </message>
+    <message>
+        <source>Only {0}, and what else is chosen here</source>
+        <translation>{0} と、ここで選んだほかのものだけ</translation>
+    </message>
+    <message>
+        <source>Which picture?</source>
+        <translation>どの画像ですか？</translation>
+    </message>
+    <message>
+        <source>Which movie?</source>
+        <translation>どの動画ですか？</translation>
+    </message>
+    <message>
+        <source>Which sound?</source>
+        <translation>どの音ですか？</translation>
+    </message>
+    <message>
+        <source>Import a file…</source>
+        <translation>ファイルを読み込む…</translation>
+    </message>
+    <message>
+        <source>{0} Type to filter</source>
+        <translation>{0} 文字を打つと絞り込みます</translation>
+    </message>
+    <message>
+        <source>Use {0}</source>
+        <translation>{0} を使う</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>… and {0} lines more</source>
+        <translation>… ほか {0} 行</translation>
+    </message>
+    <message>
+        <source>{0}:</source>
+        <translation>{0}:</translation>
     </message>
 </context>
 <context>
@@ -2803,6 +3175,17 @@
     </message>
 </context>
 <context>
+    <name>ChoosingMedia</name>
+    <message>
+        <source>The document has changed meanwhile: choose the file again.</source>
+        <translation>その間に書類が変わりました。ファイルを選び直してください。</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+</context>
+<context>
     <name>ClockBar</name>
     <message>
         <source>Pause</source>
@@ -2831,6 +3214,13 @@
     <message>
         <source>Go on</source>
         <translation>続ける</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnSide</name>
+    <message>
+        <source>Robot at this moment</source>
+        <translation>この時点のロボット</translation>
     </message>
 </context>
 <context>
@@ -3143,7 +3533,7 @@ Draw what a robot says, shows and does.</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Open the robot&apos;s version…</source>
+        <source>Open the robot's version…</source>
         <translation>ロボットのバージョンを開く…</translation>
     </message>
     <message>
@@ -3153,6 +3543,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>The robot has not told yet what it runs.</source>
         <translation>ロボットはまだ何を動かしているか伝えていません。</translation>
+    </message>
+    <message>
+        <source>The robot is not there: what differs is told when it is.</source>
+        <translation>ロボットが見つかりません。違いは、つながったときに示します。</translation>
     </message>
     <message>
         <source>and {0} more</source>
@@ -3348,10 +3742,6 @@ Draw what a robot says, shows and does.</source>
         <source>Name</source>
         <translation>名前</translation>
     </message>
-    <message>
-        <source>File</source>
-        <translation>ファイル</translation>
-    </message>
 </context>
 <context>
     <name>Desk</name>
@@ -3392,8 +3782,8 @@ Draw what a robot says, shows and does.</source>
         <translation>失敗する</translation>
     </message>
     <message>
-        <source>its answer, such as {&quot;names&quot;: []}</source>
-        <translation>答え（{&quot;names&quot;: []} など）</translation>
+        <source>its answer, such as {"names": []}</source>
+        <translation>答え（{"names": []} など）</translation>
     </message>
     <message>
         <source>What {0} answers</source>
@@ -3629,7 +4019,7 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} の {1} 行目：{2}</translation>
     </message>
     <message>
-        <source>{0} does not say which of the project&apos;s languages it is: name the file as one, such as {1}.po, or choose a text in its column first.</source>
+        <source>{0} does not say which of the project's languages it is: name the file as one, such as {1}.po, or choose a text in its column first.</source>
         <translation>{0} がプロジェクトのどの言語か分かりません。{1}.po のように言語名をファイル名にするか、先にその言語の列の文字を選んでください。</translation>
     </message>
     <message>
@@ -3980,6 +4370,10 @@ Draw what a robot says, shows and does.</source>
         <translation>、出来事 {0} 件が抜けています</translation>
     </message>
     <message>
+        <source>, project {0}, not {1}</source>
+        <translation>、プロジェクトは {1} ではなく {0}</translation>
+    </message>
+    <message>
         <source>{0}, {1}</source>
         <translation>{0}、{1}</translation>
     </message>
@@ -4243,6 +4637,93 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>LinkStatus</name>
+    <message>
+        <source>What is known of the robot and of the link to it</source>
+        <translation>ロボットと接続について分かっていること</translation>
+    </message>
+    <message>
+        <source>viewer</source>
+        <translation>閲覧者</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>{0}, {1}</source>
+        <translation>{0}、{1}</translation>
+    </message>
+    <message>
+        <source>About the link: {0}</source>
+        <translation>接続について: {0}</translation>
+    </message>
+    <message>
+        <source>{0} events/s</source>
+        <translation>出来事 {0} 件/秒</translation>
+    </message>
+    <message>
+        <source>Version {0}</source>
+        <translation>バージョン {0}</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>接続</translation>
+    </message>
+    <message>
+        <source>{0}: you can look only</source>
+        <translation>{0}: 見ることだけができます</translation>
+    </message>
+    <message>
+        <source>You are</source>
+        <translation>あなたの役割</translation>
+    </message>
+    <message>
+        <source>the project that it was started with</source>
+        <translation>開始時のプロジェクト</translation>
+    </message>
+    <message>
+        <source>version {0}</source>
+        <translation>バージョン {0}</translation>
+    </message>
+    <message>
+        <source>It runs</source>
+        <translation>動いているもの</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>まだ分かりません</translation>
+    </message>
+    <message>
+        <source>differ from these here: {0}</source>
+        <translation>ここのものと違います: {0}</translation>
+    </message>
+    <message>
+        <source>the same as here</source>
+        <translation>ここと同じ</translation>
+    </message>
+    <message>
+        <source>Its documents</source>
+        <translation>ロボットの書類</translation>
+    </message>
+    <message>
+        <source>It tells</source>
+        <translation>伝わる量</translation>
+    </message>
+    <message>
+        <source>Events kept</source>
+        <translation>残っている出来事</translation>
+    </message>
+</context>
+<context>
     <name>Listening</name>
     <message>
         <source>This text can not be heard here</source>
@@ -4423,6 +4904,41 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0} is taken already.</source>
         <translation>{0} はもう使われています。</translation>
+    </message>
+</context>
+<context>
+    <name>MediaPage</name>
+    <message>
+        <source>Import…</source>
+        <translation>読み込む…</translation>
+    </message>
+    <message>
+        <source>A picture, movie or sound from elsewhere</source>
+        <translation>ほかの場所にある画像、動画、音</translation>
+    </message>
+    <message>
+        <source>Drag a row onto a screen; Enter shows where it is used.</source>
+        <translation>行を画面にドラッグできます。Enter で使われている場所を示します。</translation>
+    </message>
+    <message>
+        <source>Media</source>
+        <translation>メディア</translation>
+    </message>
+    <message>
+        <source>No picture, movie or sound yet: import one.</source>
+        <translation>画像、動画、音はまだありません。読み込んでください。</translation>
+    </message>
+    <message>
+        <source>In every state</source>
+        <translation>すべての状態で</translation>
+    </message>
+    <message>
+        <source>Not used</source>
+        <translation>使われていません</translation>
+    </message>
+    <message>
+        <source>Used in {0}</source>
+        <translation>{0} で使われています</translation>
     </message>
 </context>
 <context>
@@ -4645,12 +5161,20 @@ Draw what a robot says, shows and does.</source>
         <translation>文字</translation>
     </message>
     <message>
+        <source>Media</source>
+        <translation>メディア</translation>
+    </message>
+    <message>
         <source>Project</source>
         <translation>プロジェクト</translation>
     </message>
     <message>
         <source>languages, translations</source>
         <translation>言語、翻訳</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>画像</translation>
     </message>
     <message>
         <source>{0} has errors: mend it first, or they would be lost.</source>
@@ -5001,12 +5525,20 @@ Draw what a robot says, shows and does.</source>
         <translation>開いているのはファイル一つだけです。ほかに加えることはできません。</translation>
     </message>
     <message>
+        <source>What modules say of themselves</source>
+        <translation>モジュールが自分について言うこと</translation>
+    </message>
+    <message>
         <source>Language…</source>
         <translation>言語…</translation>
     </message>
     <message>
         <source>What the project is</source>
         <translation>プロジェクトの設定</translation>
+    </message>
+    <message>
+        <source>Begin module information</source>
+        <translation>モジュール情報を始める</translation>
     </message>
 </context>
 <context>
@@ -5028,8 +5560,16 @@ Draw what a robot says, shows and does.</source>
         <translation>メディア</translation>
     </message>
     <message>
+        <source>Pictures, movies and sounds, and where each is used</source>
+        <translation>画像、動画、音と、それぞれが使われている場所</translation>
+    </message>
+    <message>
         <source>scenarios</source>
         <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>未保存</translation>
     </message>
 </context>
 <context>
@@ -5105,7 +5645,7 @@ Draw what a robot says, shows and does.</source>
         <translation>{0}: 出来事 {1} に「{2}」がありません。situ run --record が書いたものを指定してください</translation>
     </message>
     <message>
-        <source>{0}: event {1} is none of a robot&apos;s; give what situ run --record wrote</source>
+        <source>{0}: event {1} is none of a robot's; give what situ run --record wrote</source>
         <translation>{0}: 出来事 {1} はロボットのものではありません。situ run --record が書いたものを指定してください</translation>
     </message>
 </context>
@@ -5143,7 +5683,7 @@ Draw what a robot says, shows and does.</source>
         <translation>リハーサルを終える</translation>
     </message>
     <message>
-        <source>Say in the project&apos;s form in which folder its scenarios lie.</source>
+        <source>Say in the project's form in which folder its scenarios lie.</source>
         <translation>プロジェクトの入力欄で、シナリオのフォルダーを指定してください。</translation>
     </message>
     <message>
@@ -5165,7 +5705,7 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>RobotScreen</name>
     <message>
-        <source>The robot&apos;s screen</source>
+        <source>The robot's screen</source>
         <translation>ロボットの画面</translation>
     </message>
 </context>
@@ -5457,7 +5997,7 @@ Draw what a robot says, shows and does.</source>
         <translation>{0}  {1}、引き継ぎ</translation>
     </message>
     <message>
-        <source>Which module&apos;s priority?</source>
+        <source>Which module's priority?</source>
         <translation>どのモジュールの優先度ですか？</translation>
     </message>
     <message>
@@ -5577,10 +6117,6 @@ Draw what a robot says, shows and does.</source>
         <translation>追加</translation>
     </message>
     <message>
-        <source>Add {0}</source>
-        <translation>{0}を追加</translation>
-    </message>
-    <message>
         <source>Remove {0}</source>
         <translation>{0}を削除</translation>
     </message>
@@ -5657,6 +6193,14 @@ Draw what a robot says, shows and does.</source>
         <source>Align {0}</source>
         <translation>{0} を揃える</translation>
     </message>
+    <message>
+        <source>This state keeps what was shown before.</source>
+        <translation>この状態は前の画面をそのまま出します。</translation>
+    </message>
+    <message>
+        <source>Drag a component here, or press one of them.</source>
+        <translation>画面の部品をここにドラッグするか、どれかを押してください。</translation>
+    </message>
 </context>
 <context>
     <name>Shortcuts</name>
@@ -5723,6 +6267,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0:.1f} s left</source>
         <translation>残り {0:.1f} 秒</translation>
+    </message>
+    <message>
+        <source>The robot says {0}</source>
+        <translation>ロボットの言葉: {0}</translation>
     </message>
 </context>
 <context>
@@ -5903,6 +6451,10 @@ Draw what a robot says, shows and does.</source>
         <source>Tags</source>
         <translation>タグ</translation>
     </message>
+    <message>
+        <source>None yet: write {name} in a text</source>
+        <translation>まだありません。文の中に {name} のように書いてください</translation>
+    </message>
 </context>
 <context>
     <name>TakingNotice</name>
@@ -5961,6 +6513,49 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>It goes on with your changes.</source>
         <translation>変更した内容で続いています。</translation>
+    </message>
+</context>
+<context>
+    <name>TellingSide</name>
+    <message>
+        <source>Taken back: {0}</source>
+        <translation>元に戻しました: {0}</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>{0}, and {1} more</source>
+        <translation>{0}、ほか {1} 件</translation>
+    </message>
+    <message>
+        <source>No problems.</source>
+        <translation>問題はありません。</translation>
+    </message>
+    <message>
+        <source>Still {0}</source>
+        <translation>まだ {0}</translation>
+    </message>
+    <message>
+        <source>{0} error</source>
+        <translation>エラー {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} errors</source>
+        <translation>エラー {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} warning</source>
+        <translation>警告 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} warnings</source>
+        <translation>警告 {0} 件</translation>
     </message>
 </context>
 <context>
@@ -6367,7 +6962,7 @@ Draw what a robot says, shows and does.</source>
         <translation>行き先の状態。</translation>
     </message>
     <message>
-        <source>The state&apos;s number, or what stands in it.</source>
+        <source>The state's number, or what stands in it.</source>
         <translation>状態の番号、またはその中にあるもの。</translation>
     </message>
     <message>
@@ -6694,6 +7289,14 @@ A right click or the down key gives other values.</source>
         <translation>記録からは分かりません。</translation>
     </message>
     <message>
+        <source>What ran had no {0}.</source>
+        <translation>動いていたものに {0} はありませんでした。</translation>
+    </message>
+    <message>
+        <source>What ran had nothing of that in {0}.</source>
+        <translation>動いていたものの {0} には、それがありませんでした。</translation>
+    </message>
+    <message>
         <source>Select a state, a transition, a situation, a module or a resource.</source>
         <translation>状態、遷移、状況、モジュール、リソースのどれかを選んでください。</translation>
     </message>
@@ -6750,8 +7353,20 @@ A right click or the down key gives other values.</source>
         <translation>{0}：もうそうなっていました</translation>
     </message>
     <message>
-        <source>{0}; the documents here are not the robot&apos;s</source>
-        <translation>{0}。ここの文書はロボットのものと違います</translation>
+        <source>{0}; by the documents that ran, not those open here</source>
+        <translation>{0}。ここで開いているものではなく、動いていた書類によります</translation>
+    </message>
+    <message>
+        <source>{0}; by the documents open here: those that ran are not known</source>
+        <translation>{0}。動いていた書類が分からないので、ここで開いているものによります</translation>
+    </message>
+    <message>
+        <source>{0} is not open here: only what ran has it.</source>
+        <translation>{0} はここでは開いていません。動いていたものにだけあります。</translation>
+    </message>
+    <message>
+        <source>Only what ran has that: {0} here has not.</source>
+        <translation>それは動いていたものにだけあり、ここの {0} にはありません。</translation>
     </message>
     <message>
         <source>Why is {0} not in {1}?</source>
@@ -6847,8 +7462,8 @@ A right click or the down key gives other values.</source>
 <context>
     <name>_Json</name>
     <message>
-        <source>Write a list such as [&quot;a&quot;, &quot;b&quot;], or {&quot;a&quot;: 1}.</source>
-        <translation>[&quot;a&quot;, &quot;b&quot;] や {&quot;a&quot;: 1} のように書いてください。</translation>
+        <source>Write a list such as ["a", "b"], or {"a": 1}.</source>
+        <translation>["a", "b"] や {"a": 1} のように書いてください。</translation>
     </message>
     <message>
         <source>There is no null at the start: leave it out.</source>
@@ -7013,7 +7628,7 @@ A right click or the down key gives other values.</source>
         <translation>メディアフォルダーの絵。</translation>
     </message>
     <message>
-        <source>A value on the robot&apos;s blackboard.</source>
+        <source>A value on the robot's blackboard.</source>
         <translation>ロボットのブラックボードの値。</translation>
     </message>
     <message>
@@ -7929,7 +8544,7 @@ A right click or the down key gives other values.</source>
         <translation>ロボットが話します。</translation>
     </message>
     <message>
-        <source>The robot&apos;s application leaves its state for this one.</source>
+        <source>The robot's application leaves its state for this one.</source>
         <translation>ロボットのアプリケーションが今の状態からこの状態へ移ります。</translation>
     </message>
     <message>
@@ -8145,7 +8760,7 @@ A right click or the down key gives other values.</source>
         <translation>別の文字を書く</translation>
     </message>
     <message>
-        <source>Write the component&apos;s text where it stands</source>
+        <source>Write the component's text where it stands</source>
         <translation>画面の部品の文字をその場で書く</translation>
     </message>
     <message>
@@ -8203,7 +8818,7 @@ A right click or the down key gives other values.</source>
         <translation>誤りがあって全部は読めなかったファイルは、表示はしますが、直るまで変更しません。書かれていたものが失われないようにするためです。</translation>
     </message>
     <message>
-        <source>A project is a folder. Its applications say what the robot shows, says and waits for; its script says which of the robot&apos;s modules may move it in which situation.</source>
+        <source>A project is a folder. Its applications say what the robot shows, says and waits for; its script says which of the robot's modules may move it in which situation.</source>
         <translation>プロジェクトは一つのフォルダーです。アプリケーションは、ロボットが何を見せ、話し、待つかを表します。スクリプトは、どの状況でどのモジュールがロボットを動かしてよいかを表します。</translation>
     </message>
     <message>
@@ -8211,7 +8826,7 @@ A right click or the down key gives other values.</source>
         <translation>誰がロボットを動かしてよいかはスクリプトが決めます。条件がデータを見て、上から最初に条件が成り立った状況が現在の状況になり、各モジュールに優先度を与えます。ロボットの同じ部分を要求するモジュールのうち、優先度が最も高いものが使います。</translation>
     </message>
     <message>
-        <source>A situation may take over another one&apos;s priorities and change some. A module without a priority gets nothing in that situation. The last situation has no conditions, so that there always is one.</source>
+        <source>A situation may take over another one's priorities and change some. A module without a priority gets nothing in that situation. The last situation has no conditions, so that there always is one.</source>
         <translation>状況は別の状況の優先度を引き継ぎ、一部を変えられます。優先度のないモジュールは、その状況では何も使えません。いつも何かの状況になるように、最後の状況には条件がありません。</translation>
     </message>
     <message>
@@ -8443,7 +9058,7 @@ A right click or the down key gives other values.</source>
         <translation>文字を大きく。図はズームで大きくします。</translation>
     </message>
     <message>
-        <source>Letters are as large as the computer&apos;s others.</source>
+        <source>Letters are as large as the computer's others.</source>
         <translation>文字の大きさをコンピューターのほかの文字に合わせます。</translation>
     </message>
     <message>
@@ -8523,7 +9138,7 @@ A right click or the down key gives other values.</source>
         <translation>リハーサル</translation>
     </message>
     <message>
-        <source>Rehearse (F5) runs the project as it is drawn, here, from its start. Touch the robot&apos;s screen, let people say what it listens for, turn data, let modules ask: the drawings and tables show what comes of it, as they do with a robot.</source>
+        <source>Rehearse (F5) runs the project as it is drawn, here, from its start. Touch the robot's screen, let people say what it listens for, turn data, let modules ask: the drawings and tables show what comes of it, as they do with a robot.</source>
         <translation>「リハーサル」（F5）は、描いたとおりのプロジェクトを最初からここで動かします。ロボットの画面に触れ、人の言葉を聞かせ、データを変え、モジュールに要求させると、その結果がロボットのときと同じように図と表に出ます。</translation>
     </message>
     <message>
@@ -8647,7 +9262,7 @@ A right click or the down key gives other values.</source>
         <translation>ブラックボードには、分かっていることが置かれます。値は user.name や sound.loud のようなタグにあります。モジュール、サービス、画面への接触、動作が書き込み、画面、発話、条件が読みます。</translation>
     </message>
     <message>
-        <source>The computer&apos;s language, if the studio speaks it.</source>
+        <source>The computer's language, if the studio speaks it.</source>
         <translation>コンピューターの言語（対応しているとき）。</translation>
     </message>
     <message>
@@ -8731,7 +9346,7 @@ A right click or the down key gives other values.</source>
         <translation>ロボットは動き続けます。見るのをやめます。</translation>
     </message>
     <message>
-        <source>The robot&apos;s screen, to be touched; what people say, data and modules. Nothing of it is in the documents.</source>
+        <source>The robot's screen, to be touched; what people say, data and modules. Nothing of it is in the documents.</source>
         <translation>触れるロボットの画面、人の言葉、データ、モジュール。どれも文書には入りません。</translation>
     </message>
     <message>
@@ -8791,7 +9406,7 @@ A right click or the down key gives other values.</source>
         <translation>ようこそページ</translation>
     </message>
     <message>
-        <source>What a state shows is drawn to scale on the robot&apos;s screen: texts, buttons, images, movies, fields to type into, and lists. A state without a screen keeps the one that was shown before.</source>
+        <source>What a state shows is drawn to scale on the robot's screen: texts, buttons, images, movies, fields to type into, and lists. A state without a screen keeps the one that was shown before.</source>
         <translation>状態が見せるものを、ロボットの画面と同じ比率で描きます。文字、ボタン、絵、動画、入力欄、一覧です。画面のない状態では、前の画面がそのまま残ります。</translation>
     </message>
     <message>
@@ -8855,7 +9470,7 @@ A right click or the down key gives other values.</source>
         <translation>ロボットを見ているか、見ているものがどれだけ前のものか。</translation>
     </message>
     <message>
-        <source>Whether the project&apos;s files have all changes, and since when.</source>
+        <source>Whether the project's files have all changes, and since when.</source>
         <translation>変更がすべてファイルに保存されているか、いつからか。</translation>
     </message>
     <message>
@@ -8883,7 +9498,7 @@ A right click or the down key gives other values.</source>
         <translation>「なぜ？」（F7、またはカード・矢印・行のメニュー）は経緯を示します。きっかけの入力から一行に一つずつ、そのときの値とともに並びます。行をクリックすると、その時点とカードへ移ります。</translation>
     </message>
     <message>
-        <source>Writes all that was changed into the project&apos;s files.</source>
+        <source>Writes all that was changed into the project's files.</source>
         <translation>変更をすべてプロジェクトのファイルに書き込みます。</translation>
     </message>
     <message>
@@ -9338,7 +9953,7 @@ A right click or the down key gives other values.</source>
         <translation>後ろの地の色。</translation>
     </message>
     <message>
-        <source>Of the project&apos;s media folder.</source>
+        <source>Of the project's media folder.</source>
         <translation>プロジェクトのメディアフォルダーのもの。</translation>
     </message>
     <message>
@@ -9486,7 +10101,7 @@ A right click or the down key gives other values.</source>
         <translation>話すこと</translation>
     </message>
     <message>
-        <source>Says the state&apos;s speech once more; only in an event that leads nowhere.</source>
+        <source>Says the state's speech once more; only in an event that leads nowhere.</source>
         <translation>状態の発話をもう一度言います。行き先のないイベントでだけ使えます。</translation>
     </message>
     <message>
@@ -9530,7 +10145,7 @@ A right click or the down key gives other values.</source>
         <translation>状況</translation>
     </message>
     <message>
-        <source>Situations in their order, and the modules&apos; priorities in each.</source>
+        <source>Situations in their order, and the modules' priorities in each.</source>
         <translation>順に並んだ状況と、それぞれでのモジュールの優先度。</translation>
     </message>
     <message>
@@ -9618,7 +10233,7 @@ A right click or the down key gives other values.</source>
         <translation>続く動作は、これが（成功でも失敗でも）終わってから始まります。</translation>
     </message>
     <message>
-        <source>The application&apos;s file. Its ends are the events done.NUMBER, else done.</source>
+        <source>The application's file. Its ends are the events done.NUMBER, else done.</source>
         <translation>アプリケーションのファイル。終わりはイベント done.番号、または done。</translation>
     </message>
     <message>
@@ -9666,6 +10281,10 @@ A right click or the down key gives other values.</source>
         <translation>成功して終わったときに起こるイベント。</translation>
     </message>
     <message>
+        <source>The event that is raised where the robot can not play it.</source>
+        <translation>ロボットが再生できないときに起こるイベント。</translation>
+    </message>
+    <message>
         <source>The event that it raises, and where that leads.</source>
         <translation>起こすイベントと、その行き先。</translation>
     </message>
@@ -9710,7 +10329,7 @@ A right click or the down key gives other values.</source>
         <translation>タグに書き込まれてから、この秒数より経っていない。</translation>
     </message>
     <message>
-        <source>The text&apos;s height in percent of the screen&apos;s.</source>
+        <source>The text's height in percent of the screen's.</source>
         <translation>文字の高さ（画面の高さに対する %）。</translation>
     </message>
     <message>
@@ -9818,6 +10437,10 @@ A right click or the down key gives other values.</source>
         <translation>めったに使わないもの。</translation>
     </message>
     <message>
+        <source>What is to be remembered about it; the robot does not see it.</source>
+        <translation>覚えておきたいこと。ロボットには見えません。</translation>
+    </message>
+    <message>
         <source>What is waited for, and where each leads.</source>
         <translation>待つものと、それぞれの行き先。</translation>
     </message>
@@ -9878,7 +10501,7 @@ A right click or the down key gives other values.</source>
         <translation>ロボットが見せるもの。なければ前の画面が残ります。</translation>
     </message>
     <message>
-        <source>What the robot&apos;s adapter knows, such as goto.</source>
+        <source>What the robot's adapter knows, such as goto.</source>
         <translation>ロボットのアダプターが知る指令（goto など）。</translation>
     </message>
     <message>
@@ -10181,7 +10804,7 @@ A right click or the down key gives other values.</source>
         <translation> → </translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; and &quot;{1}&quot; both have the priority {2} in &quot;{3}&quot; and can ask for {4}: who asked first would win; give one of them another priority</source>
+        <source>"{0}" and "{1}" both have the priority {2} in "{3}" and can ask for {4}: who asked first would win; give one of them another priority</source>
         <translation>「{3}」では “{0}” と “{1}” の優先度がどちらも {2} で、どちらも {4} を求めることができます。このままでは先に求めたほうが勝ちます。どちらかの優先度を変えてください</translation>
     </message>
     <message>
@@ -10229,8 +10852,8 @@ A right click or the down key gives other values.</source>
         <translation>：</translation>
     </message>
     <message>
-        <source>: add xmlns:ed=&quot;{0}&quot; to the first element</source>
-        <translation>：最初の要素に xmlns:ed=&quot;{0}&quot; を加えてください</translation>
+        <source>: add xmlns:ed="{0}" to the first element</source>
+        <translation>：最初の要素に xmlns:ed="{0}" を加えてください</translation>
     </message>
     <message>
         <source>: nothing can stand in it</source>
@@ -10241,7 +10864,7 @@ A right click or the down key gives other values.</source>
         <translation>。</translation>
     </message>
     <message>
-        <source>; did you mean &quot;{0}&quot;?</source>
+        <source>; did you mean "{0}"?</source>
         <translation>。“{0}” のことですか？</translation>
     </message>
     <message>
@@ -10265,8 +10888,8 @@ A right click or the down key gives other values.</source>
         <translation>&lt;data&gt; が何もテストしていません。{0} のどれかを加えてください</translation>
     </message>
     <message>
-        <source>&lt;{0}&gt; has no attribute &quot;{1}&quot;</source>
-        <translation>&lt;{0}&gt; に属性 &quot;{1}&quot; はありません</translation>
+        <source>&lt;{0}&gt; has no attribute "{1}"</source>
+        <translation>&lt;{0}&gt; に属性 "{1}" はありません</translation>
     </message>
     <message>
         <source>&lt;{0}&gt; has no place in &lt;{1}&gt;: it belongs in &lt;{2}&gt;</source>
@@ -10293,8 +10916,8 @@ A right click or the down key gives other values.</source>
         <translation>&lt;{0}&gt; に名前空間は付けられません。xmlns 属性を取り除いてください</translation>
     </message>
     <message>
-        <source>&lt;{0}&gt; needs the attribute &quot;{1}&quot;: add {2}=&quot;…&quot;</source>
-        <translation>&lt;{0}&gt; には属性 &quot;{1}&quot; が必要です。{2}=&quot;…&quot; を加えてください</translation>
+        <source>&lt;{0}&gt; needs the attribute "{1}": add {2}="…"</source>
+        <translation>&lt;{0}&gt; には属性 "{1}" が必要です。{2}="…" を加えてください</translation>
     </message>
     <message>
         <source>A DOCTYPE is not allowed: take it out</source>
@@ -10305,8 +10928,8 @@ A right click or the down key gives other values.</source>
         <translation>ここに NUL 文字があります。XML ファイルには置けません</translation>
     </message>
     <message>
-        <source>A choice needs choices = [&quot;a&quot;, &quot;b&quot;]: two texts or more, each once</source>
-        <translation>choice には choices = [&quot;a&quot;, &quot;b&quot;] のように、異なる文字列が二つ以上必要です</translation>
+        <source>A choice needs choices = ["a", "b"]: two texts or more, each once</source>
+        <translation>choice には choices = ["a", "b"] のように、異なる文字列が二つ以上必要です</translation>
     </message>
     <message>
         <source>A part begins in one state, but ways from outside lead to {0}: select more or fewer states, or lead them all to one.</source>
@@ -10353,8 +10976,8 @@ A right click or the down key gives other values.</source>
         <translation>{0} という名前にする</translation>
     </message>
     <message>
-        <source>Choices are for the type &quot;choice&quot;, not {0}</source>
-        <translation>choices は &quot;choice&quot; 型のためのもので、{0} には使えません</translation>
+        <source>Choices are for the type "choice", not {0}</source>
+        <translation>choices は "choice" 型のためのもので、{0} には使えません</translation>
     </message>
     <message>
         <source>Declare {0} with {1}</source>
@@ -10645,11 +11268,11 @@ A right click or the down key gives other values.</source>
         <translation>最後の状況はいつも成り立たなければなりません。until と limit を取り除いてください</translation>
     </message>
     <message>
-        <source>The module &quot;{0}&quot; can never hold authority: {1}; raise its priority, or give it a situation of its own</source>
+        <source>The module "{0}" can never hold authority: {1}; raise its priority, or give it a situation of its own</source>
         <translation>モジュール “{0}” は実行権を持つことがありません：{1}。優先度を上げるか、専用の状況を設けてください</translation>
     </message>
     <message>
-        <source>The module &quot;{0}&quot; has no resources, so its priority has no effect: take it out</source>
+        <source>The module "{0}" has no resources, so its priority has no effect: take it out</source>
         <translation>モジュール “{0}” にはリソースがないので、優先度に意味がありません。取り除いてください</translation>
     </message>
     <message>
@@ -10665,8 +11288,8 @@ A right click or the down key gives other values.</source>
         <translation>場所 {0} {1}</translation>
     </message>
     <message>
-        <source>The prefix &quot;{0}&quot; is not declared</source>
-        <translation>接頭辞 &quot;{0}&quot; が宣言されていません</translation>
+        <source>The prefix "{0}" is not declared</source>
+        <translation>接頭辞 "{0}" が宣言されていません</translation>
     </message>
     <message>
         <source>The same attribute stands twice in this tag: take one out</source>
@@ -10697,7 +11320,7 @@ A right click or the down key gives other values.</source>
         <translation>{0} の時間切れで部品が終わりますが、{1} が移るときに行う動作は時間切れではできません。先にその状態の動作にしてください。</translation>
     </message>
     <message>
-        <source>The url {0} stand in the robot&apos;s secrets.toml</source>
+        <source>The url {0} stand in the robot's secrets.toml</source>
         <translation>ロボットの secrets.toml にある URL {0}</translation>
     </message>
     <message>
@@ -10793,8 +11416,8 @@ A right click or the down key gives other values.</source>
         <translation>10 インチの画面で{1}が {0} mm ですが、指には {2} mm 必要です。幅を {3} 以上、高さを {4} 以上にしてください</translation>
     </message>
     <message>
-        <source>This line is none of a .po file: write msgid &quot;…&quot; and msgstr &quot;…&quot;</source>
-        <translation>この行は .po ファイルのものではありません。msgid &quot;…&quot; と msgstr &quot;…&quot; を書いてください</translation>
+        <source>This line is none of a .po file: write msgid "…" and msgstr "…"</source>
+        <translation>この行は .po ファイルのものではありません。msgid "…" と msgstr "…" を書いてください</translation>
     </message>
     <message>
         <source>This shows {0}, which is private, until a hand takes it away, to anyone who comes after: add a timeout that leads to the start</source>
@@ -10865,19 +11488,19 @@ A right click or the down key gives other values.</source>
         <translation>[{0}] にキー {1} はありません。{2} のことですか？</translation>
     </message>
     <message>
-        <source>a breakpoint&apos;s condition is judged at its moment: it can not have “for”</source>
+        <source>a breakpoint's condition is judged at its moment: it can not have “for”</source>
         <translation>ブレークポイントの条件はその時点で判定されます。「継続」は使えません</translation>
     </message>
     <message>
-        <source>a list of texts such as [&quot;a&quot;, &quot;b&quot;]</source>
-        <translation>[&quot;a&quot;, &quot;b&quot;] のような文字列の一覧</translation>
+        <source>a list of texts such as ["a", "b"]</source>
+        <translation>["a", "b"] のような文字列の一覧</translation>
     </message>
     <message>
         <source>a million characters are the most</source>
         <translation>百万文字までです</translation>
     </message>
     <message>
-        <source>a person&apos;s use of it</source>
+        <source>a person's use of it</source>
         <translation>人の操作</translation>
     </message>
     <message>
@@ -10885,8 +11508,8 @@ A right click or the down key gives other values.</source>
         <translation>状況優先度記述スクリプト</translation>
     </message>
     <message>
-        <source>a table such as { &quot;a&quot; = &quot;b&quot; }</source>
-        <translation>{ &quot;a&quot; = &quot;b&quot; } のような表</translation>
+        <source>a table such as { "a" = "b" }</source>
+        <translation>{ "a" = "b" } のような表</translation>
     </message>
     <message>
         <source>a tag is words of a-z, 0-9, _ and - joined by dots</source>
@@ -11085,12 +11708,24 @@ A right click or the down key gives other values.</source>
         <translation>言い直しは行き先のないイベントでだけ使えます。取り除くか、イベントの行き先をなくしてください</translation>
     </message>
     <message>
-        <source>Saying again cannot stand among a state&apos;s actions: put it into an event that leads nowhere, or take it out</source>
+        <source>Raise it to {0} in {1}, above {2}</source>
+        <translation>{1} での優先度を {0} にして {2} より上にする</translation>
+    </message>
+    <message>
+        <source>Saying again cannot stand among a state's actions: put it into an event that leads nowhere, or take it out</source>
         <translation>言い直しは状態の動作としては置けません。行き先のないイベントに移すか、取り除いてください</translation>
     </message>
     <message>
         <source>Several applications need a script that says which of them comes first: begin one, and name it in the project</source>
         <translation>アプリケーションがいくつもあるときは、どれが先かを決めるスクリプトが必要です。スクリプトを始めて、プロジェクトに加えてください</translation>
+    </message>
+    <message>
+        <source>Take its priorities out</source>
+        <translation>優先度をすべて取り除く</translation>
+    </message>
+    <message>
+        <source>Take its priority out</source>
+        <translation>優先度を取り除く</translation>
     </message>
     <message>
         <source>Take out what says it again</source>
@@ -11113,7 +11748,7 @@ A right click or the down key gives other values.</source>
         <translation>必ずどれかの状況になるように、最後の状況はいつも成り立たなければなりません。条件を取り除くか、その下に条件のない状況を加えてください</translation>
     </message>
     <message>
-        <source>The module &quot;{0}&quot; can never hold authority: no situation gives it a priority; give it one in a situation</source>
+        <source>The module "{0}" can never hold authority: no situation gives it a priority; give it one in a situation</source>
         <translation>モジュール “{0}” は実行権を持つことがありません。どの状況も優先度を与えていません。どれかの状況で与えてください</translation>
     </message>
     <message>
@@ -11157,8 +11792,8 @@ A right click or the down key gives other values.</source>
         <translation>ロボット自身が保持するものは消えないので、{0} を消しても効果がありません。取り除くか、自分のタグを指定してください</translation>
     </message>
     <message>
-        <source>Whether it exists must be &quot;true&quot; or &quot;false&quot;, not {0}</source>
-        <translation>「ある」かどうかは {0} ではなく &quot;true&quot; か &quot;false&quot; としてください</translation>
+        <source>Whether it exists must be "true" or "false", not {0}</source>
+        <translation>「ある」かどうかは {0} ではなく "true" か "false" としてください</translation>
     </message>
     <message>
         <source>Who has not understood cannot hear it again in {0}: add a button or a phrase that says it again, best a Repeat button in every state</source>
@@ -11373,12 +12008,12 @@ A right click or the down key gives other values.</source>
         <translation>がありません</translation>
     </message>
     <message>
-        <source>is neither &quot;true&quot; nor &quot;false&quot;: {0}</source>
-        <translation>は &quot;true&quot; でも &quot;false&quot; でもありません：{0}</translation>
+        <source>is neither "true" nor "false": {0}</source>
+        <translation>は "true" でも "false" でもありません：{0}</translation>
     </message>
     <message>
-        <source>is neither a whole number nor &quot;none&quot;: {0}</source>
-        <translation>は整数でも &quot;none&quot; でもありません：{0}</translation>
+        <source>is neither a whole number nor "none": {0}</source>
+        <translation>は整数でも "none" でもありません：{0}</translation>
     </message>
     <message>
         <source>is no name of a value: {0}; write a tag, or a tag and fields, such as patient.room</source>
@@ -11601,8 +12236,8 @@ A right click or the down key gives other values.</source>
         <translation>は {0} ではなく 1 以上にしてください</translation>
     </message>
     <message>
-        <source>must be given as &quot;event:NAME&quot; or &quot;tag:NAME&quot;</source>
-        <translation>は &quot;event:名前&quot; か &quot;tag:名前&quot; の形にしてください</translation>
+        <source>must be given as "event:NAME" or "tag:NAME"</source>
+        <translation>は "event:名前" か "tag:名前" の形にしてください</translation>
     </message>
     <message>
         <source>must be {0} or {1}, not {2}</source>
@@ -11913,7 +12548,7 @@ A right click or the down key gives other values.</source>
         <translation>画面の地</translation>
     </message>
     <message>
-        <source>the recording&apos;s snapshot is damaged, or another situ&apos;s</source>
+        <source>the recording's snapshot is damaged, or another situ's</source>
         <translation>記録のスナップショットが壊れているか、別の situ のものです</translation>
     </message>
     <message>
@@ -12035,6 +12670,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>{0} and was taken</source>
         <translation>{0}。そのとおり進みました</translation>
+    </message>
+    <message>
+        <source>{0} asked for {1} from {2} to {3} in vain, and not again since</source>
+        <translation>{0} は {2} から {3} まで {1} を要求しましたが得られず、その後は要求していません</translation>
     </message>
     <message>
         <source>{0} asks for {1}</source>
@@ -12245,6 +12884,10 @@ A right click or the down key gives other values.</source>
         <translation>画面の {0} が{1}で起こします</translation>
     </message>
     <message>
+        <source>{0} of its screen raises it where it can not play</source>
+        <translation>画面の {0} が、再生できないときに起こします</translation>
+    </message>
+    <message>
         <source>{0} of state {1}</source>
         <translation>状態 {1} の {0}</translation>
     </message>
@@ -12369,7 +13012,7 @@ A right click or the down key gives other values.</source>
         <translation>{0}：値は {1} でした</translation>
     </message>
     <message>
-        <source>{0}: its snapshot is damaged, or another situ&apos;s</source>
+        <source>{0}: its snapshot is damaged, or another situ's</source>
         <translation>{0}：スナップショットが壊れているか、別の situ のものです</translation>
     </message>
     <message>
@@ -12429,8 +13072,8 @@ A right click or the down key gives other values.</source>
         <translation>{0}。{1} は {2} でした</translation>
     </message>
     <message>
-        <source>“Is one of” needs a list such as [&quot;a&quot;, &quot;b&quot;], not {0}</source>
-        <translation>「のどれか」には {0} ではなく [&quot;a&quot;, &quot;b&quot;] のような一覧が必要です</translation>
+        <source>“Is one of” needs a list such as ["a", "b"], not {0}</source>
+        <translation>「のどれか」には {0} ではなく ["a", "b"] のような一覧が必要です</translation>
     </message>
     <message>
         <source>“application” goes with “event” only</source>
@@ -12517,7 +13160,7 @@ A right click or the down key gives other values.</source>
         <translation>画面に出るものと、状態が待つもの</translation>
     </message>
     <message>
-        <source>whether &quot;{0}&quot; ever holds authority</source>
+        <source>whether "{0}" ever holds authority</source>
         <translation>“{0}” が実行権を持つことがあるか</translation>
     </message>
     <message>
@@ -12805,7 +13448,7 @@ A right click or the down key gives other values.</source>
         <translation>{0}：プロジェクトの外を指しています</translation>
     </message>
     <message>
-        <source>{0}: neither a project&apos;s folder, its situ.toml, nor a document (.rbd.xml, .spds.xml, modules.xml)</source>
+        <source>{0}: neither a project's folder, its situ.toml, nor a document (.rbd.xml, .spds.xml, modules.xml)</source>
         <translation>{0}：プロジェクトのフォルダーでも、その situ.toml でも、文書（.rbd.xml、.spds.xml、modules.xml）でもありません</translation>
     </message>
     <message>
