@@ -71,7 +71,7 @@ class Follower(QObject):
         self._blackboard = blackboard
         self._authority = authority
         self._trace = trace
-        self._at = self._reached = 0.0
+        self._told = self._at = self._reached = 0.0
         self.viewing = Viewing(link.log, self)
         self.viewing.show(link.log, self._end)
         self.viewing.moved.connect(self.refresh)
@@ -229,7 +229,10 @@ class Follower(QObject):
         return self._reached
 
     def _on_moment(self) -> None:
-        self._at = self._link.clock()
+        t = self._link.log.now.t
+        # What stands there, and what its clock says, is told without an event.
+        if t != self._told:
+            self._told, self._at = t, self._link.clock()
         if not self._soon.isActive():
             self._soon.start()
 

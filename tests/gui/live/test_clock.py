@@ -73,9 +73,11 @@ def test_a_running_robot_is_asked_with_its_clock_which_goes_on(
         until(link.moment_changed, lambda: any(e["kind"] == "ignored" for e in link.log))
         assert f"clock.time is 25:00: it was “{shown}”, set at " in ask(it)
         assert seen(it)[0].endswith((" by situ", " by project"))
-        # Whoever sets something there, no trace tells it.
+        # Whoever sets something there, no trace tells it; and the robot's time does not go back.
+        _, end = it.window.robot.follower.viewing.span
         board.set("clock.note", "early")
         until(link.moment_changed, lambda: "clock.note" in link.log.now.board)
+        assert it.window.robot.follower.viewing.span[1] >= end
     it.window.robot.follower.refresh()
     table = rows(it.window.robot.blackboard)
     assert table["clock.note"][1] == "early"
