@@ -8,11 +8,14 @@ from typing import Any
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication
 from tests.gui.drawing.conditions import ConditionFiller
+from tests.gui.test_newcomer import CONTROL
 
 from situ.document import rbd
 from situ.document.datatypes import write_number
+from situ.document.drawing import Frame, Note, drawn
 from situ_studio import kinds
 from situ_studio.kinds import Field, Kind
+from situ_studio.kinds.application import COLORS
 from situ_studio.notes import note_of
 from situ_studio.screens.media_picker import MediaPicker
 
@@ -50,6 +53,21 @@ class ApplicationDrawer(ConditionFiller):
             self.leads_on(state.no, state)
         if wanted.always is not None:
             self.leads_on(ALWAYS, wanted.always)
+        for one in drawn(wanted):
+            self.beside(one)
+
+    def beside(self, one: Note | Frame) -> None:
+        """A note or a frame, written where it stands."""
+        self.key(Qt.Key.Key_Escape)
+        if isinstance(one, Note):
+            self.press(kinds.NOTE.title)
+            self.type(one.text, None)
+            self.key(Qt.Key.Key_Return, CONTROL)
+        else:
+            self.press(kinds.FRAME.title)
+            self.type(one.title)
+        if one.color:
+            self.fill_form({"Colour": dict(COLORS)[one.color]})
 
     # -- states ---------------------------------------------------------------------------
 
@@ -74,13 +92,13 @@ class ApplicationDrawer(ConditionFiller):
 
     def inside(self, part: rbd.State | rbd.Always) -> None:
         """What a state says and does, and its screen."""
-        for action in getattr(part, "actions", ()):
-            self.put(action)
         if part.screen == rbd.Screen():
             # An empty one is begun where screens are drawn.
             self.press_in_form("Open the screen")
             self.click("Graph", QAbstractButton)
-        elif part.screen is not None:
+        for action in getattr(part, "actions", ()):
+            self.put(action)
+        if part.screen is not None:
             for component in part.screen.components:
                 self.put(component)
             if part.screen.background or part.screen.touched:

@@ -53,7 +53,11 @@ class FormFiller(Draughtsman):
 
     def fill_form(self, wanted: Mapping[str, str | bool]) -> None:
         """From its first field that is wanted on."""
-        self.press_in_form(next(iter(wanted)))
+        first = next(iter(wanted))
+        self.press_in_form(first)
+        if isinstance(self.in_form(first)[0], QComboBox):
+            # Its list is open: it is chosen by letters.
+            self.key(Qt.Key.Key_Escape)
         self.fill(wanted)
 
     def press(self, name: str) -> None:
