@@ -76,6 +76,20 @@ def test_it_is_raised_above_who_holds_it_and_not_only_above_the_next() -> None:
     assert found(after, ALWAYS) == []
 
 
+def test_of_two_priorities_in_one_situation_the_one_that_counts_is_raised() -> None:
+    modules = f'<modules>{SPEAKER}<module name="m" resources="speech"/></modules>'
+    source = script(modules + situation("z", rest=entries(("app", 9), ("m", 5), ("m", 6))))
+    after = mended(source, ALWAYS)[2]
+    assert [entry.priority for entry in after.situations[0].entries] == [9, 5, 10]
+
+
+def test_situations_that_extend_each_other_in_a_circle_are_gone_through_once() -> None:
+    modules = '<modules><module name="m" resources="head"/></modules>'
+    circle = situation("a", 'is="1"', attributes='extends="z"')
+    source = script(modules + circle + situation("z", attributes='extends="a"'))
+    assert mended(source)[1] == 'Give it the priority 1 in "z"'
+
+
 def test_a_priority_that_is_taken_over_is_raised_where_it_stands() -> None:
     modules = f'<modules>{SPEAKER}<module name="m" resources="speech"/></modules>'
     never_current = situation("a", 'in="[]"', entries(("m", 7)))

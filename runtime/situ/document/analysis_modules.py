@@ -37,9 +37,10 @@ def search_modules(
     """``ways``: by name of the application, its ways and the states that are reached."""
     askers = _askers(search, script, ways)
     _ties(search, file, script, current, askers)
-    for name, asker in askers.items():
+    raising = Raising(script, current, askers)
+    for name in askers:
         search.go_on()
-        _never_wins(search, file, script, current, askers, name, asker)
+        _never_wins(search, file, raising, current, askers, name)
 
 
 def _askers(
@@ -124,12 +125,12 @@ def _shown(ways: Ways, reached: set[str]) -> dict[str, set[bool]]:
 def _never_wins(
     search: Search,
     file: str,
-    script: Spds,
+    raising: Raising,
     current: list[Situation],
     askers: dict[str, Asker],
     name: str,
-    asker: Asker,
 ) -> None:
+    script, asker = raising.script, askers[name]
     entries = [
         (situation, at)
         for situation in script.situations
@@ -144,7 +145,7 @@ def _never_wins(
                 f'The module "{name}" can never hold authority: no situation gives it a '
                 "priority; give it one in a situation"
             )
-            mend = given(search, file, Raising(script, current, askers, name))
+            mend = given(search, file, raising, name)
             search.warn(file, "never-wins", message, where, place, mend)
         return
     first, at = entries[0]
@@ -174,7 +175,7 @@ def _never_wins(
             f'The module "{name}" can never hold authority: {why}; raise its priority, or give '
             "it a situation of its own"
         )
-        mend = raised(search, file, Raising(script, current, askers, name))
+        mend = raised(search, file, raising, name)
         search.warn(file, "never-wins", message, aside, place, mend)
 
 

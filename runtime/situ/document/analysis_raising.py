@@ -6,9 +6,9 @@ where no other module loses all that it could win; and where no two tie by it.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator
-
-from msgspec.structs import replace
+from functools import cached_property
 
 from situ.document import words
 from situ.document.analysis_search import Search
@@ -27,92 +27,96 @@ NAMED = 3
 
 
 class Raising:
-    """The priorities that one module of a script could have instead."""
+    """The priorities that modules of a script could have instead; what all of them need is worked
+    out once.
+    """
 
-    def __init__(
-        self, script: Spds, current: list[Situation], askers: dict[str, Asker], name: str
-    ) -> None:
+    def __init__(self, script: Spds, current: list[Situation], askers: dict[str, Asker]) -> None:
         self.script = script
-        self.name = name
         self._askers = askers
-        known = {id(situation) for situation in current}
-        self._current = [
-            at for at, situation in enumerate(script.situations) if id(situation) in known
-        ]
-        every = script.every_priorities()
-        self._now = {at: every[at] for at in self._current}
+        self._known = {id(situation) for situation in current}
 
-    def raised(self, at: int, entry: int) -> tuple[int, list[str]] | None:
-        """The lowest priority at which the module wins by that entry of the situation at ``at``,
-        and those that stand just below it then.
-        """
-        now = self.script.situations[at].entries[entry].priority
-        assert now is not None
-        touched = self._touched(at, entry)
-        above = {p for one in touched for p in self._others(one) if p > now}
-        for priority in self._free(touched, sorted(p + 1 for p in above)):
-            if self._wins(touched, priority):
-                below = {
-                    module
-                    for one in touched
-                    for module, p in self._now[one].items()
-                    if p == priority - 1
-                }
-                may = self._leaves_others(touched, priority)
-                return (priority, sorted(below)) if may else None
-        return None
+    @cached_property
+    def _now(self) -> dict[int, Priorities]:
+        """By its position, what a situation that can be current gives."""
+        every = enumerate(self.script.every_priorities())
+        return {at: one for at, one in every if id(self.script.situations[at]) in self._known}
 
-    def given(self) -> int | None:
-        """The lowest priority with which the module wins in the last situation, to which it is
-        given there; not below 1 where it need not be.
+    def raised(self, name: str, at: int, entry: int) -> tuple[int, list[str], bool] | None:
+        """The lowest priority at which a module wins by that entry of the situation at ``at``,
+        those that stand just below it then, and whether everybody else still wins.
         """
-        at = len(self.script.situations) - 1
-        touched = self._touched(at, None)
-        others = sorted({p for one in touched for p in self._others(one)})
+        entries = self.script.situations[at].entries
+        now = entries[entry].priority
+        # Of two of one situation, which is an error, the last one counts.
+        counts = all(one.module != name for one in entries[entry + 1 :])
+        touched = self._touched(name, at) if counts else []
+        above = {p for one in touched for p in self._others(name, one) if now is None or p > now}
+        several = self._free(name, touched, sorted(p + 1 for p in above))
+        # The fewer stand above it, the more it can be granted.
+        first = bisect_left(several, True, key=lambda p: self._wins(name, touched, p))
+        if first == len(several):
+            return None
+        priority = several[first]
+        below = {
+            module for one in touched for module, p in self._now[one].items() if p == priority - 1
+        }
+        return priority, sorted(below), self._leaves_others(name, touched, priority)
+
+    def given(self, name: str) -> int | None:
+        """The lowest priority with which a module wins in the last situation, to which it is given
+        there; not below 1 where it need not be. It has none anywhere.
+        """
+        touched = self._touched(name, len(self.script.situations) - 1)
+        others = sorted({p for one in touched for p in self._others(name, one)})
         lowest = min([1, *(p - 1 for p in others)])
-        several = (lowest, *(p + 1 for p in others))
-        free = self._free(touched, several)
-        return next((p for p in free if self._wins(touched, p)), None)
+        several = self._free(name, touched, (lowest, *(p + 1 for p in others)))
+        first = bisect_left(several, True, key=lambda p: self._wins(name, touched, p))
+        return several[first] if first < len(several) else None
 
-    def with_priority(self, at: int, entry: int | None, priority: int) -> Spds:
-        """The script with another priority there; entry None: in an entry of its own."""
-        situation = self.script.situations[at]
-        entries = list(situation.entries)
-        if entry is None:
-            entries.append(Entry(self.name, priority))
-        else:
-            entries[entry] = replace(entries[entry], priority=priority)
-        situations = list(self.script.situations)
-        situations[at] = replace(situation, entries=tuple(entries))
-        return replace(self.script, situations=tuple(situations))
+    def _touched(self, name: str, at: int) -> list[int]:
+        """The situations that can be current and take what they say of a module from that one."""
+        return [one for one in self._now if self._source(name, one, at) == at]
 
-    def _touched(self, at: int, entry: int | None) -> list[int]:
-        """The situations that can be current in which the module has its priority from there."""
-        unlike = max((p for one in self._now.values() for p in one.values()), default=0) + 1
-        every = self.with_priority(at, entry, unlike).every_priorities()
-        return [one for one in self._current if every[one].get(self.name) == unlike]
+    def _source(self, name: str, at: int, wanted: int) -> int | None:
+        """Which situation says what one gives a module: itself, or what it extends; ``wanted``
+        where none says anything and that one is among them.
+        """
+        seen: list[int] = []
+        while at not in seen:
+            seen.append(at)
+            situation = self.script.situations[at]
+            if any(entry.module == name for entry in situation.entries):
+                return at
+            following = self._positions.get(situation.extends or "")
+            if following is None:
+                break
+            at = following
+        return wanted if wanted in seen else None
 
-    def _others(self, at: int) -> Iterator[int]:
-        return (p for module, p in self._now[at].items() if module != self.name)
+    @cached_property
+    def _positions(self) -> dict[str, int]:
+        found: dict[str, int] = {}
+        for at, situation in enumerate(self.script.situations):
+            found.setdefault(situation.name, at)
+        return found
 
-    def _free(self, touched: list[int], several: Iterable[int]) -> Iterator[int]:
+    def _others(self, name: str, at: int) -> Iterator[int]:
+        return (p for module, p in self._now[at].items() if module != name)
+
+    def _free(self, name: str, touched: list[int], several: Iterable[int]) -> list[int]:
         """Those of several priorities that nobody has."""
-        taken = {p for one in touched for p in self._others(one)}
-        return (p for p in several if p not in taken)
+        taken = {p for one in touched for p in self._others(name, one)}
+        return [p for p in several if p not in taken]
 
-    def _after(self, touched: list[int], priority: int) -> dict[int, Priorities]:
-        new = {one: {**self._now[one], self.name: priority} for one in touched}
-        return {**self._now, **new}
+    def _wins(self, name: str, touched: list[int], priority: int) -> bool:
+        return any(self._can_win({**self._now[one], name: priority}, name) for one in touched)
 
-    def _wins(self, touched: list[int], priority: int) -> bool:
-        after = self._after(touched, priority)
-        return any(self._can_win(after[one], self.name) for one in touched)
-
-    def _leaves_others(self, touched: list[int], priority: int) -> bool:
+    def _leaves_others(self, name: str, touched: list[int], priority: int) -> bool:
         """Whether everybody still wins who does now. Who may ask for nothing hinders nobody."""
-        if self._askers[self.name].asks is None:
+        if self._askers[name].asks is None:
             return True
-        after = self._after(touched, priority)
+        after = {**self._now, **{one: {**self._now[one], name: priority} for one in touched}}
         return all(
             any(self._can_win(one, other) for one in after.values())
             for other in self._askers
@@ -127,39 +131,40 @@ class Raising:
             return False
 
 
-def raised(search: Search, file: str, raising: Raising) -> Mend | None:
-    """To raise the first priority of the module that can be raised so that it wins."""
+def raised(search: Search, file: str, raising: Raising, name: str) -> Mend | None:
+    """To raise the first priority of a module that can be raised so that it wins."""
     script = raising.script
-    for at, entry in _entries(script, raising.name):
+    for at, entry in _entries(script, name):
         held = script.situations[at].entries[entry]
         search.go_on()
-        found = raising.raised(at, entry) if held.priority is not None else None
+        found = raising.raised(name, at, entry) if held.priority is not None else None
         if found is not None:
-            priority, below = found
+            priority, below, may = found
             named = [shown(one) for one in below]
             if len(named) > NAMED:
                 named = [*named[: NAMED - 1], f"{len(named) - NAMED + 1} more"]
             where = shown(script.situations[at].name)
             said = f"Raise it to {priority} in {where}, above {words.listed(named)}"
             path: Path = ("situations", at, "entries", entry)
-            return search.mend(file, said, change(path, held, "priority", priority))
+            made = change(path, held, "priority", priority)
+            return search.mend(file, said, made) if may else None
     return None
 
 
-def given(search: Search, file: str, raising: Raising) -> Mend | None:
+def given(search: Search, file: str, raising: Raising, name: str) -> Mend | None:
     """To give a module without any priority one in the last situation, which is current when
     nothing else is. None where it is taken away somewhere by hand.
     """
     script = raising.script
-    if not script.situations or any(True for _ in _entries(script, raising.name)):
+    if not script.situations or any(True for _ in _entries(script, name)):
         return None
-    priority = raising.given()
+    priority = raising.given(name)
     if priority is None:
         return None
     last = script.situations[-1]
     said = f"Give it the priority {priority} in {shown(last.name)}"
     path: Path = ("situations", len(script.situations) - 1, "entries", len(last.entries))
-    return search.mend(file, said, put_in(path, Entry(raising.name, priority)))
+    return search.mend(file, said, put_in(path, Entry(name, priority)))
 
 
 def taken_away(search: Search, file: str, script: Spds, name: str) -> Mend | None:
