@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import signal
+import subprocess
+import sys
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -120,3 +123,46 @@ def test_a_robot_that_is_frozen_goes_or_comes_back_as_another_projects_is_told_a
     window.robot.follower.refresh()
     assert ", same as the robot" in window.status.link.text()
     window.disconnect_robot()
+
+
+FLOOD = """
+import sys
+from situ.blackboard.client import connect
+with connect(sys.argv[1], role="operator") as board:
+    n = 0
+    while True:
+        n += 1
+        board.set({f"flood.t{tag}": n for tag in range(200)})
+"""
+"""Who sets as many tags as the robot takes."""
+
+
+def test_a_robot_that_is_killed_in_a_flood_of_events_is_followed_on_and_what_was_missed_is_counted(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    flood = subprocess.Popen([sys.executable, "-c", FLOOD, there.endpoint])
+    try:
+        until(link.came, lambda: len(link.log) > 2000)
+        there.kill()
+        until(link.state_changed, lambda: link.state.kind == "lost")
+        assert it.window.status.link.text().startswith("lost ")
+    finally:
+        flood.kill()
+        flood.wait(10)
+    robot(there.project, there.endpoint)
+    until(link.state_changed, lambda: link.connected)
+    with operator(there.endpoint, role="operator") as board:
+        board.set("spo2", 97)
+    until(link.moment_changed, lambda: "spo2" in link.log.now.board)
+    seqs = [event["seq"] for event in link.log]
+    missed = sum(gap.count for gap in link.log.gaps)
+    assert seqs[0] == 1
+    assert all(one < next_ for one, next_ in pairwise(seqs))
+    assert len(seqs) + missed == seqs[-1]
+    it.window.robot.follower.refresh()
+    told = f"{missed:,} events missed"
+    assert (told in it.window.status.link.text()) == bool(missed)
+    it.window.disconnect_robot()
