@@ -99,6 +99,16 @@ def test_a_robot_that_is_frozen_goes_or_comes_back_as_another_projects_is_told_a
     assert [event["seq"] for event in link.log] == list(range(1, len(link.log) + 1))
     assert told[0].startswith("lost ")
     assert told[1].startswith("live")
+    # This computer sleeps for five minutes: it looks for the robot at once, and finds it.
+    inner = link._link
+    clock, slept = inner.clock, len(told)
+    inner.clock = lambda: clock() + 300.0
+    with operator(there.endpoint, role="operator") as board:
+        board.set("spo2", 98)
+    until(link.moment_changed, lambda: link.log.now.board["spo2"].value == 98)
+    until(link.state_changed, lambda: link.connected)
+    assert [event["seq"] for event in link.log] == list(range(1, len(link.log) + 1))
+    assert [words.partition(" ")[0] for words in told[slept:]] in ([], ["lost", "live,"])
     # While somebody looks at what would be deployed it is killed.
     rename(it, "greeting")
     window.deploying.ask()
