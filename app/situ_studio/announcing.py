@@ -15,6 +15,8 @@ from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessible
 from PySide6.QtWidgets import QAbstractItemView, QAccessibleWidget, QWidget
 
 INSTALLED = "situ_announcements_are_heard"
+PAUSE = 300
+"""Milliseconds until a reader is told: Orca drops what comes with many other events at once."""
 AT_ONCE = 4
 """Announcements that are kept: a reader asks for the words when it comes to them."""
 
@@ -31,7 +33,10 @@ class Announcements(QWidget):
         self.notify: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility
         self._notes = cycle([_Note(self) for _ in range(AT_ONCE)])
         self._waiting: list[str] = []
+        self._spoken: list[str] = []
         self._settled = soon(self, self._tell)
+        self.pause = soon(self, self._speak)
+        self.pause.setInterval(PAUSE)
         self.hide()
 
     def tell(self, text: str) -> None:
@@ -44,14 +49,27 @@ class Announcements(QWidget):
         text = ". ".join(one.rstrip(".") for one in self._waiting)
         self._waiting.clear()
         self.told.emit(text)
-        if not QAccessible.isActive():
-            return
+        if QAccessible.isActive():
+            self._spoken.append(text)
+            if not self.pause.isActive():
+                self.pause.start()
+
+    def _speak(self) -> None:
+        text = ". ".join(self._spoken)
+        self._spoken.clear()
         if QSysInfo.kernelType() != "linux":
             self.notify(QAccessibleAnnouncementEvent(self, text))
             return
         note = next(self._notes)
         note.setAccessibleName(text)
         self.notify(QAccessibleEvent(note, QAccessible.Event.ObjectShow))
+
+
+def announce(near: QWidget, text: str) -> None:
+    """Tells it in the window in which ``near`` is, if that has announcements."""
+    announcements = near.window().findChild(Announcements)
+    if announcements is not None:
+        announcements.tell(text)
 
 
 class _Note(QWidget):

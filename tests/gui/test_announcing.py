@@ -96,6 +96,19 @@ def test_what_the_status_bar_says_in_passing_is_told(studio: Start) -> None:
     assert told == ["Saved"]
 
 
+def test_why_a_priority_is_refused_is_told(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    told = hears(used)
+    used.window.open_file("conversation.spds.xml")
+    used.window.show_mode("matrix")
+    used.settle()
+    used.window.current_view.current_view().setFocus()
+    used.type("x")
+    used.key(Qt.Key.Key_Return)
+    assert told == ["A priority is a whole number or none, not “x”"]
+    used.key(Qt.Key.Key_Escape)
+
+
 def test_what_becomes_of_the_link_is_told_and_not_each_second_of_it(studio: Start) -> None:
     used = studio()
     told = hears(used)
@@ -117,6 +130,7 @@ def test_who_listens_hears_an_announcement_as_a_notification(
     announcements.notify = lambda event: told.append(
         (event.type(), event.accessibleInterface().role(), event.accessibleInterface().text(NAME))
     )
+    announcements.pause.setInterval(0)
     announcements.tell("One.")
     announcements.tell("Two.")
     used.settle()
@@ -132,6 +146,7 @@ def test_where_no_notifications_are_heard_an_announcement_is_sent(
     announcements = used.window.status.announcements
     told: list[Any] = []
     announcements.notify = lambda event: told.append((event.type(), event.message()))
+    announcements.pause.setInterval(0)
     announcements.tell("One.")
     used.settle()
     assert told == [(QAccessible.Event.Announcement, "One")]

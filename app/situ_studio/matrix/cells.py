@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import icons
+from situ_studio.announcing import announce
 from situ_studio.letters import px
 from situ_studio.matrix.edits import read
 from situ_studio.matrix.model import AnyIndex, MatrixModel
@@ -196,7 +197,7 @@ class Sentence(QLabel):
     def say(self, cell: QRect, text: str) -> None:
         """Shows it below the cell, or above where there is no room."""
         self.setText(text)
-        self.setAccessibleName(text)
+        announce(self, text)
         self.adjustSize()
         room = self._room.rect()
         left = max(0, min(cell.left(), room.right() - self.width()))
