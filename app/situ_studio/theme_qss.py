@@ -240,7 +240,6 @@ QFrame[role="popup"] {{ background: {panel}; border: 1px solid {line_strong};
 QFrame[role="situation"] {{ background: {situation_soft}; border: 1px solid {situation};
   border-radius: 6px; }}
 QFrame[role="situation"]:focus {{ border: 2px solid {accent}; }}
-QLabel[role="place"] {{ font-size: 11px; color: {situation}; }}
 
 QFrame[role="bottomtabs"] {{ background: {panel}; border: 0; }}
 QFrame[role="bottomtabs"] QPushButton {{ border: 0; border-radius: 0; background: transparent;

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QShowEvent
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QSizePolicy, QVBoxLayout, QWidget
 
 from situ.document.spds import Spds
@@ -18,15 +18,17 @@ from situ_studio.letters import px
 from situ_studio.live.column_list import ColumnList
 from situ_studio.live.column_rows import Telling
 from situ_studio.live.column_situation import SituationCard
+from situ_studio.live.column_words import Words
 from situ_studio.live.lanes import Lanes
 from situ_studio.live.moment import Moment
 from situ_studio.live.timeline.rows import RowKind
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.header import PanelHeader
-from situ_studio.theme import CAPTION, Theme, font
+from situ_studio.theme import CAPTION, Theme
 
-FRAME = 16
-"""Milliseconds between two drawings at least."""
+FRAME = 50
+"""Milliseconds between two drawings at least: nobody reads numbers faster, and the graph beside it
+has the frames between for itself."""
 
 StateName = Callable[[str, str], str]
 
@@ -50,7 +52,7 @@ class MomentColumn(QWidget):
         self.header = PanelHeader(tr("Situation"))
         self.back = IconButton(theme, "close", tr("Project, outline and palette again"))
         self.back.clicked.connect(self.left)
-        self.since = Since(theme)
+        self.since = Words(theme, CAPTION, token="text3", wide=96)
         self.header.add(self.since)
         self.header.add(self.back)
         column = QVBoxLayout(self)
@@ -133,6 +135,7 @@ class MomentColumn(QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         retheme(self, theme)
+        self.card.set_theme(theme)
         retheme(self.header, theme)
         self.since.theme = theme
         for rows in (self.states, self.resources, self.data):
@@ -233,29 +236,3 @@ class MomentColumn(QWidget):
         else:
             self.wanted.clear()
         self.draw()
-
-
-class Since(QWidget):
-    """How long the situation has lasted: always as wide, for it is another one in each frame, and
-    a label that grows has the whole window laid out anew.
-    """
-
-    def __init__(self, theme: Theme) -> None:
-        super().__init__()
-        self.theme = theme
-        self.words = ""
-        self.setFixedSize(px(96), px(20))
-
-    def show_words(self, words: str) -> None:
-        if words != self.words:
-            self.words = words
-            self.setAccessibleName(words)
-            self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setFont(font(CAPTION))
-        painter.setPen(self.theme.color("text3"))
-        middle = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight
-        painter.drawText(self.rect(), middle, self.words)
-        painter.end()

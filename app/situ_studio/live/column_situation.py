@@ -6,13 +6,14 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QPoint, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QResizeEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
-from situ_studio.icon_widgets import Elided, IconButton, IconLabel, retheme
+from situ_studio.icon_widgets import IconButton, IconLabel, retheme
 from situ_studio.language import tr
 from situ_studio.letters import px
 from situ_studio.live.column_rows import TESTS, PartTold, SituationTold
-from situ_studio.theme import Theme
+from situ_studio.live.column_words import Words
+from situ_studio.theme import CAPTION, LABEL, SECTION, Theme
 
 _SIGNS = {True: ("check", "live"), False: ("close", "text3"), None: ("minus", "text3")}
 
@@ -37,16 +38,15 @@ class SituationCard(QFrame):
         line = QHBoxLayout()
         line.setSpacing(8)
         line.addWidget(IconLabel(theme, "situation", "situation", 18))
-        self.name = Elided("", "section")
+        self.name = Words(theme, SECTION, 600)
         line.addWidget(self.name, 1)
-        self.place = QLabel()
-        self.place.setProperty("role", "place")
+        self.place = Words(theme, CAPTION, token="situation", wide=64)
         line.addWidget(self.place)
         column.addLayout(line)
         self.parts = [_Part(theme) for _ in range(TESTS)]
         for part in self.parts:
             column.addWidget(part)
-        self.kept = Elided("", "hint")
+        self.kept = Words(theme, CAPTION, token="text3")
         column.addWidget(self.kept)
         self.why = IconButton(theme, "why", tr("Why?"), "text2", 16, self)
         self.why.setFixedSize(px(22), px(22))
@@ -57,20 +57,24 @@ class SituationCard(QFrame):
 
     def set_theme(self, theme: Theme) -> None:
         retheme(self, theme)
+        for words in self.findChildren(Words):
+            words.theme = theme
 
     def show_told(self, told: SituationTold) -> None:
         if told == self._told:
             return
         before, self._told = self._told, told
-        self.name.setText(told.name)
-        self.place.setText(told.place)
+        self.name.show_words(told.name)
+        self.place.show_words(told.place)
         for number, part in enumerate(self.parts):
             shown = number < len(told.parts)
             if shown:
                 part.show_told(told.parts[number])
-            part.setVisible(shown)
-        self.kept.setText(told.kept)
-        self.kept.setVisible(bool(told.kept))
+            if part.isHidden() == shown:
+                part.setVisible(shown)
+        self.kept.show_words(told.kept)
+        if self.kept.isHidden() == bool(told.kept):
+            self.kept.setVisible(bool(told.kept))
         signs = {True: tr("holds"), False: tr("does not hold"), None: tr("not known")}
         rests = [f"{part.words}: {signs[part.holds]}" for part in told.parts]
         place = f"{told.name}, {told.place}" if told.place else told.name
@@ -136,7 +140,7 @@ class _Part(QWidget):
         line.setSpacing(7)
         self._sign = IconLabel(theme, "check", "live", 13)
         line.addWidget(self._sign)
-        self._words = Elided("", "under")
+        self._words = Words(theme, LABEL)
         line.addWidget(self._words, 1)
         self.told: PartTold | None = None
 
@@ -144,4 +148,4 @@ class _Part(QWidget):
         if told != self.told:
             self.told = told
             self._sign.set_icon(*_SIGNS[told.holds])
-            self._words.setText(told.words)
+            self._words.show_words(told.words)

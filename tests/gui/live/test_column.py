@@ -67,8 +67,8 @@ def test_it_shows_the_moment_of_the_cursor_in_place_of_what_one_draws_with(
     # It takes their room, and none of the inspector's.
     assert it.window.docks["inspector"].isVisible()
     at(4.2)
-    assert column.card.name.text() == "accepted"
-    assert column.card.place.text() == "5th of 6"
+    assert column.card.name.words == "accepted"
+    assert column.card.place.words == "5th of 6"
     assert column.since.words == "since 0.2 s"
     assert rows(column.states)["converse"][0].startswith("2 ")
     held = rows(column.resources)
@@ -87,7 +87,7 @@ def test_it_shows_the_moment_of_the_cursor_in_place_of_what_one_draws_with(
     assert rows(column.data)["hand.waving"][0] == "not set"
     # Back where the nod has not been asked for.
     at(3.0)
-    assert column.card.name.text() == "conversation"
+    assert column.card.name.words == "conversation"
     assert rows(column.resources)["head"] == ("chase-face", "20")
     assert not column.data.rows.row(0).lit
     # Without a robot, a recording or a rehearsal everything is as it was.
@@ -102,14 +102,16 @@ def test_a_situation_that_goes_on_though_its_condition_does_not_hold_tells_why(
 ) -> None:
     _, column = looked
     at(4.2)
-    (part,) = column.card._told.parts
+    part = column.card.parts[0].told
+    assert part is not None
     assert (part.words, part.holds) == ("speech.acceptable is true", True)
     assert column.card.kept.isHidden()
     at(5.1)
-    assert column.card.name.text() == "accepted"
-    (part,) = column.card._told.parts
+    assert column.card.name.words == "accepted"
+    part = column.card.parts[0].told
+    assert part is not None
     assert part.holds is False
-    assert column.card.kept.text() == "stays 1.2 s at least"
+    assert column.card.kept.words == "stays 1.2 s at least"
 
 
 def test_hands_and_keys_go_to_what_a_row_is_about(
@@ -203,7 +205,7 @@ def test_dragged_elsewhere_it_stands_there_and_the_palette_at_the_left(
     assert column.isVisible()
     assert drawing_is_seen(it) == {True}
     at(4.2)
-    assert column.card.name.text() == "accepted"
+    assert column.card.name.words == "accepted"
     dock.setFloating(False)
     it.settle()
     assert column.isVisible()
@@ -278,7 +280,7 @@ def test_of_a_robot_it_goes_on_and_of_what_runs_there_the_script_counts(
         until(link.moment_changed, lambda: "head" in link.log.now.holders)
         it.window.robot.follower.refresh()
         column.draw()
-        assert column.card.name.text() == "sound"
+        assert column.card.name.words == "sound"
         # Not what is drawn here.
         assert it.window.robot.follower.same is False
         assert rows(column.resources)["head"] == ("gaze-sound", "60")

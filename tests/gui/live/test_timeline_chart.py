@@ -85,12 +85,12 @@ def written(chart: TimelineChart, monkeypatch: Any) -> list[str]:
     """What the chart writes into its blocks and at its upper edge."""
     found: list[str] = []
 
-    class Watched(QPainter):
-        def drawText(self, *args: Any) -> None:
-            found.append(args[-1])
-            super().drawText(*args)
+    def draw(painter: QPainter, *args: Any) -> None:
+        found.append(args[-1])
+        QPainter.drawText(painter, *args)
 
-    monkeypatch.setattr(drawing, "QPainter", Watched)
+    watched = type("Watched", (QPainter,), {"drawText": draw})
+    monkeypatch.setattr(drawing, "QPainter", watched)
     chart._changed()
     chart.grab()
     monkeypatch.undo()
