@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
-    <name/>
+    <name></name>
     <message>
         <source>Note</source>
         <translation>メモ</translation>
@@ -200,7 +200,7 @@
         <translation>ブレークポイント</translation>
     </message>
     <message>
-        <source>The breakpoint's number; green where something waits at it</source>
+        <source>The breakpoint&apos;s number; green where something waits at it</source>
         <translation>ブレークポイントの番号。そこで待っているものがあれば緑</translation>
     </message>
     <message>
@@ -1100,7 +1100,7 @@
         <translation>{0} {1} 回、{2}</translation>
     </message>
     <message>
-        <source>the state's speech</source>
+        <source>the state&apos;s speech</source>
         <translation>状態の発話</translation>
     </message>
     <message>
@@ -1588,7 +1588,7 @@
         <translation>これは一つの文書ですが、ロボットはプロジェクト全体を動かしています。</translation>
     </message>
     <message>
-        <source>This is the project {0}, and the robot runs {1}: it is another robot's.</source>
+        <source>This is the project {0}, and the robot runs {1}: it is another robot&apos;s.</source>
         <translation>これはプロジェクト {0} ですが、ロボットは {1} を動かしています。別のロボット用です。</translation>
     </message>
     <message>
@@ -1668,7 +1668,7 @@
         <translation>バージョン {0} を断った</translation>
     </message>
     <message>
-        <source>Version {0}: what lies in the robot's own folder</source>
+        <source>Version {0}: what lies in the robot&apos;s own folder</source>
         <translation>バージョン {0}：ロボット自身のフォルダーにあるもの</translation>
     </message>
     <message>
@@ -1824,7 +1824,7 @@
         <translation>空欄にはできません。</translation>
     </message>
     <message>
-        <source>A folder inside the project's own: no .. and no / at its beginning.</source>
+        <source>A folder inside the project&apos;s own: no .. and no / at its beginning.</source>
         <translation>プロジェクトの中のフォルダーです。.. や先頭の / は使えません。</translation>
     </message>
     <message>
@@ -2028,11 +2028,11 @@
         <translation>タグ。user.name のように語を点でつなぎます。</translation>
     </message>
     <message>
-        <source>Metres along the map's x axis.</source>
+        <source>Metres along the map&apos;s x axis.</source>
         <translation>地図の x 方向のメートル。</translation>
     </message>
     <message>
-        <source>Metres along the map's y axis.</source>
+        <source>Metres along the map&apos;s y axis.</source>
         <translation>地図の y 方向のメートル。</translation>
     </message>
     <message>
@@ -2136,7 +2136,7 @@
         <translation>ロボットを使う人のための設定</translation>
     </message>
     <message>
-        <source>Each is a field on the robot's settings page and changes a value there.</source>
+        <source>Each is a field on the robot&apos;s settings page and changes a value there.</source>
         <translation>それぞれロボットの設定ページの欄になり、そこで値を変えられます。</translation>
     </message>
     <message>
@@ -2280,7 +2280,7 @@
         <translation>{0} × {1} mm（{2} mm 以上必要）</translation>
     </message>
     <message>
-        <source>Text {0} mm high, read from {1} m</source>
+        <source>Text {0} mm high, read from {1}&#xa0;m</source>
         <translation>文字の高さ {0} mm、{1} m から読める</translation>
     </message>
     <message>
@@ -2474,6 +2474,14 @@
     <message>
         <source>live, {0} ms behind</source>
         <translation>接続中、{0} ミリ秒遅れ</translation>
+    </message>
+    <message>
+        <source>{0}, its clock is {1} ahead</source>
+        <translation>{0}、時計が {1} 進んでいます</translation>
+    </message>
+    <message>
+        <source>{0}, its clock is {1} late</source>
+        <translation>{0}、時計が {1} 遅れています</translation>
     </message>
     <message>
         <source>{0}, you can look only</source>
@@ -2840,8 +2848,8 @@
         <translation>[1, 2] のようにリストを入力してください。</translation>
     </message>
     <message>
-        <source>Write an object, like {"x": 1}.</source>
-        <translation>{"x": 1} のようにオブジェクトを入力してください。</translation>
+        <source>Write an object, like {&quot;x&quot;: 1}.</source>
+        <translation>{&quot;x&quot;: 1} のようにオブジェクトを入力してください。</translation>
     </message>
     <message>
         <source>Write a number.</source>
@@ -2978,6 +2986,10 @@
     <message>
         <source>{0}:</source>
         <translation>{0}:</translation>
+    </message>
+    <message>
+        <source>{0} becomes number {1}</source>
+        <translation>{0} を {1} 番にします</translation>
     </message>
 </context>
 <context>
@@ -3533,7 +3545,7 @@ Draw what a robot says, shows and does.</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Open the robot's version…</source>
+        <source>Open the robot&apos;s version…</source>
         <translation>ロボットのバージョンを開く…</translation>
     </message>
     <message>
@@ -3782,8 +3794,8 @@ Draw what a robot says, shows and does.</source>
         <translation>失敗する</translation>
     </message>
     <message>
-        <source>its answer, such as {"names": []}</source>
-        <translation>答え（{"names": []} など）</translation>
+        <source>its answer, such as {&quot;names&quot;: []}</source>
+        <translation>答え（{&quot;names&quot;: []} など）</translation>
     </message>
     <message>
         <source>What {0} answers</source>
@@ -4019,7 +4031,7 @@ Draw what a robot says, shows and does.</source>
         <translation>{0} の {1} 行目：{2}</translation>
     </message>
     <message>
-        <source>{0} does not say which of the project's languages it is: name the file as one, such as {1}.po, or choose a text in its column first.</source>
+        <source>{0} does not say which of the project&apos;s languages it is: name the file as one, such as {1}.po, or choose a text in its column first.</source>
         <translation>{0} がプロジェクトのどの言語か分かりません。{1}.po のように言語名をファイル名にするか、先にその言語の列の文字を選んでください。</translation>
     </message>
     <message>
@@ -5645,7 +5657,7 @@ Draw what a robot says, shows and does.</source>
         <translation>{0}: 出来事 {1} に「{2}」がありません。situ run --record が書いたものを指定してください</translation>
     </message>
     <message>
-        <source>{0}: event {1} is none of a robot's; give what situ run --record wrote</source>
+        <source>{0}: event {1} is none of a robot&apos;s; give what situ run --record wrote</source>
         <translation>{0}: 出来事 {1} はロボットのものではありません。situ run --record が書いたものを指定してください</translation>
     </message>
 </context>
@@ -5683,7 +5695,7 @@ Draw what a robot says, shows and does.</source>
         <translation>リハーサルを終える</translation>
     </message>
     <message>
-        <source>Say in the project's form in which folder its scenarios lie.</source>
+        <source>Say in the project&apos;s form in which folder its scenarios lie.</source>
         <translation>プロジェクトの入力欄で、シナリオのフォルダーを指定してください。</translation>
     </message>
     <message>
@@ -5705,7 +5717,7 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>RobotScreen</name>
     <message>
-        <source>The robot's screen</source>
+        <source>The robot&apos;s screen</source>
         <translation>ロボットの画面</translation>
     </message>
 </context>
@@ -5997,7 +6009,7 @@ Draw what a robot says, shows and does.</source>
         <translation>{0}  {1}、引き継ぎ</translation>
     </message>
     <message>
-        <source>Which module's priority?</source>
+        <source>Which module&apos;s priority?</source>
         <translation>どのモジュールの優先度ですか？</translation>
     </message>
     <message>
@@ -6193,14 +6205,6 @@ Draw what a robot says, shows and does.</source>
         <source>Align {0}</source>
         <translation>{0} を揃える</translation>
     </message>
-    <message>
-        <source>This state keeps what was shown before.</source>
-        <translation>この状態は前の画面をそのまま出します。</translation>
-    </message>
-    <message>
-        <source>Drag a component here, or press one of them.</source>
-        <translation>画面の部品をここにドラッグするか、どれかを押してください。</translation>
-    </message>
 </context>
 <context>
     <name>Shortcuts</name>
@@ -6290,6 +6294,21 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>There is no state {0}.</source>
         <translation>状態 {0} はありません。</translation>
+    </message>
+</context>
+<context>
+    <name>StateScreen</name>
+    <message>
+        <source>{0} shows its own screens.</source>
+        <translation>{0} はそれ自身の画面を出します。</translation>
+    </message>
+    <message>
+        <source>Drag a component here, or press one of them.</source>
+        <translation>画面の部品をここにドラッグするか、どれかを押してください。</translation>
+    </message>
+    <message>
+        <source>This state keeps what was shown before.</source>
+        <translation>この状態は前の画面をそのまま出します。</translation>
     </message>
 </context>
 <context>
@@ -6962,7 +6981,7 @@ Draw what a robot says, shows and does.</source>
         <translation>行き先の状態。</translation>
     </message>
     <message>
-        <source>The state's number, or what stands in it.</source>
+        <source>The state&apos;s number, or what stands in it.</source>
         <translation>状態の番号、またはその中にあるもの。</translation>
     </message>
     <message>
@@ -7462,8 +7481,8 @@ A right click or the down key gives other values.</source>
 <context>
     <name>_Json</name>
     <message>
-        <source>Write a list such as ["a", "b"], or {"a": 1}.</source>
-        <translation>["a", "b"] や {"a": 1} のように書いてください。</translation>
+        <source>Write a list such as [&quot;a&quot;, &quot;b&quot;], or {&quot;a&quot;: 1}.</source>
+        <translation>[&quot;a&quot;, &quot;b&quot;] や {&quot;a&quot;: 1} のように書いてください。</translation>
     </message>
     <message>
         <source>There is no null at the start: leave it out.</source>
@@ -7628,7 +7647,7 @@ A right click or the down key gives other values.</source>
         <translation>メディアフォルダーの絵。</translation>
     </message>
     <message>
-        <source>A value on the robot's blackboard.</source>
+        <source>A value on the robot&apos;s blackboard.</source>
         <translation>ロボットのブラックボードの値。</translation>
     </message>
     <message>
@@ -8544,7 +8563,7 @@ A right click or the down key gives other values.</source>
         <translation>ロボットが話します。</translation>
     </message>
     <message>
-        <source>The robot's application leaves its state for this one.</source>
+        <source>The robot&apos;s application leaves its state for this one.</source>
         <translation>ロボットのアプリケーションが今の状態からこの状態へ移ります。</translation>
     </message>
     <message>
@@ -8760,7 +8779,7 @@ A right click or the down key gives other values.</source>
         <translation>別の文字を書く</translation>
     </message>
     <message>
-        <source>Write the component's text where it stands</source>
+        <source>Write the component&apos;s text where it stands</source>
         <translation>画面の部品の文字をその場で書く</translation>
     </message>
     <message>
@@ -8818,7 +8837,7 @@ A right click or the down key gives other values.</source>
         <translation>誤りがあって全部は読めなかったファイルは、表示はしますが、直るまで変更しません。書かれていたものが失われないようにするためです。</translation>
     </message>
     <message>
-        <source>A project is a folder. Its applications say what the robot shows, says and waits for; its script says which of the robot's modules may move it in which situation.</source>
+        <source>A project is a folder. Its applications say what the robot shows, says and waits for; its script says which of the robot&apos;s modules may move it in which situation.</source>
         <translation>プロジェクトは一つのフォルダーです。アプリケーションは、ロボットが何を見せ、話し、待つかを表します。スクリプトは、どの状況でどのモジュールがロボットを動かしてよいかを表します。</translation>
     </message>
     <message>
@@ -8826,7 +8845,7 @@ A right click or the down key gives other values.</source>
         <translation>誰がロボットを動かしてよいかはスクリプトが決めます。条件がデータを見て、上から最初に条件が成り立った状況が現在の状況になり、各モジュールに優先度を与えます。ロボットの同じ部分を要求するモジュールのうち、優先度が最も高いものが使います。</translation>
     </message>
     <message>
-        <source>A situation may take over another one's priorities and change some. A module without a priority gets nothing in that situation. The last situation has no conditions, so that there always is one.</source>
+        <source>A situation may take over another one&apos;s priorities and change some. A module without a priority gets nothing in that situation. The last situation has no conditions, so that there always is one.</source>
         <translation>状況は別の状況の優先度を引き継ぎ、一部を変えられます。優先度のないモジュールは、その状況では何も使えません。いつも何かの状況になるように、最後の状況には条件がありません。</translation>
     </message>
     <message>
@@ -9058,7 +9077,7 @@ A right click or the down key gives other values.</source>
         <translation>文字を大きく。図はズームで大きくします。</translation>
     </message>
     <message>
-        <source>Letters are as large as the computer's others.</source>
+        <source>Letters are as large as the computer&apos;s others.</source>
         <translation>文字の大きさをコンピューターのほかの文字に合わせます。</translation>
     </message>
     <message>
@@ -9138,7 +9157,7 @@ A right click or the down key gives other values.</source>
         <translation>リハーサル</translation>
     </message>
     <message>
-        <source>Rehearse (F5) runs the project as it is drawn, here, from its start. Touch the robot's screen, let people say what it listens for, turn data, let modules ask: the drawings and tables show what comes of it, as they do with a robot.</source>
+        <source>Rehearse (F5) runs the project as it is drawn, here, from its start. Touch the robot&apos;s screen, let people say what it listens for, turn data, let modules ask: the drawings and tables show what comes of it, as they do with a robot.</source>
         <translation>「リハーサル」（F5）は、描いたとおりのプロジェクトを最初からここで動かします。ロボットの画面に触れ、人の言葉を聞かせ、データを変え、モジュールに要求させると、その結果がロボットのときと同じように図と表に出ます。</translation>
     </message>
     <message>
@@ -9262,7 +9281,7 @@ A right click or the down key gives other values.</source>
         <translation>ブラックボードには、分かっていることが置かれます。値は user.name や sound.loud のようなタグにあります。モジュール、サービス、画面への接触、動作が書き込み、画面、発話、条件が読みます。</translation>
     </message>
     <message>
-        <source>The computer's language, if the studio speaks it.</source>
+        <source>The computer&apos;s language, if the studio speaks it.</source>
         <translation>コンピューターの言語（対応しているとき）。</translation>
     </message>
     <message>
@@ -9346,7 +9365,7 @@ A right click or the down key gives other values.</source>
         <translation>ロボットは動き続けます。見るのをやめます。</translation>
     </message>
     <message>
-        <source>The robot's screen, to be touched; what people say, data and modules. Nothing of it is in the documents.</source>
+        <source>The robot&apos;s screen, to be touched; what people say, data and modules. Nothing of it is in the documents.</source>
         <translation>触れるロボットの画面、人の言葉、データ、モジュール。どれも文書には入りません。</translation>
     </message>
     <message>
@@ -9406,7 +9425,7 @@ A right click or the down key gives other values.</source>
         <translation>ようこそページ</translation>
     </message>
     <message>
-        <source>What a state shows is drawn to scale on the robot's screen: texts, buttons, images, movies, fields to type into, and lists. A state without a screen keeps the one that was shown before.</source>
+        <source>What a state shows is drawn to scale on the robot&apos;s screen: texts, buttons, images, movies, fields to type into, and lists. A state without a screen keeps the one that was shown before.</source>
         <translation>状態が見せるものを、ロボットの画面と同じ比率で描きます。文字、ボタン、絵、動画、入力欄、一覧です。画面のない状態では、前の画面がそのまま残ります。</translation>
     </message>
     <message>
@@ -9470,7 +9489,7 @@ A right click or the down key gives other values.</source>
         <translation>ロボットを見ているか、見ているものがどれだけ前のものか。</translation>
     </message>
     <message>
-        <source>Whether the project's files have all changes, and since when.</source>
+        <source>Whether the project&apos;s files have all changes, and since when.</source>
         <translation>変更がすべてファイルに保存されているか、いつからか。</translation>
     </message>
     <message>
@@ -9498,7 +9517,7 @@ A right click or the down key gives other values.</source>
         <translation>「なぜ？」（F7、またはカード・矢印・行のメニュー）は経緯を示します。きっかけの入力から一行に一つずつ、そのときの値とともに並びます。行をクリックすると、その時点とカードへ移ります。</translation>
     </message>
     <message>
-        <source>Writes all that was changed into the project's files.</source>
+        <source>Writes all that was changed into the project&apos;s files.</source>
         <translation>変更をすべてプロジェクトのファイルに書き込みます。</translation>
     </message>
     <message>
@@ -9953,7 +9972,7 @@ A right click or the down key gives other values.</source>
         <translation>後ろの地の色。</translation>
     </message>
     <message>
-        <source>Of the project's media folder.</source>
+        <source>Of the project&apos;s media folder.</source>
         <translation>プロジェクトのメディアフォルダーのもの。</translation>
     </message>
     <message>
@@ -10101,7 +10120,7 @@ A right click or the down key gives other values.</source>
         <translation>話すこと</translation>
     </message>
     <message>
-        <source>Says the state's speech once more; only in an event that leads nowhere.</source>
+        <source>Says the state&apos;s speech once more; only in an event that leads nowhere.</source>
         <translation>状態の発話をもう一度言います。行き先のないイベントでだけ使えます。</translation>
     </message>
     <message>
@@ -10145,7 +10164,7 @@ A right click or the down key gives other values.</source>
         <translation>状況</translation>
     </message>
     <message>
-        <source>Situations in their order, and the modules' priorities in each.</source>
+        <source>Situations in their order, and the modules&apos; priorities in each.</source>
         <translation>順に並んだ状況と、それぞれでのモジュールの優先度。</translation>
     </message>
     <message>
@@ -10233,7 +10252,7 @@ A right click or the down key gives other values.</source>
         <translation>続く動作は、これが（成功でも失敗でも）終わってから始まります。</translation>
     </message>
     <message>
-        <source>The application's file. Its ends are the events done.NUMBER, else done.</source>
+        <source>The application&apos;s file. Its ends are the events done.NUMBER, else done.</source>
         <translation>アプリケーションのファイル。終わりはイベント done.番号、または done。</translation>
     </message>
     <message>
@@ -10329,7 +10348,7 @@ A right click or the down key gives other values.</source>
         <translation>タグに書き込まれてから、この秒数より経っていない。</translation>
     </message>
     <message>
-        <source>The text's height in percent of the screen's.</source>
+        <source>The text&apos;s height in percent of the screen&apos;s.</source>
         <translation>文字の高さ（画面の高さに対する %）。</translation>
     </message>
     <message>
@@ -10501,7 +10520,7 @@ A right click or the down key gives other values.</source>
         <translation>ロボットが見せるもの。なければ前の画面が残ります。</translation>
     </message>
     <message>
-        <source>What the robot's adapter knows, such as goto.</source>
+        <source>What the robot&apos;s adapter knows, such as goto.</source>
         <translation>ロボットのアダプターが知る指令（goto など）。</translation>
     </message>
     <message>
@@ -10804,7 +10823,7 @@ A right click or the down key gives other values.</source>
         <translation> → </translation>
     </message>
     <message>
-        <source>"{0}" and "{1}" both have the priority {2} in "{3}" and can ask for {4}: who asked first would win; give one of them another priority</source>
+        <source>&quot;{0}&quot; and &quot;{1}&quot; both have the priority {2} in &quot;{3}&quot; and can ask for {4}: who asked first would win; give one of them another priority</source>
         <translation>「{3}」では “{0}” と “{1}” の優先度がどちらも {2} で、どちらも {4} を求めることができます。このままでは先に求めたほうが勝ちます。どちらかの優先度を変えてください</translation>
     </message>
     <message>
@@ -10852,8 +10871,8 @@ A right click or the down key gives other values.</source>
         <translation>：</translation>
     </message>
     <message>
-        <source>: add xmlns:ed="{0}" to the first element</source>
-        <translation>：最初の要素に xmlns:ed="{0}" を加えてください</translation>
+        <source>: add xmlns:ed=&quot;{0}&quot; to the first element</source>
+        <translation>：最初の要素に xmlns:ed=&quot;{0}&quot; を加えてください</translation>
     </message>
     <message>
         <source>: nothing can stand in it</source>
@@ -10864,7 +10883,7 @@ A right click or the down key gives other values.</source>
         <translation>。</translation>
     </message>
     <message>
-        <source>; did you mean "{0}"?</source>
+        <source>; did you mean &quot;{0}&quot;?</source>
         <translation>。“{0}” のことですか？</translation>
     </message>
     <message>
@@ -10888,8 +10907,8 @@ A right click or the down key gives other values.</source>
         <translation>&lt;data&gt; が何もテストしていません。{0} のどれかを加えてください</translation>
     </message>
     <message>
-        <source>&lt;{0}&gt; has no attribute "{1}"</source>
-        <translation>&lt;{0}&gt; に属性 "{1}" はありません</translation>
+        <source>&lt;{0}&gt; has no attribute &quot;{1}&quot;</source>
+        <translation>&lt;{0}&gt; に属性 &quot;{1}&quot; はありません</translation>
     </message>
     <message>
         <source>&lt;{0}&gt; has no place in &lt;{1}&gt;: it belongs in &lt;{2}&gt;</source>
@@ -10916,8 +10935,8 @@ A right click or the down key gives other values.</source>
         <translation>&lt;{0}&gt; に名前空間は付けられません。xmlns 属性を取り除いてください</translation>
     </message>
     <message>
-        <source>&lt;{0}&gt; needs the attribute "{1}": add {2}="…"</source>
-        <translation>&lt;{0}&gt; には属性 "{1}" が必要です。{2}="…" を加えてください</translation>
+        <source>&lt;{0}&gt; needs the attribute &quot;{1}&quot;: add {2}=&quot;…&quot;</source>
+        <translation>&lt;{0}&gt; には属性 &quot;{1}&quot; が必要です。{2}=&quot;…&quot; を加えてください</translation>
     </message>
     <message>
         <source>A DOCTYPE is not allowed: take it out</source>
@@ -10928,8 +10947,8 @@ A right click or the down key gives other values.</source>
         <translation>ここに NUL 文字があります。XML ファイルには置けません</translation>
     </message>
     <message>
-        <source>A choice needs choices = ["a", "b"]: two texts or more, each once</source>
-        <translation>choice には choices = ["a", "b"] のように、異なる文字列が二つ以上必要です</translation>
+        <source>A choice needs choices = [&quot;a&quot;, &quot;b&quot;]: two texts or more, each once</source>
+        <translation>choice には choices = [&quot;a&quot;, &quot;b&quot;] のように、異なる文字列が二つ以上必要です</translation>
     </message>
     <message>
         <source>A part begins in one state, but ways from outside lead to {0}: select more or fewer states, or lead them all to one.</source>
@@ -10976,8 +10995,8 @@ A right click or the down key gives other values.</source>
         <translation>{0} という名前にする</translation>
     </message>
     <message>
-        <source>Choices are for the type "choice", not {0}</source>
-        <translation>choices は "choice" 型のためのもので、{0} には使えません</translation>
+        <source>Choices are for the type &quot;choice&quot;, not {0}</source>
+        <translation>choices は &quot;choice&quot; 型のためのもので、{0} には使えません</translation>
     </message>
     <message>
         <source>Declare {0} with {1}</source>
@@ -11268,11 +11287,11 @@ A right click or the down key gives other values.</source>
         <translation>最後の状況はいつも成り立たなければなりません。until と limit を取り除いてください</translation>
     </message>
     <message>
-        <source>The module "{0}" can never hold authority: {1}; raise its priority, or give it a situation of its own</source>
+        <source>The module &quot;{0}&quot; can never hold authority: {1}; raise its priority, or give it a situation of its own</source>
         <translation>モジュール “{0}” は実行権を持つことがありません：{1}。優先度を上げるか、専用の状況を設けてください</translation>
     </message>
     <message>
-        <source>The module "{0}" has no resources, so its priority has no effect: take it out</source>
+        <source>The module &quot;{0}&quot; has no resources, so its priority has no effect: take it out</source>
         <translation>モジュール “{0}” にはリソースがないので、優先度に意味がありません。取り除いてください</translation>
     </message>
     <message>
@@ -11288,8 +11307,8 @@ A right click or the down key gives other values.</source>
         <translation>場所 {0} {1}</translation>
     </message>
     <message>
-        <source>The prefix "{0}" is not declared</source>
-        <translation>接頭辞 "{0}" が宣言されていません</translation>
+        <source>The prefix &quot;{0}&quot; is not declared</source>
+        <translation>接頭辞 &quot;{0}&quot; が宣言されていません</translation>
     </message>
     <message>
         <source>The same attribute stands twice in this tag: take one out</source>
@@ -11320,7 +11339,7 @@ A right click or the down key gives other values.</source>
         <translation>{0} の時間切れで部品が終わりますが、{1} が移るときに行う動作は時間切れではできません。先にその状態の動作にしてください。</translation>
     </message>
     <message>
-        <source>The url {0} stand in the robot's secrets.toml</source>
+        <source>The url {0} stand in the robot&apos;s secrets.toml</source>
         <translation>ロボットの secrets.toml にある URL {0}</translation>
     </message>
     <message>
@@ -11416,8 +11435,8 @@ A right click or the down key gives other values.</source>
         <translation>10 インチの画面で{1}が {0} mm ですが、指には {2} mm 必要です。幅を {3} 以上、高さを {4} 以上にしてください</translation>
     </message>
     <message>
-        <source>This line is none of a .po file: write msgid "…" and msgstr "…"</source>
-        <translation>この行は .po ファイルのものではありません。msgid "…" と msgstr "…" を書いてください</translation>
+        <source>This line is none of a .po file: write msgid &quot;…&quot; and msgstr &quot;…&quot;</source>
+        <translation>この行は .po ファイルのものではありません。msgid &quot;…&quot; と msgstr &quot;…&quot; を書いてください</translation>
     </message>
     <message>
         <source>This shows {0}, which is private, until a hand takes it away, to anyone who comes after: add a timeout that leads to the start</source>
@@ -11488,19 +11507,19 @@ A right click or the down key gives other values.</source>
         <translation>[{0}] にキー {1} はありません。{2} のことですか？</translation>
     </message>
     <message>
-        <source>a breakpoint's condition is judged at its moment: it can not have “for”</source>
+        <source>a breakpoint&apos;s condition is judged at its moment: it can not have “for”</source>
         <translation>ブレークポイントの条件はその時点で判定されます。「継続」は使えません</translation>
     </message>
     <message>
-        <source>a list of texts such as ["a", "b"]</source>
-        <translation>["a", "b"] のような文字列の一覧</translation>
+        <source>a list of texts such as [&quot;a&quot;, &quot;b&quot;]</source>
+        <translation>[&quot;a&quot;, &quot;b&quot;] のような文字列の一覧</translation>
     </message>
     <message>
         <source>a million characters are the most</source>
         <translation>百万文字までです</translation>
     </message>
     <message>
-        <source>a person's use of it</source>
+        <source>a person&apos;s use of it</source>
         <translation>人の操作</translation>
     </message>
     <message>
@@ -11508,8 +11527,8 @@ A right click or the down key gives other values.</source>
         <translation>状況優先度記述スクリプト</translation>
     </message>
     <message>
-        <source>a table such as { "a" = "b" }</source>
-        <translation>{ "a" = "b" } のような表</translation>
+        <source>a table such as { &quot;a&quot; = &quot;b&quot; }</source>
+        <translation>{ &quot;a&quot; = &quot;b&quot; } のような表</translation>
     </message>
     <message>
         <source>a tag is words of a-z, 0-9, _ and - joined by dots</source>
@@ -11712,7 +11731,7 @@ A right click or the down key gives other values.</source>
         <translation>{1} での優先度を {0} にして {2} より上にする</translation>
     </message>
     <message>
-        <source>Saying again cannot stand among a state's actions: put it into an event that leads nowhere, or take it out</source>
+        <source>Saying again cannot stand among a state&apos;s actions: put it into an event that leads nowhere, or take it out</source>
         <translation>言い直しは状態の動作としては置けません。行き先のないイベントに移すか、取り除いてください</translation>
     </message>
     <message>
@@ -11748,7 +11767,7 @@ A right click or the down key gives other values.</source>
         <translation>必ずどれかの状況になるように、最後の状況はいつも成り立たなければなりません。条件を取り除くか、その下に条件のない状況を加えてください</translation>
     </message>
     <message>
-        <source>The module "{0}" can never hold authority: no situation gives it a priority; give it one in a situation</source>
+        <source>The module &quot;{0}&quot; can never hold authority: no situation gives it a priority; give it one in a situation</source>
         <translation>モジュール “{0}” は実行権を持つことがありません。どの状況も優先度を与えていません。どれかの状況で与えてください</translation>
     </message>
     <message>
@@ -11792,8 +11811,8 @@ A right click or the down key gives other values.</source>
         <translation>ロボット自身が保持するものは消えないので、{0} を消しても効果がありません。取り除くか、自分のタグを指定してください</translation>
     </message>
     <message>
-        <source>Whether it exists must be "true" or "false", not {0}</source>
-        <translation>「ある」かどうかは {0} ではなく "true" か "false" としてください</translation>
+        <source>Whether it exists must be &quot;true&quot; or &quot;false&quot;, not {0}</source>
+        <translation>「ある」かどうかは {0} ではなく &quot;true&quot; か &quot;false&quot; としてください</translation>
     </message>
     <message>
         <source>Who has not understood cannot hear it again in {0}: add a button or a phrase that says it again, best a Repeat button in every state</source>
@@ -12008,12 +12027,12 @@ A right click or the down key gives other values.</source>
         <translation>がありません</translation>
     </message>
     <message>
-        <source>is neither "true" nor "false": {0}</source>
-        <translation>は "true" でも "false" でもありません：{0}</translation>
+        <source>is neither &quot;true&quot; nor &quot;false&quot;: {0}</source>
+        <translation>は &quot;true&quot; でも &quot;false&quot; でもありません：{0}</translation>
     </message>
     <message>
-        <source>is neither a whole number nor "none": {0}</source>
-        <translation>は整数でも "none" でもありません：{0}</translation>
+        <source>is neither a whole number nor &quot;none&quot;: {0}</source>
+        <translation>は整数でも &quot;none&quot; でもありません：{0}</translation>
     </message>
     <message>
         <source>is no name of a value: {0}; write a tag, or a tag and fields, such as patient.room</source>
@@ -12236,8 +12255,8 @@ A right click or the down key gives other values.</source>
         <translation>は {0} ではなく 1 以上にしてください</translation>
     </message>
     <message>
-        <source>must be given as "event:NAME" or "tag:NAME"</source>
-        <translation>は "event:名前" か "tag:名前" の形にしてください</translation>
+        <source>must be given as &quot;event:NAME&quot; or &quot;tag:NAME&quot;</source>
+        <translation>は &quot;event:名前&quot; か &quot;tag:名前&quot; の形にしてください</translation>
     </message>
     <message>
         <source>must be {0} or {1}, not {2}</source>
@@ -12548,7 +12567,7 @@ A right click or the down key gives other values.</source>
         <translation>画面の地</translation>
     </message>
     <message>
-        <source>the recording's snapshot is damaged, or another situ's</source>
+        <source>the recording&apos;s snapshot is damaged, or another situ&apos;s</source>
         <translation>記録のスナップショットが壊れているか、別の situ のものです</translation>
     </message>
     <message>
@@ -12828,6 +12847,10 @@ A right click or the down key gives other values.</source>
         <translation>{2} が {0} を {1} で一時停止する</translation>
     </message>
     <message>
+        <source>{0} is private, and this copies it to {1}, which is not: make that private too ([privacy] private), or do without the copy</source>
+        <translation>{0} は非公開なのに、公開の {1} へ写しています。そちらも非公開にするか ([privacy] private)、写さないでください</translation>
+    </message>
+    <message>
         <source>{0} is suspended: it does not hold {1}</source>
         <translation>{0} が中断する：{1} を持っていない</translation>
     </message>
@@ -12882,10 +12905,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>{0} of its screen raises it by {1}</source>
         <translation>画面の {0} が{1}で起こします</translation>
-    </message>
-    <message>
-        <source>{0} of its screen raises it where it can not play</source>
-        <translation>画面の {0} が、再生できないときに起こします</translation>
     </message>
     <message>
         <source>{0} of state {1}</source>
@@ -13012,7 +13031,7 @@ A right click or the down key gives other values.</source>
         <translation>{0}：値は {1} でした</translation>
     </message>
     <message>
-        <source>{0}: its snapshot is damaged, or another situ's</source>
+        <source>{0}: its snapshot is damaged, or another situ&apos;s</source>
         <translation>{0}：スナップショットが壊れているか、別の situ のものです</translation>
     </message>
     <message>
@@ -13072,8 +13091,8 @@ A right click or the down key gives other values.</source>
         <translation>{0}。{1} は {2} でした</translation>
     </message>
     <message>
-        <source>“Is one of” needs a list such as ["a", "b"], not {0}</source>
-        <translation>「のどれか」には {0} ではなく ["a", "b"] のような一覧が必要です</translation>
+        <source>“Is one of” needs a list such as [&quot;a&quot;, &quot;b&quot;], not {0}</source>
+        <translation>「のどれか」には {0} ではなく [&quot;a&quot;, &quot;b&quot;] のような一覧が必要です</translation>
     </message>
     <message>
         <source>“application” goes with “event” only</source>
@@ -13160,7 +13179,7 @@ A right click or the down key gives other values.</source>
         <translation>画面に出るものと、状態が待つもの</translation>
     </message>
     <message>
-        <source>whether "{0}" ever holds authority</source>
+        <source>whether &quot;{0}&quot; ever holds authority</source>
         <translation>“{0}” が実行権を持つことがあるか</translation>
     </message>
     <message>
@@ -13344,6 +13363,10 @@ A right click or the down key gives other values.</source>
         <translation>{0} は今 {1}{2}</translation>
     </message>
     <message>
+        <source>{0} of its screen raises it if it can not play</source>
+        <translation>画面の {0} が、再生できないときに起こします</translation>
+    </message>
+    <message>
         <source>{0} of the part begins and ends it: there is nothing in it.</source>
         <translation>部品の {0} が始まりで終わりなので、中に何もありません。</translation>
     </message>
@@ -13448,7 +13471,7 @@ A right click or the down key gives other values.</source>
         <translation>{0}：プロジェクトの外を指しています</translation>
     </message>
     <message>
-        <source>{0}: neither a project's folder, its situ.toml, nor a document (.rbd.xml, .spds.xml, modules.xml)</source>
+        <source>{0}: neither a project&apos;s folder, its situ.toml, nor a document (.rbd.xml, .spds.xml, modules.xml)</source>
         <translation>{0}：プロジェクトのフォルダーでも、その situ.toml でも、文書（.rbd.xml、.spds.xml、modules.xml）でもありません</translation>
     </message>
     <message>
