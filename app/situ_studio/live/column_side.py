@@ -120,10 +120,9 @@ class ColumnSide(QObject):
 
     @property
     def _script(self) -> Spds | None:
-        """The one by which what is looked at runs: the robot's own where that is another."""
-        follower, project = self._robot.follower, self._project
-        theirs = follower.their_script() if follower.same is False else None
-        return theirs or (project.spds if project is not None else None)
+        """The one by which what is looked at runs, at the cursor."""
+        project = self._project
+        return project.spds if project is not None else None
 
     # -- what its rows are about -------------------------------------------------------
 

@@ -160,15 +160,6 @@ class Follower(QObject):
             if file not in files or self._theirs(files, file) != document
         ]
 
-    def their_script(self) -> Spds | None:
-        """The script of who is looked at; None where its documents are not known."""
-        files = self._files
-        for file in files or ():
-            document = self._theirs(files, file) if files and file.endswith(".spds.xml") else None
-            if isinstance(document, Spds):
-                return document
-        return None
-
     def _theirs(self, files: dict[str, str], file: str) -> Document | None:
         """A document of the robot's: read once, for every edit here is compared with it."""
         if files is not self._read[0]:
