@@ -15,7 +15,7 @@ from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessible
 from PySide6.QtWidgets import QAbstractItemView, QAccessibleWidget, QWidget
 
 INSTALLED = "situ_announcements_are_heard"
-PAUSE = 300
+PAUSE = 600
 """Milliseconds until a reader is told: Orca drops what comes with many other events at once."""
 AT_ONCE = 4
 """Announcements that are kept: a reader asks for the words when it comes to them."""
