@@ -70,11 +70,11 @@ def _unplaced(found: re.Match[str]) -> str:
 
 def test_an_application_is_drawn_as_it_is(hand: Hand, tmp_path: Path) -> None:
     me, wanted = hand("vitals")
-    me.begin_project("night")
-    me.draw(wanted.applications["night.rbd.xml"])
+    me.begin_project("calls")
+    me.draw(wanted.applications["calls.rbd.xml"])
     me.key(Qt.Key.Key_S, CONTROL)
-    drawn = (tmp_path / "night" / "night.rbd.xml").read_text(encoding="utf-8")
-    assert plain(drawn) == plain((example("vitals") / "night.rbd.xml").read_text(encoding="utf-8"))
+    drawn = (tmp_path / "calls" / "calls.rbd.xml").read_text(encoding="utf-8")
+    assert plain(drawn) == plain((example("vitals") / "calls.rbd.xml").read_text(encoding="utf-8"))
 
 
 @pytest.mark.skipif(not SOAK, reason="only in make soak")
