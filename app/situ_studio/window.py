@@ -470,9 +470,7 @@ class MainWindow(Frame):
         if other is not None and file == other.current_file and file != self.current_file:
             self.sides.enter(other)
         elif file != self.current_file and not self.pages.shows(file):
-            # Nothing is shown of a file that the step had begun.
-            if self.session.value(file) is not None:
-                self.open_file(file)
+            self._open_if_there(file)
         view = self.current_view
         document = self.current_document
         if view is not None and document is not None:
@@ -483,6 +481,11 @@ class MainWindow(Frame):
                 view.call("look_at", looking)
             view.call("bring_into_view", chosen)
             self._settle_selection()
+
+    def _open_if_there(self, file: str) -> None:
+        """Nothing is shown of a file that a step had begun, once it is taken back."""
+        if self.session.value(file) is not None:
+            self.open_file(file)
 
     def _on_stack(self) -> None:
         undo, redo = self.session.undo_text, self.session.redo_text
