@@ -158,6 +158,12 @@ class Line(QLineEdit):
             return
         super().keyPressEvent(event)
 
+    def focusNextPrevChild(self, next: bool) -> bool:
+        # What is taken may show the very field that comes next.
+        if self.property("role") != "refused":
+            self.on_finished()
+        return super().focusNextPrevChild(next)
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         if event.reason() not in _BETWEEN:

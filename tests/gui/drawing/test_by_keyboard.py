@@ -15,6 +15,7 @@ from tests.gui.test_newcomer import CONTROL
 
 from situ.document.condition import Condition
 from situ.document.condition import Test as Question
+from situ.document.rbd import Timeout
 from situ_studio import places
 from situ_studio.notes import note_of
 
@@ -127,3 +128,13 @@ def test_a_note_is_written_beside_what_it_is_about(studio: Start, project: Copy)
         me.key(Qt.Key.Key_Z, CONTROL)
     me.key(Qt.Key.Key_S, CONTROL)
     assert file.read_text(encoding="utf-8") == before
+
+
+def test_a_timeout_is_written_from_its_seconds_to_its_end(studio: Start, project: Copy) -> None:
+    """Where it leads has a field only where there is one."""
+    used = studio(project("reception"))
+    me = FormFiller(used.window)
+    me.click("State")
+    me.fill({"Timeout": "30", "The timeout leads to": "1 start", "only when idle": True})
+    made = used.session.document("reception.rbd.xml").states[-1]
+    assert made.timeout == Timeout(30, "1", idle=True)
