@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from situ import cli
 from situ.system_libraries import PATH
@@ -30,6 +31,10 @@ def pytest_configure(config: pytest.Config) -> None:
         folder = home / name.lower()
         folder.mkdir(mode=0o700)
         os.environ[name] = str(folder)
+    # A slow machine is no fault of what is tested.
+    checks = [HealthCheck.too_slow]
+    settings.register_profile("any-machine", deadline=None, suppress_health_check=checks)
+    settings.load_profile("any-machine")
 
 
 @pytest.fixture(autouse=True)

@@ -216,7 +216,7 @@ def applications(draw: st.DrawFn) -> Application:
 @settings(
     max_examples=40,
     deadline=None,
-    suppress_health_check=[HealthCheck.function_scoped_fixture],
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
 @given(document=applications())
 def test_every_transition_of_any_drawing_can_be_seen(made: Any, document: Application) -> None:
