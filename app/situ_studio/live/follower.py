@@ -96,7 +96,7 @@ class Follower(QObject):
         link.state_changed.connect(self._on_state)
         link.moment_changed.connect(self._on_moment)
         link.began_anew.connect(self._on_began_anew)
-        link.documents_came.connect(lambda _: self.compare())
+        link.documents_came.connect(self.compare)
 
     def show_recording(self, recording: Recording) -> None:
         """All views show that run, from its beginning."""
@@ -229,7 +229,8 @@ class Follower(QObject):
 
     def _on_began_anew(self) -> None:
         """No moment of the run before is kept: neither cursor nor bookmarks can stay there."""
-        self._reached = 0.0
+        # Its events may all have been at 0, and then none of them begins its time.
+        self._told, self._at, self._reached = 0.0, self._link.clock(), 0.0
         if self.viewing.log is self._link.log:
             self.viewing.show(self._link.log, self._end)
 
