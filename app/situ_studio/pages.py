@@ -52,7 +52,7 @@ class PagesSide(QObject):
         self._voice.changed.connect(self._on_voice)
         window.closed.connect(lambda _: self._voice.end())
         self._session.opened.connect(self._settle)
-        self._session.changed.connect(lambda _: self._settle())
+        self._session.changed.connect(self._settle)
         self._session.listed.connect(self._settle)
         self._session.problems_changed.connect(self._settle_forms)
         window.sides.chosen.connect(self._on_tab)

@@ -28,9 +28,12 @@ class TellingSide(QObject):
             # Another window had it before.
             self._known = frozenset(map(_key, session.problems))
         session.stepped.connect(tell)
-        session.stepped_back.connect(lambda name: tell(self.tr("Taken back: {0}").format(name)))
+        session.stepped_back.connect(self._on_stepped_back)
         session.opened.connect(self._on_opened)
         session.problems_changed.connect(self._on_problems)
+
+    def _on_stepped_back(self, name: str) -> None:
+        self._window.status.announcements.tell(self.tr("Taken back: {0}").format(name))
 
     def _on_opened(self) -> None:
         self._known = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,8 @@ from typing import Any
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible, QAccessibleEvent
-from PySide6.QtTest import QTest
+from PySide6.QtTest import QSignalSpy, QTest
+from tests.gui.conftest import PATIENCE
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 NAME = QAccessible.Text.Name
@@ -58,6 +60,29 @@ def test_steps_are_told_by_their_names_and_when_they_are_taken_back(
     told.clear()
     used.key(Qt.Key.Key_Z, CONTROL)
     assert told.pop(0).startswith("Taken back: Duplicate state 14")
+
+
+def test_in_a_window_that_is_made_anew_a_step_is_told_there_alone(
+    studio: Start, project: Copy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The window before is gone; the session is the same."""
+    faults: list[BaseException] = []
+    monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: faults.append(error))
+    used = studio(project("reception"))
+    windows = used.window.windows
+    for language in ("ja", "en"):
+        gone = QSignalSpy(used.window.destroyed)
+        windows.choose_language(language)
+        assert gone.wait(PATIENCE)
+        (used.window,) = windows.windows
+    used.settle()
+    told = hears(used)
+    used.select("state", "14")
+    used.window.commands.delete()
+    used.window.actions_.actions["undo"].trigger()
+    used.settle()
+    assert "Taken back: Delete state 14" in told[-1]
+    assert faults == []
 
 
 def test_a_problem_that_comes_with_a_step_is_told_once_and_that_none_is_left(
