@@ -7,7 +7,7 @@ heard are the values of ``spoken``; each one that somebody asked for has one int
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Protocol
 
 from PySide6.QtCore import QCoreApplication, QObject, QRect, QRectF
@@ -49,6 +49,10 @@ class Speaker(Protocol):
     def spoken(self, key: str) -> Spoken: ...
     def lately(self, key: str) -> str:
         """What the robot that is looked at does there, in words that may be others each time."""
+        ...
+
+    def cards_at(self, places: Iterable[Place]) -> set[str]:
+        """The keys of what stands at the top and is at these places, or has them in it."""
         ...
 
     def card_area(self, uid: str) -> QRectF: ...
@@ -119,9 +123,9 @@ class AccessibleViewer(QAccessibleWidget):
 
     def path_of(self, place: Place) -> Path | None:
         """Where a place of the document is heard; None where it is not."""
-        for key in self.keys():
+        for key in self.speaker.cards_at((place,)):
             top = self.value((key,))
-            if top is not None and top.place and place[: len(top.place)] == top.place:
+            if top is not None:
                 return self._search((key,), top, place)
         return None
 
