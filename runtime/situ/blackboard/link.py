@@ -101,6 +101,10 @@ class Link:
         """Takes all that has come, does what is due, sends all that is to be sent."""
         if self._closed:
             return
+        if self.clock() >= self.due():
+            # If we stood still for a lease, what was asked since is for the session that comes:
+            # sent into the one that has ended, nobody would know whether it was done.
+            self._receive()
         # What is to be sent first: then one look is enough to know that nothing was missed.
         self._send()
         self._receive()
