@@ -83,7 +83,8 @@ def test_where_nothing_was_seen_or_the_events_do_not_tell_the_time_nothing_is_kn
     assert followed([event(0.0)], []) == []
     seen = standing(kept(NOON, HOUR, 60), 0.0)
     bare = {**event(0.0), "time": None}
-    assert followed([bare, {**bare, "time": "yesterday"}], seen) == seen
+    wrong = ("yesterday", "0001-01-01T00:00:00+05:00")
+    assert followed([bare, *({**bare, "time": one} for one in wrong)], seen) == seen
     # The time without its day does not tell how far it is from UTC.
     alone = [one for one in seen if one.tag == TIME]
     assert followed([event(0.0), event(600.0)], alone) == alone
@@ -91,6 +92,7 @@ def test_where_nothing_was_seen_or_the_events_do_not_tell_the_time_nothing_is_kn
     for other in (
         [Hidden(one.t, one.tag, one.value, "operator:ann") for one in seen],
         [Hidden(0.0, DATE, "2026-03-29", "situ"), Hidden(0.0, TIME, "07:13", "situ")],
+        [Hidden(0.0, DATE, "2026-03-29", "situ"), Hidden(0.0, TIME, "07:13+01:00", "project")],
     ):
         assert followed([event(0.0), event(600.0)], other) == other
 
@@ -126,6 +128,21 @@ def test_where_the_clock_on_the_wall_was_set_back_no_write_is_before_the_one_bef
     found = followed([event(0.0), event(100.0), event(200.0, back), event(4_000.0, back)], seen)
     assert [one.t for one in found] == sorted(one.t for one in found)
     assert at(found, 4_000.0)[TIME] == tags_at(back + HOUR + timedelta(seconds=4_000))[TIME]
+
+
+def test_what_the_clock_on_the_wall_passed_over_when_it_was_set_ahead_is_not_written() -> None:
+    power_on = datetime(1970, 1, 1)
+    events = [event(t, power_on) for t in (0.0, 90.0)] + [event(t) for t in (200.0, 4_000.0)]
+    first = standing(kept(power_on, HOUR, 60), 0.0)
+    then = tags_at(NOON + HOUR + timedelta(seconds=3_990))
+    last = [Hidden(3_990.0, tag, value, "situ") for tag, value in then.items()]
+    for seen in ([*first, *last], first, last):
+        found = followed(events, seen)
+        assert len(found) < 100
+        for t in (30.0, 100.0, 190.0):
+            assert at(found, t) == tags_at(power_on + HOUR + timedelta(seconds=t))
+        for t in (200.0, 2_000.0, 4_000.0):
+            assert at(found, t) == tags_at(NOON + HOUR + timedelta(seconds=t))
 
 
 def test_a_recording_tells_what_stood_at_its_beginning_and_what_was_written() -> None:

@@ -100,16 +100,18 @@ class _Wall:
         for event in events:
             at = _read(event.get("time"))
             if at is not None:
-                self.told.append((event["t"], at.astimezone(UTC).replace(tzinfo=None)))
+                self.told.append((event["t"], at))
 
     def at(self, t: float) -> datetime:
         near, at = self._near(bisect_right(self.told, t, key=lambda one: one[0]))
         return at + timedelta(seconds=t - near)
 
     def when(self, at: datetime) -> float:
-        """The time of the trace at which it said that."""
-        near, then = self._near(bisect_right(self.told, at, key=lambda one: one[1]))
-        return round(near + (at - then).total_seconds(), 6)
+        """The time of the trace at which it said that, or something later for the first time."""
+        behind = bisect_right(self.told, at, key=lambda one: one[1])
+        near, then = self._near(behind)
+        t = near + (at - then).total_seconds()
+        return round(min([t, *(later for later, _ in self.told[behind : behind + 1])]), 6)
 
     def _near(self, behind: int) -> tuple[float, datetime]:
         return self.told[max(behind - 1, 0)]
@@ -163,6 +165,10 @@ def _minutes(wall: _Wall, after: _Anchor, to: _Anchor) -> Iterator[Hidden]:
     while (following := minute + MINUTE) < to.minute:
         # The clock on the wall may have been set meanwhile.
         t = min(max(t, wall.when(following - after.zone)), to.t)
+        # What it passed over when it was set ahead, by decades on a robot that begins at 1970, is
+        # never written.
+        said = _minute(wall.at(t) + after.zone)
+        following = max(following, min(said, to.minute - MINUTE))
         before, now = tags_at(minute), tags_at(following)
         yield from _said(t, {tag: now[tag] for tag in now if now[tag] != before[tag]})
         minute = following
@@ -178,10 +184,12 @@ def _said(t: float, values: Mapping[str, str | None]) -> Iterator[Hidden]:
 
 
 def _read(written: Any) -> datetime | None:
-    """None where it is none: a trace may come from anywhere."""
+    """In UTC where it says how far it is from that; None where it is none: a trace may come from
+    anywhere."""
     try:
-        return datetime.fromisoformat(written)
-    except (ValueError, TypeError):
+        at = datetime.fromisoformat(written)
+        return at if at.tzinfo is None else at.astimezone(UTC).replace(tzinfo=None)
+    except (ValueError, TypeError, OverflowError):
         return None
 
 
