@@ -13,18 +13,20 @@ from situ_studio.session import Session
 
 def rows(session: Session, current_file: str | None) -> list[tuple[Problem, str]]:
     """The problems of the project, each with its place; places in other documents name them."""
-    found = []
-    several = len(session.files) > 1
-    for problem in session.problems:
-        file = session.file_of(problem)
-        document = session.document(file) if file is not None else None
-        where = Path(problem.file).name if document is None else stem(file or "")
-        if document is not None and problem.place:
-            short = _short(document, problem.place)
-            other = several and file != current_file
-            where = f"{stem(file or '')}: {short}" if other else short
-        found.append((problem, where))
-    return found
+    return [(problem, where(session, problem, current_file)) for problem in session.problems]
+
+
+def where(session: Session, problem: Problem, current_file: str | None) -> str:
+    """The place of one of the problems, as ``rows`` has it."""
+    file = session.file_of(problem)
+    document = session.document(file) if file is not None else None
+    if document is None:
+        return Path(problem.file).name
+    if not problem.place:
+        return stem(file or "")
+    short = _short(document, problem.place)
+    other = file != current_file and len(session.files) > 1
+    return f"{stem(file or '')}: {short}" if other else short
 
 
 def _short(document: Document, place: Place) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -40,32 +40,31 @@ class TellingSide(QObject):
         self._on_problems()
 
     def _on_problems(self) -> None:
-        window = self._window
-        rows = problem_rows.rows(window.session, window.current_file)
-        before, self._known = self._known, frozenset(_key(problem) for problem, _ in rows)
+        window, problems = self._window, self._window.session.problems
+        before, self._known = self._known, frozenset(map(_key, problems))
         tell = window.status.announcements.tell
         if before is None:
-            if rows:
-                tell(self._counted(problem for problem, _ in rows))
+            if problems:
+                tell(self._counted(problems))
             return
-        new = [(problem, where) for problem, where in rows if _key(problem) not in before]
+        new = [problem for problem in problems if _key(problem) not in before]
         if new:
             # What can not work is told before what is probably not meant.
-            problem, where = min(new, key=lambda one: one[0].severity != "error")
+            problem = min(new, key=lambda one: one.severity != "error")
+            where = problem_rows.where(window.session, problem, window.current_file)
             kind = self.tr("Error") if problem.severity == "error" else self.tr("Warning")
             told = f"{kind}, {where}: {said(problem.message)}"
             if len(new) > 1:
                 told = self.tr("{0}, and {1} more").format(told.rstrip("."), len(new) - 1)
             tell(told)
-        elif before and not rows:
+        elif before and not problems:
             tell(self.tr("No problems."))
         elif len(self._known) < len(before):
-            tell(self.tr("Still {0}").format(self._counted(problem for problem, _ in rows)))
+            tell(self.tr("Still {0}").format(self._counted(problems)))
 
-    def _counted(self, problems: Iterable[Problem]) -> str:
-        every = list(problems)
-        errors = sum(problem.severity == "error" for problem in every)
-        warnings = len(every) - errors
+    def _counted(self, problems: Sequence[Problem]) -> str:
+        errors = sum(problem.severity == "error" for problem in problems)
+        warnings = len(problems) - errors
         words = [
             count(errors, self.tr("{0} error"), self.tr("{0} errors")) if errors else "",
             count(warnings, self.tr("{0} warning"), self.tr("{0} warnings")) if warnings else "",
