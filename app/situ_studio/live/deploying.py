@@ -140,7 +140,7 @@ class Deploying(QObject):
             self.turns = turns
             self.changed.emit()
 
-        self._link.ask(sending.history, told, lambda _: None)
+        self._link.ask(self, sending.history, told, lambda _: None)
 
     # -- how it goes on ------------------------------------------------------
 
@@ -162,7 +162,7 @@ class Deploying(QObject):
             if attempt == self._attempt:
                 self._end("failed", why)
 
-        self._link.ask(begin, well, ill)
+        self._link.ask(self, begin, well, ill)
 
     def _asked(self, state: Deployment) -> None:
         self.number = state.asked

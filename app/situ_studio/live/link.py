@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from msgspec import Struct
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
+from shiboken6 import isValid
 
 from situ.decide.clock import CLOCK
 from situ.errors import BlackboardError, Unreachable
@@ -180,16 +181,19 @@ class RobotLink(QObject):
 
     # -- what an operator may do ---------------------------------------------
 
-    def set(self, tags: Mapping[str, Any], told: Callable[[str], None]) -> None:
+    def set(self, asker: QObject, tags: Mapping[str, Any], told: Callable[[str], None]) -> None:
         """Sets tags; ``told`` gets one line where the robot refuses."""
-        self.act(lambda dialog: dialog.set(tags), lambda _: None, told)
+        self.act(asker, lambda dialog: dialog.set(tags), lambda _: None, told)
 
-    def publish(self, event: str, application: str | None, told: Callable[[str], None]) -> None:
+    def publish(
+        self, asker: QObject, event: str, application: str | None, told: Callable[[str], None]
+    ) -> None:
         """Raises an event; ``told`` gets one line where the robot refuses."""
-        self.act(lambda dialog: dialog.publish(event, application), lambda _: None, told)
+        self.act(asker, lambda dialog: dialog.publish(event, application), lambda _: None, told)
 
     def act(
         self,
+        asker: QObject,
         begin: Callable[[Dialog], Call[T]],
         answered: Callable[[T], None],
         refused: Callable[[str], None],
@@ -207,20 +211,29 @@ class RobotLink(QObject):
             self._hands.append(call)
             return call
 
-        self.ask(kept, answered, refused)
+        self.ask(asker, kept, answered, refused)
 
-    def ask_modules(self, told: Callable[[tuple[ModuleState, ...]], None]) -> None:
+    def ask_modules(self, asker: QObject, told: Callable[[tuple[ModuleState, ...]], None]) -> None:
         """Tells the modules that the robot knows; nothing where there is no answer."""
-        self.ask(lambda dialog: dialog.modules(), lambda reply: told(reply.modules), lambda _: None)
+        self.ask(
+            asker,
+            lambda dialog: dialog.modules(),
+            lambda reply: told(reply.modules),
+            lambda _: None,
+        )
 
     def ask(
         self,
+        asker: QObject,
         begin: Callable[[Dialog], Call[T]],
         answered: Callable[[T], None],
         refused: Callable[[str], None],
     ) -> None:
         """Any request of the protocol; later ``answered`` gets what came, or ``refused`` one line
         that says why nothing did. Either may ask for more, connect, or hold up the loop.
+
+        asker: whose question it is; once that is deleted nobody is told: a window made anew leaves
+        the link to the next one.
         """
         if self._link is None:
             refused(self.tr("No robot is connected."))
@@ -231,9 +244,11 @@ class RobotLink(QObject):
             try:
                 result = call.result()
             except BlackboardError as error:
-                QTimer.singleShot(0, self, partial(refused, str(error)))
+                told = partial(refused, str(error))
             else:
-                QTimer.singleShot(0, self, partial(answered, result))
+                told = partial(answered, result)
+            if isValid(asker):
+                QTimer.singleShot(0, asker, told)
 
         call.then(done)
         self._timer.start(0)

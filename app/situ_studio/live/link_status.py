@@ -96,7 +96,7 @@ class LinkStatus(QObject):
             self.version = turns.version
             self._tell()
 
-        self._link.ask(sending.history, told, lambda _: None)
+        self._link.ask(self, sending.history, told, lambda _: None)
 
     # -- words -------------------------------------------------------------------------
 

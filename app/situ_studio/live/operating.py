@@ -242,7 +242,7 @@ class OperatingSide(QObject):
         is offered first.
         """
         ask = partial(self._ask_event, self._link.found)
-        self._link.ask(lambda dialog: dialog.expected(), ask, self._refused)
+        self._link.ask(self, lambda dialog: dialog.expected(), ask, self._refused)
 
     def _ask_event(self, found: int, expected: Mapping[str, Expectation]) -> None:
         """found: as ``RobotLink.found`` was when somebody wanted to raise one."""
@@ -254,7 +254,7 @@ class OperatingSide(QObject):
         offered, known = offers(expected, self.application), self._vocabulary.events
         event = self._window.dialogs.raising(offered, usual, known)
         if event is not None and self._is_still(found):
-            self._link.publish(event, self.application, self._refused)
+            self._link.publish(self, event, self.application, self._refused)
 
     def set_value(self) -> None:
         """Asks which one, and what."""
@@ -266,7 +266,7 @@ class OperatingSide(QObject):
         }
         given = self._window.dialogs.setting(self._vocabulary, now)
         if given is not None and self._is_still(found):
-            self._link.set({given.tag: given.value}, self._refused)
+            self._link.set(self, {given.tag: given.value}, self._refused)
 
     # -- inside ----------------------------------------------------------------
 
@@ -327,7 +327,7 @@ class OperatingSide(QObject):
             self.panel.add_test(())
             self._show()
 
-        self._link.act(lambda dialog: dialog.debug(verb, **fields), answered, refused)
+        self._link.act(self, lambda dialog: dialog.debug(verb, **fields), answered, refused)
 
     def _is_still(self, found: int) -> bool:
         """Whether the robot is the one that a question was about; if not, that is said."""

@@ -27,18 +27,19 @@ class PresentModules(QObject):
         self._live = False
         link.state_changed.connect(self._on_state)
         link.came.connect(self._on_came)
+        self._on_state()
 
     def _on_state(self) -> None:
         live = self._link.connected
         if live and not self._live:
-            self._link.ask_modules(self._become)
+            self._link.ask_modules(self, self._become)
         elif not live:
             self._become(())
         self._live = live
 
     def _on_came(self, events: list[TraceFields]) -> None:
         if any(event["kind"] in COMINGS for event in events):
-            self._link.ask_modules(self._become)
+            self._link.ask_modules(self, self._become)
 
     def _become(self, modules: tuple[ModuleState, ...]) -> None:
         if modules != self.modules and (self._link.connected or not modules):

@@ -70,8 +70,8 @@ class WhySide(QObject):
         window.robot.link.state_changed.connect(self.settle)
         self._viewing.exchanged.connect(self._on_exchanged)
         self._robot.trace.teller = self._teller_of
-        window.robot.link.documents_came.connect(lambda _: self._robot.trace.retell())
-        window.session.changed.connect(lambda _: self._robot.trace.retell())
+        window.robot.link.documents_came.connect(self._retell)
+        window.session.changed.connect(self._retell)
         self.settle()
 
     def set_theme(self, theme: Theme) -> None:
@@ -108,6 +108,9 @@ class WhySide(QObject):
         """A document of that project; None where it has none of the name."""
         project = self.project
         return project_documents.document(project, file) if project is not None else None
+
+    def _retell(self) -> None:
+        self._robot.trace.retell()
 
     def _teller_of(self, event: TraceFields) -> Teller:
         """Of a row of the trace."""

@@ -517,7 +517,7 @@ def test_a_robot_that_goes_on_is_compared_with_a_recording(
     # The robot stands where it began; the other went on.
     before = list(comparing.marks)
     assert before
-    link.publish("noSuchEvent", "reception", lambda why: None)
+    link.publish(window, "noSuchEvent", "reception", lambda why: None)
     wait(link.came, lambda: any(e["kind"] == "event" for e in link.log))
     window.robot.follower.viewing.seek(0.0)
     comparing.go(1)

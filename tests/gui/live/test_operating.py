@@ -206,8 +206,8 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     operating.pause()
     # What is answered comes after all that was asked before it: the pause is, too.
     answered: list[Any] = []
-    link.ask_modules(answered.append)
-    link.set({"first": 1}, refusals.append)
+    link.ask_modules(window, answered.append)
+    link.set(window, {"first": 1}, refusals.append)
     until(
         link.moment_changed,
         lambda: operating.is_paused and "first" in link.log.now.board and bool(answered),
@@ -229,8 +229,8 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     until(link.moment_changed, lambda: "converse" in link.log.now.applications)
     # A request that is answered comes after all that were sent before it.
     asked: list[Any] = []
-    link.ask_modules(asked.append)
-    link.set({"last": 1}, refusals.append)
+    link.ask_modules(window, asked.append)
+    link.set(window, {"last": 1}, refusals.append)
     until(link.moment_changed, lambda: "last" in link.log.now.board and bool(asked))
     assert "spo2" not in link.log.now.board
     assert not kinds(link, "goto") + kinds(link, "step")
@@ -251,7 +251,7 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     operating.set_value()
     assert len(refusals) == 5
     assert refusals[-1] == window.status.said.text() == NOT_ASKED
-    link.set({"last": 2}, refusals.append)
+    link.set(window, {"last": 2}, refusals.append)
     until(link.moment_changed, lambda: "last" in link.log.now.board)
     assert "spo2" not in link.log.now.board
     window.disconnect_robot()

@@ -376,7 +376,7 @@ def test_a_running_robot_is_asked_while_it_goes_on(
         hand.choose(window.context_menus.shown, "Why?")
         assert seen(it)[-1] == "converse enters 1 hello (the start)"
     # What was done from here, who sits here did.
-    link.set({"spo2": 97}, lambda why: None)
+    link.set(window, {"spo2": 97}, lambda why: None)
     until(link.moment_changed, lambda: "spo2" in link.log.now.board)
     window.robot.follower.refresh()
     window.bottom.choose("blackboard")

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import signal
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
 from PySide6.QtTest import QSignalSpy
 from tests.gui.conftest import PATIENCE
 from tests.gui.live.test_comparing import until as compared
@@ -52,7 +55,8 @@ def test_a_robot_stays_at_the_moment_that_is_looked_at_and_a_version_on_trial_is
     dialog = window.deploying.dialog
     assert dialog.isVisible()
     assert dialog.stands.text().startswith("バージョン 1")
-    # It goes on being told there, and can be taken back.
+    # It goes on being told there, and can be taken back once it is known to what.
+    until(deploying.changed, dialog.back.isEnabled)
     it.click(dialog.back)
     until(deploying.changed, lambda: deploying.stands == "running" and deploying.number == 0)
     assert dialog.stands.text().startswith("バージョン 0")
@@ -62,6 +66,38 @@ def test_a_robot_stays_at_the_moment_that_is_looked_at_and_a_version_on_trial_is
     assert it.window.robot.follower.viewing.follows
     assert not it.window.robot.timeline.bookmarks.every[1:]
     it.window.disconnect_robot()
+
+
+def test_what_the_window_before_asked_of_a_robot_and_hears_of_it_is_no_matter_of_the_next_one(
+    studio: Callable[..., Any],
+    project: Callable[[str], Path],
+    robot: Any,
+    until: Any,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    faults: list[BaseException] = []
+    monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: faults.append(error))
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    # It answers only once the window that asked is gone.
+    there.process.send_signal(signal.SIGSTOP)
+    it.window.operating.raise_event()
+    window = anew(it)
+    present = window.modules.present
+    assert not present.modules
+    there.process.send_signal(signal.SIGCONT)
+    # What is answered comes after all that was asked before it.
+    until(present.changed, lambda: bool(present.modules))
+    it.settle()
+    assert faults == []
+    # Nor what is drawn here, nor what the robot runs, which is heard of again.
+    rename(it, "greeting")
+    window.disconnect_robot()
+    assert connect(it, there.endpoint, until) is link
+    it.settle()
+    assert faults == []
+    window.disconnect_robot()
 
 
 def test_a_recording_stays_with_what_stands_beside_it_and_what_was_counted(
