@@ -11,6 +11,7 @@ from situ.document import rbd
 from situ.document import words as said
 from situ_studio import kinds, mentions, places, words
 from situ_studio.edit import Document, Place
+from situ_studio.language import tr, translated
 from situ_studio.mentions import Found, Mention, Role
 from situ_studio.panels.project_tree import stem
 
@@ -120,10 +121,10 @@ def _where(document: Document, mention: Mention, value: Any) -> str:
     if not place:
         return ""
     root = places.root(place)
-    outer = "every state" if root == ("always",) else ""
+    outer = tr("every state") if root == ("always",) else ""
     if root[0] == "state":
         state = places.get(document, root)
-        outer = f"state {said.state(state) if state is not None else root[1]}"
+        outer = tr("state {0}").format(said.state(state) if state is not None else root[1])
     outer = outer or words.place_words(document, root)
     inner = words.member_words(value) if len(place) > len(root) else ""
     kind = kinds.kind_of(value)
@@ -132,4 +133,4 @@ def _where(document: Document, mention: Mention, value: Any) -> str:
     label = next((f.label for f in fields if f.attribute == mention.attribute), "")
     shown = ", ".join(w for w in (outer, inner) if w)
     plain = mention.attribute in ("no", "name", "text") or not label
-    return shown if plain else f"{shown}: {label.lower()}"
+    return shown if plain else f"{shown}: {translated(label).lower()}"

@@ -27,9 +27,12 @@ from PySide6.QtWidgets import (
 )
 from tests.gui.conftest import Studio
 
+from situ.document.rbd import Always, Application, Event, State
 from situ.resources import resource
 from situ_studio import language
 from situ_studio.icon_widgets import Elided
+from situ_studio.mentions import Found, mentions
+from situ_studio.search import search
 
 ROOT = Path(__file__).resolve().parents[2]
 HOLES = re.compile(r"\{\d*\}|%n|%\d")
@@ -194,6 +197,19 @@ def test_nothing_is_said_in_english_only(
             }
 
     assert "\n".join(f"{where}: {text}" for text, where in english.items()) == ""
+
+
+def test_where_something_is_found_is_said_in_the_users_language(brackets: None) -> None:
+    events = (Event("go", next="1"),)
+    talk = Application(
+        "talk", states=(State("1", name="greet", events=events),), always=Always(events=events)
+    )
+    found = [Found("talk", mention) for mention in mentions(talk)]
+    several = [search({"talk": talk}, found, query).hits for query in ("go", "state: 1")]
+    places = {hit.where for hits in several for hit in hits}
+    assert any("⟦state 1 greet⟧" in where for where in places)
+    assert any("⟦every state⟧" in where for where in places)
+    assert {re.sub(r"⟦[^⟧]*⟧|[,: ]", "", where) for where in places} == {""}
 
 
 # -- room ------------------------------------------------------------------------------------
