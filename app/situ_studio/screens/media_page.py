@@ -96,7 +96,7 @@ class MediaPage(QWidget):
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
         retheme(self, theme)
-        self.list.setItemDelegate(MediaRows(theme, self.list.home, self.list))
+        self._paint_rows()
 
     def begin(self) -> None:
         """The keyboard goes to the rows."""
@@ -108,7 +108,7 @@ class MediaPage(QWidget):
         names = media_import.names_of(project)
         now = self.list.currentItem().data(KEY) if self.list.currentRow() >= 0 else ""
         self.list.home = media_import.home_of(project)
-        self.list.setItemDelegate(MediaRows(self._theme, self.list.home, self.list))
+        self._paint_rows()
         self.list.clear()
         for name in names:
             item = QListWidgetItem(name)
@@ -124,6 +124,11 @@ class MediaPage(QWidget):
         self.list.setCurrentRow(names.index(now) if now in names else 0)
         self.list.setVisible(bool(names))
         self.nothing.setVisible(not names)
+
+    def _paint_rows(self) -> None:
+        # Qt keeps what painted them before.
+        self.list.itemDelegate().deleteLater()
+        self.list.setItemDelegate(MediaRows(self._theme, self.list.home, self.list))
 
     def choose(self, name: str) -> None:
         """Selects the row of a file."""

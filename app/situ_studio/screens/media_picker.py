@@ -48,7 +48,6 @@ class MediaPicker(FollowMenu):
         super().__init__(choices, theme, parent, asked(kind))
         self.field.setPlaceholderText(tr("{0} Type to filter").format(asked(kind)))
         self.list.setItemDelegate(MediaRows(theme, home, self.list))
-        self.list.setAccessibleName(asked(kind))
         self.list.setMouseTracking(True)
         self.setFixedSize(px(WIDE), px(48) + px(HIGH) * min(ROWS, len(self.choices)))
         for row in range(self.list.count()):
