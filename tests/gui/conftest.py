@@ -34,7 +34,7 @@ from situ_studio.export_dialog import Export
 from situ_studio.live.connecting_dialog import Chosen
 from situ_studio.window import MainWindow
 
-PATIENCE = 5000
+PATIENCE = 20_000
 """Milliseconds that a signal gets to come."""
 LEFT = Qt.MouseButton.LeftButton
 CONTROL = Qt.KeyboardModifier.ControlModifier

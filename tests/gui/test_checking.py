@@ -15,7 +15,7 @@ from situ.document.project import Project
 from situ.document.rbd import Application, Event, State
 from situ_studio.checking import Checker
 
-PATIENCE = 5000
+PATIENCE = 20_000
 
 
 def project(next: str, states: int = 3) -> Project:

@@ -394,13 +394,13 @@ def test_a_text_is_heard_and_silenced(qt: QApplication, tmp_path: Path) -> None:
     ended, failed = QSignalSpy(listening.changed), QSignalSpy(listening.failed)
     listening.toggle("Kia ora {user.name}, haere mai", "mi")
     while listening.going:
-        assert ended.wait(5000)
+        assert ended.wait(20_000)
     assert heard.read_text() == "-v mi --stdin\nKia ora  … , haere mai"
     listening.toggle("Hello", "en-GB")
     assert listening.going
     listening.toggle("Hello", "en-GB")
     assert not listening.going
     listening.toggle("Hello", "xx")
-    assert failed.wait(5000)
+    assert failed.wait(20_000)
     assert "no such voice" in failed.at(0)[0]
     listening.deleteLater()

@@ -75,7 +75,7 @@ def test_a_large_project_is_read_beside_the_window(
     assert used.session.project is None
     (work,) = used.window.status.work.going
     assert "reception" in work.words
-    assert spy.count() or spy.wait(5000)
+    assert spy.count() or spy.wait(20_000)
     assert used.window.current_file == "reception.rbd.xml"
     assert used.window.status.work.going == []
 
@@ -107,7 +107,7 @@ def test_a_large_project_that_is_none_is_told(
     used.window.commands.open_path(str(tmp_path / "empty"))
     (work,) = used.window.status.work.going
     spy = QSignalSpy(work.ended)
-    assert spy.count() or spy.wait(5000)
+    assert spy.count() or spy.wait(20_000)
     assert len(used.answers.told) == 1
     assert "situ.toml" in used.answers.told[0]
 

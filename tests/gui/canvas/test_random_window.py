@@ -247,9 +247,9 @@ class Walker:
         told = QSignalSpy(self.session.changed_on_disk)
         (self.folder / file).write_bytes(codec.write(after))
         dirty = file in self.session.dirty
-        assert told.wait(5000) if told.count() == 0 else True, file
+        assert told.wait(20_000) if told.count() == 0 else True, file
         if not dirty and changed.count() == 0:
-            assert changed.wait(5000)
+            assert changed.wait(20_000)
         if hand is not None and start is not None:
             hand.move(start + QPointF(90, 60))
             hand.release(start + QPointF(90, 60))

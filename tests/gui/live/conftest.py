@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QEvent, QEventLoop, QTimer, SignalInstance
 from PySide6.QtWidgets import QApplication, QWidget
 
-DEADLINE = 10_000
+DEADLINE = 20_000
 ANYWHERE = "tcp://127.0.0.1:0"
 SITU = ("-m", "situ")
 

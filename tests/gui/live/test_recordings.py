@@ -19,7 +19,7 @@ from situ_studio.live import recordings
 from situ_studio.live.recordings import ReadingRecording
 from situ_studio.live.viewing import Viewing
 
-PATIENCE = 10_000
+PATIENCE = 20_000
 
 
 def recording(

@@ -22,7 +22,7 @@ def until(told: SignalInstance, true: Callable[[], bool]) -> None:
     """Waits for it, judging at each coming of the signal."""
     spy = QSignalSpy(told)
     while not true():
-        assert spy.wait(5000), "it did not come"
+        assert spy.wait(20_000), "it did not come"
 
 
 class Voice:
