@@ -22,11 +22,6 @@ class LeftPlace:
         self._shown: str | None = None
         self._away: tuple[str, ...] = ()
 
-    @property
-    def shown(self) -> str | None:
-        """Which of them stands there now."""
-        return self._shown
-
     def want(self, name: str, wanted: bool) -> None:
         """It shall stand there, or need not any more."""
         (self._wanted.add if wanted else self._wanted.discard)(name)
