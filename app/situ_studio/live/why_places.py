@@ -18,6 +18,26 @@ from situ_studio.live.moment import Moment, TraceFields
 from situ_studio.live.why import Thing
 
 
+def meant_by(
+    project: Project, file: str, document: Document, place: Place, moment: Moment
+) -> tuple[Thing | None, Thing | None]:
+    """What a selected place is to ask about at a moment; what is told of where that never was."""
+    thing = thing_at(project, file, document, place)
+    if thing is None and document is project.spds and not place:
+        current = moment.situation
+        return (Thing("situation", current) if current is not None else None), None
+    if thing is not None and thing.kind == "application" and _stands_still(moment, thing.name):
+        return Thing("halt", thing.name), thing
+    if places.is_component(place):
+        return thing, thing_at(project, file, document, places.root(place))
+    return thing, None
+
+
+def _stands_still(moment: Moment, application: str) -> bool:
+    one = moment.applications.get(application)
+    return one is not None and (one.suspended or one.paused)
+
+
 def thing_at(project: Project, file: str, document: Document, place: Place) -> Thing | None:
     """What a selected place of a document is to ask about; the ground is what is now there."""
     if file in project.applications or file in project.parts:

@@ -27,7 +27,7 @@ from situ_studio.live.why import Thing, latest, trail
 from situ_studio.live.why_menus import WhyMenus
 from situ_studio.live.why_not import Question, Wanted, events_until, wanted_at
 from situ_studio.live.why_not_asking import AskingWhyNot
-from situ_studio.live.why_places import priorities, tags_of, thing_at, where
+from situ_studio.live.why_places import meant_by, priorities, tags_of, where
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.why import Link, Why
 from situ_studio.theme import Theme
@@ -136,7 +136,7 @@ class WhySide(QObject):
         meant = self._meant()
         if meant is None:
             return
-        thing, other = self._selected(*meant)
+        thing, other = meant_by(*meant, self._viewing.moment())
         if thing is None:
             self._window.say(self.tr("A trace tells nothing of that."))
         else:
@@ -159,24 +159,6 @@ class WhySide(QObject):
             self._window.say(self.tr("What ran had nothing of that in {0}.").format(view.file))
             return None
         return project, view.file, theirs, place
-
-    def _selected(
-        self, project: Project, file: str, document: Document, place: Place
-    ) -> tuple[Thing | None, Thing | None]:
-        """What is meant, and what is told of where that never was."""
-        thing = thing_at(project, file, document, place)
-        if thing is None and document is project.spds and not place:
-            current = self._viewing.moment().situation
-            return (Thing("situation", current) if current is not None else None), None
-        if thing is not None and thing.kind == "application" and self._stands_still(thing.name):
-            return Thing("halt", thing.name), thing
-        if places.is_component(place):
-            return thing, thing_at(project, file, document, places.root(place))
-        return thing, None
-
-    def _stands_still(self, application: str) -> bool:
-        one = self._viewing.moment().applications.get(application)
-        return one is not None and (one.suspended or one.paused)
 
     @staticmethod
     def _place_meant(view: DocumentView) -> Place:
