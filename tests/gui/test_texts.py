@@ -30,9 +30,11 @@ from tests.gui.conftest import Studio
 from situ.document.rbd import Always, Application, Event, State
 from situ.resources import resource
 from situ_studio import language
+from situ_studio.canvas.menu import FollowMenu
 from situ_studio.icon_widgets import Elided
 from situ_studio.mentions import Found, mentions
 from situ_studio.search import search
+from situ_studio.theme import LIGHT
 
 ROOT = Path(__file__).resolve().parents[2]
 HOLES = re.compile(r"\{\d*\}|%n|%\d")
@@ -210,6 +212,13 @@ def test_where_something_is_found_is_said_in_the_users_language(brackets: None) 
     assert any("⟦state 1 greet⟧" in where for where in places)
     assert any("⟦every state⟧" in where for where in places)
     assert {re.sub(r"⟦[^⟧]*⟧|[,: ]", "", where) for where in places} == {""}
+
+
+def test_what_a_menu_asks_to_type_is_said_in_the_users_language(brackets: None) -> None:
+    parent = QWidget()
+    menu = FollowMenu((), LIGHT, parent, "Which?")
+    assert menu.field.placeholderText() == "⟦Which? Type to filter⟧"
+    parent.deleteLater()
 
 
 # -- room ------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFrame, QLineEdit, QListWidget, QListWidgetItem, Q
 from situ_studio import icons
 from situ_studio.announcing import CurrentRow
 from situ_studio.canvas.gestures import Follow
+from situ_studio.language import tr
 from situ_studio.letters import px
 from situ_studio.theme import FORM, Theme, font
 
@@ -41,7 +42,7 @@ class FollowMenu(QFrame):
         layout.setContentsMargins(5, 5, 5, 5)
         layout.setSpacing(4)
         self.field = QLineEdit()
-        self.field.setPlaceholderText(f"{asked} Type to filter")
+        self.field.setPlaceholderText(tr("{0} Type to filter").format(asked))
         self.field.setFont(font(FORM))
         self.field.setFixedHeight(px(28))
         self.field.setAccessibleName(asked)

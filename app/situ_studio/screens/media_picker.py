@@ -46,7 +46,6 @@ class MediaPicker(FollowMenu):
         choices = [Follow(IMPORT, tr("Import a file…"), "plus")]
         choices += [Follow(name, name, kind) for name in names]
         super().__init__(choices, theme, parent, asked(kind))
-        self.field.setPlaceholderText(tr("{0} Type to filter").format(asked(kind)))
         self.list.setItemDelegate(MediaRows(theme, home, self.list))
         self.list.setMouseTracking(True)
         self.setFixedSize(px(WIDE), px(48) + px(HIGH) * min(ROWS, len(self.choices)))
