@@ -14,6 +14,8 @@ from PySide6.QtCore import QEvent, QEventLoop, QTimer, SignalInstance
 from PySide6.QtWidgets import QApplication, QWidget
 
 DEADLINE = 20_000
+LATER = 50
+"""Milliseconds."""
 ANYWHERE = "tcp://127.0.0.1:0"
 SITU = ("-m", "situ")
 
@@ -90,14 +92,16 @@ def over(qt: QApplication) -> Iterator[QWidget]:
 
 @pytest.fixture
 def until() -> Callable[[SignalInstance, Callable[[], bool]], None]:
-    """``until(signal, true)``: waits, judging at each coming of the signal; fails at a deadline."""
+    """``until(signal, true)``: waits, judging at each coming of the signal and a little later, for
+    what it sets off may be done when no other one comes; fails at a deadline.
+    """
 
     def wait(told: SignalInstance, true: Callable[[], bool]) -> None:
         if true():
             return
         loop = QEventLoop()
         over: list[bool] = []
-        deadline = QTimer()
+        deadline, later = QTimer(), QTimer()
         deadline.setSingleShot(True)
 
         def late() -> None:
@@ -111,9 +115,12 @@ def until() -> Callable[[SignalInstance, Callable[[], bool]], None]:
                 loop.quit()
 
         told.connect(judge)
+        later.timeout.connect(judge)
         deadline.start(DEADLINE)
+        later.start(LATER)
         loop.exec()
         deadline.stop()
+        later.stop()
         told.disconnect(judge)
         assert not over, f"never came true after {told}"
 
