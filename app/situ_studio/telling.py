@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -23,35 +24,34 @@ class TellingSide(QObject):
         super().__init__(window)
         self._window = window
         tell, session = window.status.announcements.tell, window.session
-        self._known: frozenset[tuple[str, ...]] | None = None
+        self._known: tuple[Path, frozenset[tuple[str, ...]]] | None = None
         if session.project is not None:
             # Another window had it before.
-            self._known = frozenset(map(_key, session.problems))
+            self._known = session.root, frozenset(map(_key, session.problems))
         session.stepped.connect(tell)
         session.stepped_back.connect(self._on_stepped_back)
-        session.opened.connect(self._on_opened)
         session.problems_changed.connect(self._on_problems)
 
     def _on_stepped_back(self, name: str) -> None:
         self._window.status.announcements.tell(self.tr("Taken back: {0}").format(name))
 
-    def _on_opened(self) -> None:
-        self._known = None
-        self._on_problems()
-
     def _on_problems(self) -> None:
-        window, problems = self._window, self._window.session.problems
-        before, self._known = self._known, frozenset(map(_key, problems))
+        window, session = self._window, self._window.session
+        problems, known = session.problems, self._known
+        now = frozenset(map(_key, problems))
+        self._known = session.root, now
         tell = window.status.announcements.tell
-        if before is None:
+        if known is None or known[0] != session.root:
+            # The project has just been opened, and none of them is new.
             if problems:
                 tell(self._counted(problems))
             return
+        before = known[1]
         new = [problem for problem in problems if _key(problem) not in before]
         if new:
             # What can not work is told before what is probably not meant.
             problem = min(new, key=lambda one: one.severity != "error")
-            where = problem_rows.where(window.session, problem, window.current_file)
+            where = problem_rows.where(session, problem, window.current_file)
             kind = self.tr("Error") if problem.severity == "error" else self.tr("Warning")
             told = f"{kind}, {where}: {said(problem.message)}"
             if len(new) > 1:
@@ -59,7 +59,7 @@ class TellingSide(QObject):
             tell(told)
         elif before and not problems:
             tell(self.tr("No problems."))
-        elif len(self._known) < len(before):
+        elif len(now) < len(before):
             tell(self.tr("Still {0}").format(self._counted(problems)))
 
     def _counted(self, problems: Sequence[Problem]) -> str:

@@ -113,6 +113,21 @@ def test_a_problem_that_comes_with_a_step_is_told_once_and_that_none_is_left(
     assert told[-1].endswith("No problems")
 
 
+def test_of_a_project_that_is_opened_it_is_told_how_many_problems_it_has(
+    studio: Start, project: Copy
+) -> None:
+    """Also where another one is open: none of them is new."""
+    used = studio(project("reception"))
+    told = hears(used)
+    other = project("conversation")
+    file = other / "converse.rbd.xml"
+    file.write_text(file.read_text(encoding="utf-8").replace('next="2"', 'next="99"', 1))
+    used.session.open(other)
+    used.settle()
+    assert " ".join(told).count(" error") == 1
+    assert "Error, " not in " ".join(told)
+
+
 def test_what_the_status_bar_says_in_passing_is_told(studio: Start) -> None:
     used = studio()
     told = hears(used)
