@@ -716,6 +716,17 @@ def test_who_asked_in_vain_and_gave_up_is_told_what_stood_in_the_way_until_then(
             for resource, told in (("hand", hand), ("base", base)):
                 wanted = {"resource": resource, field: "arm"}
                 assert _ask(lab, recording, at, kind, **wanted).splitlines() == told
+    # Given up in one go, of each is told what kept it from that one.
+    at_once = record(
+        lab,
+        {"at": 2, "acquire": {"module": "arm", "resources": ["base", "hand"]}},
+        {"at": 4, "abandon": {"module": "arm", "resources": ["base", "hand"]}},
+    )
+    for resource, count in (("base", 2), ("hand", 3)):
+        told = _ask(lab, at_once, 6, "authority", resource=resource, to="arm").splitlines()
+        assert told[0] == f"- arm asked for {resource} from 2 s to 4 s {vain}"
+        assert len(told) == count
+        assert told[-1].lstrip().startswith("- app held base since 0 s")
     # Asked for again it is told how that is now.
     again = record(
         lab,

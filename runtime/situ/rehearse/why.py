@@ -168,7 +168,7 @@ def _authority(asked: _Question) -> list[Reason]:
     past = asked.past()
     found = why_not_held(past, module, resource)
     if found:
-        return _while_it_asked(asked, past, found)
+        return _while_it_asked(asked, past, module, resource, found)
     since = past.holders[resource]
     said = f"{module} held {resource} already, since {moment(since['t'])}"
     return [Reason(code="already", text=said, seq=since["seq"])]
@@ -176,19 +176,20 @@ def _authority(asked: _Question) -> list[Reason]:
 
 def _mapping(asked: _Question) -> list[Reason]:
     past = asked.past()
-    found = why_not_moved(past, asked.field("module"), asked.field("resource"))
-    return _while_it_asked(asked, past, found)
+    module, resource = asked.field("module"), asked.field("resource")
+    return _while_it_asked(asked, past, module, resource, why_not_moved(past, module, resource))
 
 
-def _while_it_asked(asked: _Question, past: Past, found: list[Reason]) -> list[Reason]:
+def _while_it_asked(
+    asked: _Question, past: Past, module: str, resource: str, found: list[Reason]
+) -> list[Reason]:
     """Of a module that asked in vain and gave up: below that, what kept it from it until then."""
-    asked_for = {ended["seq"]: pair for pair, (_, ended) in past.given_up.items()}
-    return [
-        one
-        if one.seq not in asked_for
-        else replace(one, below=tuple(why_not_held(asked.past(one.seq), *asked_for[one.seq])))
-        for one in found
-    ]
+    in_vain = past.given_up.get((module, resource))
+    if in_vain is None:
+        return found
+    ended = in_vain[1]["seq"]
+    kept = tuple(why_not_held(asked.past(ended), module, resource))
+    return [one if one.seq != ended else replace(one, below=kept) for one in found]
 
 
 def _action(asked: _Question) -> list[Reason]:
