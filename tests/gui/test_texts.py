@@ -12,7 +12,14 @@ from typing import Any
 
 import pytest
 from lxml import etree
-from PySide6.QtCore import QAbstractItemModel, QModelIndex, QSettings, Qt, QTranslator
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QAbstractListModel,
+    QModelIndex,
+    QSettings,
+    Qt,
+    QTranslator,
+)
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -151,13 +158,17 @@ def shown(window: QWidget) -> Iterator[tuple[str, str]]:
 
 
 def cells(name: str, model: QAbstractItemModel) -> Iterator[tuple[str, str]]:
-    for column in range(model.columnCount()):
+    def columns(parent: QModelIndex) -> range:
+        # A list has one, and lets nobody ask.
+        return range(1 if isinstance(model, QAbstractListModel) else model.columnCount(parent))
+
+    for column in columns(QModelIndex()):
         yield f"{name} heading", str(model.headerData(column, Qt.Orientation.Horizontal) or "")
     waiting = [QModelIndex()]
     while waiting:
         parent = waiting.pop()
         for row in range(model.rowCount(parent)):
-            for column in range(model.columnCount(parent)):
+            for column in columns(parent):
                 index = model.index(row, column, parent)
                 for role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
                     yield f"{name} row", str(index.data(role) or "")
