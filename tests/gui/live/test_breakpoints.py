@@ -131,6 +131,8 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     until(link.moment_changed, lambda: "reception" in link.log.now.applications)
     window.open_file(PART)
     it.select("state", "2")
+    # Of a machine that was slow to open the file the robot may have thought that it is gone.
+    until(link.state_changed, lambda: link.connected)
     it.key(Qt.Key.Key_F9, SHIFT)
     until(link.moment_changed, lambda: any(b.get("when") for b in link.log.now.breakpoints))
     until(link.moment_changed, lambda: len(link.log.now.breakpoints) == 1)
@@ -146,6 +148,7 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     assert window.views[FLOW].canvas.look.live.breakpoints == {"16"}
     # The condition is edited as a guard is.
     it.settle()
+    until(link.state_changed, lambda: link.connected)
     box = panel.condition.box(0)
     it.fill(box.tag, "robot.stop")
     until(
