@@ -11,12 +11,24 @@ from PySide6.QtCore import (
     QModelIndex,
     QPersistentModelIndex,
     QPoint,
+    QPointF,
     QRectF,
     QSize,
     Qt,
     Signal,
 )
-from PySide6.QtGui import QFocusEvent, QFontMetrics, QKeyEvent, QMouseEvent, QPainter, QResizeEvent
+from PySide6.QtGui import (
+    QAccessible,
+    QColor,
+    QFocusEvent,
+    QFontMetrics,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QRegion,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import (
     QFrame,
     QListView,
@@ -31,7 +43,8 @@ from situ_studio.icon_widgets import IconButton
 from situ_studio.language import tr
 from situ_studio.letters import enlarged, px
 from situ_studio.live.column_rows import ColumnRow
-from situ_studio.theme import CAPTION, LABEL, Theme, face
+from situ_studio.live.column_words import Lettering
+from situ_studio.theme import CAPTION, LABEL, Theme
 
 AnyIndex = QModelIndex | QPersistentModelIndex
 
@@ -87,7 +100,7 @@ class ColumnModel(QAbstractListModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return self.row(index.row()).title
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self.row(index.row()).tip
+            return self.row(index.row()).whole_tip
         if role == Qt.ItemDataRole.AccessibleTextRole:
             return self.row(index.row()).spoken
         return None
@@ -100,20 +113,24 @@ class ColumnDelegate(QStyledItemDelegate):
         super().__init__(parent)
         self.theme = theme
         self._size = QSize(px(80), px(ROW))
-        # Many rows in each of 60 frames a second: what is the same in all of them is made once.
-        self._plain, self._strong, self._small = face(LABEL), face(LABEL, 600), face(CAPTION)
-        self._metrics = QFontMetrics(self._plain)
-        self._strongs, self._smalls = QFontMetrics(self._strong), QFontMetrics(self._small)
+        self.region = QRegion()
+        """Of the list, what is to be painted: the view asks for each row between two of them."""
+        # Many rows in each of many frames a second: what is the same in all of them is made once.
+        self._plain, self._strong = Lettering(LABEL), Lettering(LABEL, 600)
+        self._small = Lettering(CAPTION)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
         return self._size
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
+        if not self.region.intersects(option.rect):
+            return
         model = index.model()
         assert isinstance(model, ColumnModel)
+        row = model.row(index.row())
         with enlarged(painter, QRectF(option.rect)) as rect:
-            self._ground(painter, rect, option.state, model.row(index.row()))
-            self._row(painter, rect, model.row(index.row()))
+            self._ground(painter, rect, option.state, row)
+            self._row(painter, rect, row)
 
     def _ground(
         self, painter: QPainter, rect: QRectF, state: QStyle.StateFlag, row: ColumnRow
@@ -134,57 +151,49 @@ class ColumnDelegate(QStyledItemDelegate):
         left, right = rect.x() + EDGE, rect.right() - EDGE
         sign = _ICONS.get(row.kind)
         if sign is not None:
-            box = QRectF(left, rect.center().y() - 7, 14, 14)
-            if row.stands:
-                icons.paint(painter, "pause", box, theme.color("warning"))
-            else:
-                icons.paint(painter, sign, box, theme.color(row.kind))
+            shown, token = ("pause", "warning") if row.stands else (sign, row.kind)
+            _icon(painter, shown, QPointF(left, rect.center().y() - 7), 14, theme.color(token))
             left += 22
         if row.since:
-            painter.setFont(self._small)
-            painter.setPen(theme.color("text3"))
             # Times stand below each other; a state has little room.
-            wide = self._smalls.horizontalAdvance(row.since) + 8
-            wide = max(wide, SINCE if row.kind == "data" else 0)
-            place = QRectF(right - wide, rect.y(), wide, rect.height())
-            painter.drawText(place, middle | Qt.AlignmentFlag.AlignRight, row.since)
-            right -= wide
-        metrics = self._metrics if row.faint or row.pill else self._strongs
-        title, taken = self._metrics.horizontalAdvance(row.title), self._taken(row, metrics)
+            wide = self._small.advance(row.since) + 8
+            self._small.draw(painter, row.since, right, rect, theme.color("text3"), ends=True)
+            right -= max(wide, SINCE if row.kind == "data" else 0)
+        said = self._plain if row.faint or row.pill else self._strong
+        title, taken = self._plain.advance(row.title), self._taken(row, said)
         room = right - left
         wanted = min(float(taken), max(room - title - 8, room * SHARE))
         box = QRectF(right - wanted, rect.y(), wanted, rect.height())
-        painter.setFont(self._plain if row.faint or row.pill else self._strong)
+        painter.setFont(said.font)
         if row.pill:
             self._pill(painter, box, row)
         else:
             token = "text3" if row.faint else "live" if row.lit else "text"
             painter.setPen(theme.color(token))
-            shown = row.value if taken <= wanted else _cut(metrics, row.value, wanted)
+            shown = row.value if taken <= wanted else _cut(said.metrics, row.value, wanted)
             painter.drawText(box, middle | Qt.AlignmentFlag.AlignRight, shown)
-        painter.setFont(self._plain)
-        painter.setPen(theme.color("text"))
         free = max(room - wanted - 8, 0)
         shown = row.title
         if title > free:
-            shown = self._metrics.elidedText(row.title, Qt.TextElideMode.ElideMiddle, int(free))
-        painter.drawText(QRectF(left, rect.y(), free + 1, rect.height()), middle, shown)
+            middle_cut = Qt.TextElideMode.ElideMiddle
+            shown = self._plain.metrics.elidedText(row.title, middle_cut, int(free))
+        self._plain.draw(painter, shown, left, rect, theme.color("text"))
         if row.fresh:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.color("live"))
             painter.drawEllipse(QRectF(rect.x() + 4, rect.center().y() - 2.5, 5, 5))
 
-    def _taken(self, row: ColumnRow, metrics: QFontMetrics) -> int:
+    def _taken(self, row: ColumnRow, said: Lettering) -> int:
         """How wide what stands at the right is, with what a pill has beside its words."""
-        words = metrics.horizontalAdvance(row.value)
+        words = said.advance(row.value)
         if not row.pill:
             return words
         icon = 17 if row.pill in _IN_PILL else 0
-        after = metrics.horizontalAdvance(row.after) + 6 if row.after else 0
+        after = said.advance(row.after) + 6 if row.after else 0
         return words + 14 + icon + after
 
     def _pill(self, painter: QPainter, box: QRectF, row: ColumnRow) -> None:
-        theme, middle = self.theme, Qt.AlignmentFlag.AlignVCenter
+        theme, said = self.theme, self._plain
         box = box.adjusted(0, 3, 0, -3)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.color(f"{row.pill}_soft"))
@@ -192,14 +201,25 @@ class ColumnDelegate(QStyledItemDelegate):
         inside = box.adjusted(7, 0, -7, 0)
         sign = _IN_PILL.get(row.pill)
         if sign is not None:
-            place = QRectF(inside.left() - 1, inside.center().y() - 6.5, 13, 13)
-            icons.paint(painter, sign, place, theme.color(row.pill))
+            corner = QPointF(inside.left() - 1, inside.center().y() - 6.5)
+            _icon(painter, sign, corner, 13, theme.color(row.pill))
             inside.setLeft(inside.left() + 17)
-        painter.setPen(theme.color(row.pill))
+        color = theme.color(row.pill)
         if row.after:
-            painter.drawText(inside, middle | Qt.AlignmentFlag.AlignRight, row.after)
-            inside.setRight(inside.right() - self._metrics.horizontalAdvance(row.after) - 6)
-        painter.drawText(inside, middle, _cut(self._metrics, row.value, inside.width()))
+            said.draw(painter, row.after, inside.right(), inside, color, ends=True)
+            inside.setRight(inside.right() - said.advance(row.after) - 6)
+        shown = row.value
+        if said.advance(shown) > inside.width():
+            shown = _cut(said.metrics, shown, inside.width())
+        said.draw(painter, shown, inside.left(), inside, color)
+
+
+def _icon(painter: QPainter, name: str, corner: QPointF, size: int, color: QColor) -> None:
+    """From a picture, on whole px of the screen: to draw its lines anew takes longer than a row."""
+    screen = painter.deviceTransform()
+    inverted, _ = screen.inverted()
+    sharp = inverted.map(QPointF(screen.map(corner).toPoint()))
+    painter.drawPixmap(sharp, icons.pixmap(name, color, size, screen.m11()))
 
 
 def _cut(metrics: QFontMetrics, words: str, room: float) -> str:
@@ -260,10 +280,19 @@ class ColumnList(QListView):
             self.updateGeometry()
 
     def _seen(self) -> range:
-        first = self.indexAt(QPoint(1, 1)).row()
-        if first < 0:
-            return range(0)
+        first = self.verticalScrollBar().value() // px(ROW)
         return range(first, first + self.viewport().height() // px(ROW) + 2)
+
+    def dataChanged(self, first: AnyIndex, last: AnyIndex, roles: Sequence[int] = ()) -> None:
+        # All rows are as high as they were: Qt would lay out the whole list, and draw all of it.
+        if QAccessible.isActive():
+            super().dataChanged(first, last, roles)
+        else:
+            self.update(first)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        self._delegate.region = event.region()
+        super().paintEvent(event)
 
     @property
     def current_name(self) -> str | None:

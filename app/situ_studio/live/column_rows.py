@@ -34,7 +34,8 @@ class ColumnRow(Struct, frozen=True):
     name: of the application, resource or tag. pill: the kind in whose colours ``value`` stands.
     after: a small text behind it. lit: the situation rests on it. fresh: it became so just now.
     faint: ``value`` says that there is none. stands: why an application does not go on.
-    spoken: the whole, for who does not see it.
+    whole: a value with parts, which the tip tells one by one. spoken: the whole, for who does not
+    see it.
     """
 
     kind: RowKind
@@ -49,6 +50,12 @@ class ColumnRow(Struct, frozen=True):
     faint: bool = False
     stands: str = ""
     tip: str = ""
+    whole: dict[str, Any] | list[Any] | None = None
+
+    @property
+    def whole_tip(self) -> str:
+        """The tip, with what nobody needs before it is asked for."""
+        return self.tip if self.whole is None else f"{self.name}\n{value_lines(self.whole)}"
 
     @property
     def spoken(self) -> str:
@@ -210,11 +217,12 @@ class Telling:
         if told is None or told[0] is not entry:
             told = self._values[tag] = (entry, self._value(tag, entry.value))
         tip = f"{tag} = {told[1]}"
-        if isinstance(entry.value, dict | list):
-            tip = f"{tag}\n{value_lines(entry.value)}"
+        whole = entry.value if isinstance(entry.value, dict | list) else None
         since = ago(max(t - entry.t, 0.0))
         fresh = _changed(tag, entry, t, lanes)
-        return ColumnRow("data", tag, tag, told[1], since, lit=lit, fresh=fresh, tip=tip)
+        return ColumnRow(
+            "data", tag, tag, told[1], since, lit=lit, fresh=fresh, tip=tip, whole=whole
+        )
 
     def _value(self, tag: str, value: Any) -> str:
         if isinstance(value, str):

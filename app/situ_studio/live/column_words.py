@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QPainter, QPaintEvent
+from functools import lru_cache
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QStaticText
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from situ_studio.letters import px
-from situ_studio.theme import Theme, font
+from situ_studio.theme import Theme, face, font
 
 
 class Words(QWidget):
@@ -52,3 +54,42 @@ class Words(QWidget):
         )
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter | side, shown)
         painter.end()
+
+
+class Lettering:
+    """Words of one size and weight, as rows have them: each is measured, and laid out, once."""
+
+    def __init__(self, size: float, weight: int = 400) -> None:
+        self.font = face(size, weight)
+        self.metrics = QFontMetrics(self.font)
+        self.advance = lru_cache(512)(self._advance)
+        self._laid = lru_cache(128)(self._lay)
+
+    def _advance(self, words: str) -> int:
+        return self.metrics.horizontalAdvance(words)
+
+    @staticmethod
+    def _lay(words: str) -> QStaticText:
+        text = QStaticText(words)
+        text.setTextFormat(Qt.TextFormat.PlainText)
+        text.setPerformanceHint(QStaticText.PerformanceHint.AggressiveCaching)
+        return text
+
+    def draw(
+        self,
+        painter: QPainter,
+        words: str,
+        x: float,
+        rect: QRectF,
+        color: QColor,
+        ends: bool = False,
+    ) -> None:
+        """From ``x`` on, in the middle of the height of ``rect``. ends: they end at ``x``.
+
+        For words that come again: others are as quickly drawn as they are laid out.
+        """
+        painter.setFont(self.font)
+        painter.setPen(color)
+        top = rect.center().y() - self.metrics.height() / 2
+        at = QPointF(x - self.advance(words) if ends else x, top)
+        painter.drawStaticText(at, self._laid(words))

@@ -16,6 +16,7 @@ from tests.gui.live.test_recordings import opened, until_shown
 
 import situ
 from situ_studio.live.column import MomentColumn
+from situ_studio.live.column_list import ColumnDelegate
 
 LEFT = Qt.MouseButton.LeftButton
 DRAWING = ("project", "outline", "palette")
@@ -246,6 +247,32 @@ def test_rows_are_reused_and_nothing_is_drawn_that_nobody_sees(
     it.window.robot.follower.viewing.seek(5.0)
     it.settle()
     assert drawn == []
+
+
+def test_a_row_that_says_the_same_as_before_is_not_drawn_again(
+    looked: tuple[Any, MomentColumn], at: Callable[[float], None], monkeypatch: Any
+) -> None:
+    _, column = looked
+    drawn: set[str] = set()
+    paint = ColumnDelegate._row
+
+    def painted(self: Any, painter: Any, rect: Any, row: Any) -> None:
+        drawn.add(row.name)
+        paint(self, painter, rect, row)
+
+    monkeypatch.setattr(ColumnDelegate, "_row", painted)
+    at(4.2)
+    before = [column.data.rows.row(place) for place in range(len(column.data.rows.names))]
+    assert drawn
+    drawn.clear()
+    at(4.4)
+    after = [column.data.rows.row(place) for place in range(len(column.data.rows.names))]
+    same = [was == now for was, now in zip(before, after, strict=True)]
+    # Not even one between two that have changed.
+    assert True in same[same.index(False) :]
+    assert drawn & {row.name for row in after} == {
+        now.name for now, is_same in zip(after, same, strict=True) if not is_same
+    }
 
 
 def test_it_is_read_aloud(looked: tuple[Any, MomentColumn], at: Callable[[float], None]) -> None:
