@@ -7,6 +7,7 @@ from pathlib import Path
 from situ.document.problem import Problem
 from situ_studio import words
 from situ_studio.edit import Document, Place
+from situ_studio.language import tr
 from situ_studio.panels.project_tree import stem
 from situ_studio.session import Session
 
@@ -34,5 +35,5 @@ def _short(document: Document, place: Place) -> str:
     if place[0] == "state" and len(place) > 1:
         return words.state_words(document, place[1])
     if place[0] == "always":
-        return "Always"
+        return tr("Always")
     return place[1] if len(place) > 1 else place[0]

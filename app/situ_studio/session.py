@@ -555,6 +555,7 @@ class Session(QObject):
         if document is None:
             project = project_documents.without(project, file)
         elif not listed:
+            assert isinstance(document, Document)
             project = project_documents.added(project, file, document)
             if isinstance(document, Application):
                 project = self._regrouped(project)

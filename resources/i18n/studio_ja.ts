@@ -44,6 +44,10 @@
         <translation>前に戻ります</translation>
     </message>
     <message>
+        <source>Drag to where a new event leads</source>
+        <translation>新しいイベントの行き先へドラッグしてください</translation>
+    </message>
+    <message>
         <source>start</source>
         <translation>開始</translation>
     </message>
@@ -2966,6 +2970,10 @@
     <message>
         <source>Import a file…</source>
         <translation>ファイルを読み込む…</translation>
+    </message>
+    <message>
+        <source>What follows?</source>
+        <translation>次は？</translation>
     </message>
     <message>
         <source>{0} Type to filter</source>

@@ -217,7 +217,9 @@ def test_an_application_looks_as_it_should(views: Callable[..., Views]) -> None:
     shown.compare("designer")
     window.commands.insert("image")
     shown.made.settle()
-    shown.over("which-picture", window.media_choice.picker)
+    picker = window.media_choice.picker
+    assert picker is not None
+    shown.over("which-picture", picker)
     shown.made.key(Qt.Key.Key_Escape)
     shown.open("texts")
     shown.compare("texts")

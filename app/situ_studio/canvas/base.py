@@ -43,13 +43,13 @@ class Canvas(Choosing):
     status = Signal(str)
     zoomed = Signal(float)
     menu_requested = Signal(tuple, QPoint)
+    """A right click: the place under it (empty for the ground), where on the screen."""
     mends_asked = Signal()
     """The sign of a problem was clicked, of what is selected now."""
     media_asked = Signal(tuple, str, object)
     """A file is wanted for something new there, as ``StateScreen.media_asked``."""
     module_dropped = Signal(str, tuple)
     """The name of a module that was dragged here, and the place of what it was dropped on."""
-    """A right click: the place under it (empty for the ground), where on the screen."""
     pointed: QPointF | None
     """Where in the scene a context menu was opened, while what it offers is done: what is added
     or pasted goes there."""

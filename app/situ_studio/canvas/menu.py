@@ -30,11 +30,12 @@ class FollowMenu(QFrame):
         choices: Sequence[Follow],
         theme: Theme,
         parent: QWidget,
-        asked: str = "What follows?",
+        asked: str = "",
     ) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("followMenu")
+        asked = asked or tr("What follows?")
         self.choices = tuple(choices)
         self._theme = theme
         self._naming, self._new = "", ""

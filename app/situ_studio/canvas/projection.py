@@ -137,7 +137,7 @@ class Card(Struct, frozen=True):
     def hint(self, name: str = "") -> str:
         """The whole of what the card, or one exit's row, has room for only in part."""
         if name == NEW:
-            return "Drag to where a new event leads"
+            return tr("Drag to where a new event leads")
         leaving = self.exit(name)
         if leaving is None:
             called = state_called(self.no, self.name) if self.no else self.name

@@ -21,6 +21,10 @@ class ScriptDrawer(ConditionFiller):
         for observed in wanted.observe:
             self.data(observed)
         there = {one.name for one in self.script.modules}
+        for name in there - {one.name for one in wanted.modules}:
+            # Of the application that a new project begins with.
+            self.click_card(name)
+            self.key(Qt.Key.Key_Delete)
         for module in wanted.modules:
             self.module(module, module.name in there)
         *others, last = wanted.situations
