@@ -214,6 +214,7 @@ class MomentColumn(QWidget):
         if told is not None:
             self.card.show_told(told)
             since = tr("since {0}").format(ago(t - moment.situation_since))
+        self.since.setVisible(told is not None)
         self.since.show_words(since)
         self.states.show_rows(
             sorted(moment.applications),
