@@ -92,6 +92,8 @@ class Views:
         self.found: list[str] = []
 
     def compare(self, name: str, shown: QWidget | QImage | None = None) -> None:
+        # It is drawn so many times a second at most.
+        self.window.moment.column.draw()
         without_mouse(self.made)
         picture = shown if isinstance(shown, QImage) else (shown or self.window).grab().toImage()
         self.found.append(compared(f"{name}-{self._way}", picture))

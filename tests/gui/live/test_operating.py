@@ -229,8 +229,8 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     until(link.moment_changed, lambda: "converse" in link.log.now.applications)
     # A request that is answered comes after all that were sent before it.
     asked: list[Any] = []
-    link.ask_modules(window, asked.append)
     link.set(window, {"last": 1}, refusals.append)
+    link.ask_modules(window, asked.append)
     until(link.moment_changed, lambda: "last" in link.log.now.board and bool(asked))
     assert "spo2" not in link.log.now.board
     assert not kinds(link, "goto") + kinds(link, "step")

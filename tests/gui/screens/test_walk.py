@@ -72,7 +72,7 @@ def test_always_and_back_and_again_lead_as_on_the_robot() -> None:
     walk.press(home)
     assert walk.no == "2", "the state's own event goes before that of Always"
     walk.touch()
-    assert (walk.no, walk.said) == ("2", "again leads to 2")
+    assert (walk.no, walk.said) == ("2", "again leads to state 2")
     walk.press(back)
     assert walk.no == "1"
 
@@ -85,7 +85,7 @@ def test_conditions_are_not_judged_and_that_is_told() -> None:
     )
     walk = Walk(app, "1", Values({}))
     walk.press(go)
-    assert (walk.no, walk.said) == ("2", "go leads to 2, if its condition holds")
+    assert (walk.no, walk.said) == ("2", "go leads to state 2, if its condition holds")
 
 
 def test_what_no_press_does_can_be_chosen_in_document_order() -> None:
@@ -98,7 +98,7 @@ def test_what_no_press_does_can_be_chosen_in_document_order() -> None:
     )
     part = rbd.State(no="3", name="paying", flow="pay")
     walk = Walk(rbd.Application(name="a", states=(first, state("2"), part)), "1", Values({}))
-    assert walk.others() == (("said", "2"), ("done", "1"), ("", "3 paying"))
+    assert walk.others() == (("said", "state 2"), ("done", "state 1"), ("", "3 paying"))
     walk.go_on("")
     assert walk.no == "3"
     assert walk.said.endswith("a part runs there, whose screens are in pay")
