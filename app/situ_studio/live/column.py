@@ -83,12 +83,12 @@ class MomentColumn(QWidget):
         self.wanted.hide()
         column.insertWidget(column.indexOf(self.data), self.wanted)
         column.setStretchFactor(self.data, 1)
-        kinds: tuple[tuple[RowKind, ColumnList], ...] = (
-            ("state", self.states),
-            ("resource", self.resources),
-            ("data", self.data),
-        )
-        for kind, rows in kinds:
+        self._lists: dict[RowKind, ColumnList] = {
+            "state": self.states,
+            "resource": self.resources,
+            "data": self.data,
+        }
+        for kind, rows in self._lists.items():
             rows.chosen.connect(lambda name, kind=kind: self.chosen.emit(kind, name))
             rows.why_asked.connect(lambda name, kind=kind: self.why_asked.emit(kind, name))
             rows.menu_asked.connect(
@@ -138,7 +138,7 @@ class MomentColumn(QWidget):
         self.card.set_theme(theme)
         retheme(self.header, theme)
         self.since.theme = theme
-        for rows in (self.states, self.resources, self.data):
+        for rows in self._lists.values():
             rows.set_theme(theme)
 
     @property
@@ -151,12 +151,7 @@ class MomentColumn(QWidget):
         """What has the keyboard here."""
         if self.card.hasFocus():
             return "situation", self._situation
-        kinds: tuple[tuple[RowKind, ColumnList], ...] = (
-            ("state", self.states),
-            ("resource", self.resources),
-            ("data", self.data),
-        )
-        for kind, rows in kinds:
+        for kind, rows in self._lists.items():
             if rows.hasFocus() and rows.current_name is not None:
                 return kind, rows.current_name
         return None
@@ -164,7 +159,7 @@ class MomentColumn(QWidget):
     @property
     def below_focus(self) -> QPoint:
         """Where on the screen a menu opens for what has the keyboard."""
-        for rows in (self.states, self.resources, self.data):
+        for rows in self._lists.values():
             if rows.hasFocus():
                 at = rows.visualRect(rows.currentIndex()).bottomLeft()
                 return rows.viewport().mapToGlobal(at)

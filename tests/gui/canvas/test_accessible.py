@@ -25,6 +25,15 @@ def tree(canvas: Any) -> Any:
     return QAccessible.queryAccessibleInterface(canvas.viewer)
 
 
+def told_by(canvas: Any) -> list[tuple[Any, str]]:
+    """What the drawing tells a screen reader from now on: each event with the name it is about."""
+    told: list[tuple[Any, str]] = []
+    tree(canvas).tell = lambda event: told.append(
+        (event.type(), event.accessibleInterface().text(NAME))
+    )
+    return told
+
+
 def below(part: Any) -> list[Any]:
     return [part.child(i) for i in range(part.childCount())]
 
@@ -165,9 +174,7 @@ def test_who_listens_hears_where_the_focus_goes(
     desk: Callable[..., Any], small: Application, listening: None
 ) -> None:
     made = desk(small)
-    drawing = tree(made.canvas)
-    told: list[tuple[Any, str]] = []
-    drawing.tell = lambda event: told.append((event.type(), event.accessibleInterface().text(NAME)))
+    told = told_by(made.canvas)
     made.hand.viewer.setFocus()
     made.hand.click(made.hand.body("2"))
     event = QAccessible.Event
@@ -179,19 +186,18 @@ def test_who_listens_hears_where_the_focus_goes(
         (event.SelectionAdd, "3 names"),
         (event.Focus, "3 names"),
     ]
-    assert drawing.focusChild().text(NAME) == "3 names"
-    assert drawing.focusChild().state().focused
+    focused = tree(made.canvas).focusChild()
+    assert focused.text(NAME) == "3 names"
+    assert focused.state().focused
 
 
 def test_who_listens_hears_what_comes_goes_and_is_renamed(
     desk: Callable[..., Any], small: Application, listening: None
 ) -> None:
     made = desk(small)
-    drawing = tree(made.canvas)
-    list(every(drawing))
+    list(every(tree(made.canvas)))
     made.canvas.select([("state", "5")])
-    told: list[tuple[Any, str]] = []
-    drawing.tell = lambda event: told.append((event.type(), event.accessibleInterface().text(NAME)))
+    told = told_by(made.canvas)
     event = QAccessible.Event
     made.canvas.rename()
     made.hand.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
@@ -277,9 +283,7 @@ def test_who_comes_back_to_the_drawing_hears_what_is_selected(
     desk: Callable[..., Any], small: Application, listening: None
 ) -> None:
     made = desk(small)
-    drawing = tree(made.canvas)
-    told: list[tuple[Any, str]] = []
-    drawing.tell = lambda event: told.append((event.type(), event.accessibleInterface().text(NAME)))
+    told = told_by(made.canvas)
     made.hand.viewer.clearFocus()
     made.canvas.select([("state", "5")])
     assert told == [(QAccessible.Event.SelectionAdd, "5 end")]
