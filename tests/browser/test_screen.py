@@ -684,9 +684,10 @@ def test_a_background_that_can_not_be_had_is_left_out(play: Any, media: Path) ->
 
     async def scenario(stage: Any) -> None:
         background = stage.page.locator("#background")
-        async with stage.page.expect_response("**/none.png"):
-            stage.show(text("Hello"), background="none.png")
-        await expect(background).to_be_hidden()
+        # Asked of the page: the browser's driver loses a response on a busy machine.
+        stage.show(text("Hello"), background="none.png")
+        await expect(background).to_have_attribute("src", "/media/none.png")
+        await expect(background).to_have_attribute("hidden", "")
         stage.show(text("Hello again"), background="none.png")
         await expect(stage.component("hello")).to_have_text("Hello again")
         await expect(background).to_be_hidden()

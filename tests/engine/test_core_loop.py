@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
@@ -85,7 +86,11 @@ def test_a_trace_that_nobody_reads_any_more_ends_it(tmp_path: Path) -> None:
         process.stdout.close()
         endpoint = re.search(rb"tcp://\S+", process.stderr.readline())
         assert endpoint is not None
-        with situ.connect(endpoint[0].decode(), timeout=DEADLINE) as board:
+        # Ended by the line of the trace that this writes, it may not get to the answer.
+        with (
+            contextlib.suppress(situ.errors.Unreachable),
+            situ.connect(endpoint[0].decode(), timeout=DEADLINE) as board,
+        ):
             board.set("x", 1)
         assert process.wait(DEADLINE) == 128 + signal.SIGPIPE
 
