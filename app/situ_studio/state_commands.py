@@ -12,7 +12,7 @@ from situ.document.spds import Spds
 from situ_studio import copies, places
 from situ_studio.canvas import gestures
 from situ_studio.canvas.menu import FollowMenu
-from situ_studio.canvas.projection import NEW, exit_of
+from situ_studio.canvas.picture import NEW, exit_of
 from situ_studio.context_menus import context_of
 from situ_studio.edit import Place
 

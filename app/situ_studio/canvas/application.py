@@ -25,18 +25,10 @@ from situ_studio.canvas.graph import differing
 from situ_studio.canvas.live import LiveView, changes
 from situ_studio.canvas.menu import FollowMenu
 from situ_studio.canvas.nodes import NodeFace, Spot
+from situ_studio.canvas.picture import ALWAYS, NEW, Card, Picture, exit_of, place_of
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.piping import Piping
-from situ_studio.canvas.projection import (
-    ALWAYS,
-    NEW,
-    Card,
-    Picture,
-    Projector,
-    exit_of,
-    identified,
-    place_of,
-)
+from situ_studio.canvas.projection import Projector, identified
 from situ_studio.canvas.what_follows import WhatFollows
 from situ_studio.copying import Copying
 from situ_studio.edit import Place

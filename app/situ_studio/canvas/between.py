@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QGraphicsPathItem
 
 from situ.document.rbd import Application
 from situ_studio.canvas import gestures
+from situ_studio.canvas.picture import Card
 from situ_studio.canvas.pipes import RoutedPipe
-from situ_studio.canvas.projection import Card
 from situ_studio.language import tr
 
 if TYPE_CHECKING:

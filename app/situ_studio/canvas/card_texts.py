@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QRectF, Qt
 
-from situ_studio.canvas.projection import FIRST, PITCH, WIDTH, Card, Exit
+from situ_studio.canvas.picture import FIRST, PITCH, WIDTH, Card, Exit
 from situ_studio.canvas.style import Label
 
 PICTURE = QRectF(8, 54, 48, 31)

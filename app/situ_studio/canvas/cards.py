@@ -14,7 +14,7 @@ from situ_studio.canvas.card_texts import PICTURE, before_name, full_texts, larg
 from situ_studio.canvas.chips import paint_chip
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.nodes import NodeFace
-from situ_studio.canvas.projection import HEADER, NEW, PITCH, TIMEOUT, Card, Exit
+from situ_studio.canvas.picture import HEADER, NEW, PITCH, TIMEOUT, Card, Exit
 from situ_studio.canvas.style import Label, Look
 
 RADIUS = 8.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 from situ.document.rbd import Application
 from situ_studio.canvas import gestures
 from situ_studio.canvas.base import Canvas
-from situ_studio.canvas.projection import NEW, Card, Picture, exit_of
+from situ_studio.canvas.picture import NEW, Card, Picture, exit_of
 from situ_studio.edit import Place
 
 

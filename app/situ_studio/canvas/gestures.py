@@ -18,7 +18,8 @@ from situ.document.aside import NOTHING
 from situ.document.rbd import Application, Event, State
 from situ_studio import changes, places, words
 from situ_studio.canvas import figures
-from situ_studio.canvas.projection import ALWAYS, NEW, TIMEOUT, exit_of, targets
+from situ_studio.canvas.picture import ALWAYS, NEW, TIMEOUT, exit_of
+from situ_studio.canvas.projection import targets
 from situ_studio.edit import Place
 from situ_studio.language import tr
 

@@ -12,15 +12,8 @@ from collections.abc import Iterable, Mapping
 from msgspec import Struct
 
 from situ.document.rbd import Always, Application, State
-from situ_studio.canvas.projection import (
-    COLUMN,
-    FIRST,
-    PITCH,
-    ROW,
-    WIDTH,
-    identified,
-    targets,
-)
+from situ_studio.canvas.picture import COLUMN, FIRST, PITCH, ROW, WIDTH
+from situ_studio.canvas.projection import identified, targets
 
 BAND = 6
 """Columns side by side before the way goes on below."""

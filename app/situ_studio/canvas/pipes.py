@@ -14,9 +14,9 @@ from situ_studio.canvas import untaken
 from situ_studio.canvas.chips import STUB, arrow, chip_width, paint_chip
 from situ_studio.canvas.library import PipeItem
 from situ_studio.canvas.live import LiveView, strength
+from situ_studio.canvas.picture import Card
 from situ_studio.canvas.pipe_labels import PipeLabel
 from situ_studio.canvas.problem_marks import Sign
-from situ_studio.canvas.projection import Card
 from situ_studio.canvas.routes import Point, Route
 from situ_studio.canvas.style import Look
 from situ_studio.language import tr

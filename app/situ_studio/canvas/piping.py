@@ -15,8 +15,8 @@ from PySide6.QtCore import QObject, QTimer
 
 from situ_studio.canvas.chips import chip_width
 from situ_studio.canvas.graph import Graph
+from situ_studio.canvas.picture import TIMEOUT, Card, Link, Picture
 from situ_studio.canvas.pipe_labels import GUARD_HEIGHT, LABEL_HEIGHT, LONGEST, PIXELS
-from situ_studio.canvas.projection import TIMEOUT, Card, Link, Picture
 from situ_studio.canvas.routes import Router
 from situ_studio.canvas.space import Box, Pipe, PipeId
 from situ_studio.canvas.style import Label

@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from situ.document import rbd, words
 from situ.document.rbd import Application
 from situ_studio import kinds, places
-from situ_studio.canvas.projection import LINE, PITCH, TIMEOUT, WIDTH, Card, Exit
+from situ_studio.canvas.picture import LINE, PITCH, TIMEOUT, WIDTH, Card, Exit
 from situ_studio.edit import Place
 from situ_studio.language import tr
 

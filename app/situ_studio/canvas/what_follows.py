@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF
 
 from situ_studio.canvas import gestures, layout
 from situ_studio.canvas.menu import FollowMenu
-from situ_studio.canvas.projection import FIRST, NEW, Card, Picture
+from situ_studio.canvas.picture import FIRST, NEW, Card, Picture
 
 if TYPE_CHECKING:
     from situ_studio.canvas.application import ApplicationCanvas

@@ -179,7 +179,7 @@ def test_what_a_robot_did_is_painted_over_cards_that_stay_as_they_are(
 def test_a_picture_for_print_is_made_of_lines(qt: QApplication) -> None:
     """Nothing is kept where no widget is painted."""
     from situ_studio.canvas.cards import CardItem
-    from situ_studio.canvas.projection import Card
+    from situ_studio.canvas.picture import Card
 
     look = Look(theme.LIGHT)
     item = CardItem()

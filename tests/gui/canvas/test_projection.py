@@ -15,7 +15,8 @@ from situ.document.condition import Test as Question
 from situ.document.problem import Problem
 from situ.document.rbd import Always, Application, Event, Say, Service, State
 from situ_studio import kinds
-from situ_studio.canvas.projection import ALWAYS, NEW, Projector, exit_of, place_of
+from situ_studio.canvas.picture import ALWAYS, NEW, exit_of, place_of
+from situ_studio.canvas.projection import Projector
 
 
 def test_a_card_shows_its_state(small: Application) -> None:
