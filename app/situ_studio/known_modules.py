@@ -19,7 +19,7 @@ from situ_studio.edit import Document
 from situ_studio.language import tr
 
 if TYPE_CHECKING:
-    from situ.blackboard.protocol import ModuleState
+    from situ.blackboard.replies import ModuleState
 
 
 class Known(Struct, frozen=True):

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     from situ.blackboard.client import Board, Following
-    from situ.blackboard.protocol import ModuleState, Role
+    from situ.blackboard.protocol import Role
+    from situ.blackboard.replies import ModuleState
     from situ.engine.trace_file import TraceFile
 
 T = TypeVar("T")

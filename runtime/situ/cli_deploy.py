@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from situ.blackboard.client import Board
-    from situ.blackboard.protocol import Deployment, Role, Turn
+    from situ.blackboard.protocol import Role
+    from situ.blackboard.replies import Deployment, Turn
     from situ.decide.deployment import Waits
     from situ.document.project import Project
 

@@ -31,7 +31,7 @@ from tests.benchmarks.peers import BACK, PATIENCE, THERE, topic
 from tests.benchmarks.processes import CORE, core, line_of, peer, readable, started
 
 import situ
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import notices, topics, wire
 from situ.blackboard.server import Server
 
 NOTICES = 5_000
@@ -262,7 +262,7 @@ def _notifications() -> Iterator[Mapping[str, Sample]]:
 
 
 def _notice(version: int) -> bytes:
-    change = protocol.Change(tag=THERE, value=VALUE, version=version, writer="asks", time=version)
+    change = notices.Change(tag=THERE, value=VALUE, version=version, writer="asks", time=version)
     return wire.notice(topics.change(THERE), change)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import msgspec
 from tests.benchmarks.harness import CPU, Bench, Goal, Row, Sample, each
 
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import notices, protocol, topics, wire
 
 VALUE = "x" * 100
 """What is set in all benches of the wire: a text of 100 bytes."""
@@ -24,7 +24,7 @@ class _Bare(msgspec.Struct, frozen=True, tag_field="do", tag="set"):
 @contextlib.contextmanager
 def _messages() -> Iterator[Mapping[str, Sample]]:
     request = protocol.Set(id=7, tags={"bench.there": VALUE})
-    change = protocol.Change(tag="bench.there", value=VALUE, version=7, writer="one", time=7)
+    change = notices.Change(tag="bench.there", value=VALUE, version=7, writer="one", time=7)
     topic = topics.change("bench.there")
     bare, as_found = _Bare(7, {"bench.there": VALUE}), msgspec.to_builtins(request)
     encoder, decoder = msgspec.json.Encoder(), msgspec.json.Decoder(_Bare)

@@ -17,10 +17,10 @@ from typing import Any
 import msgspec
 import pytest
 
-from situ.blackboard import protocol, wire
+from situ.blackboard import notices, wire
 from situ.blackboard.backlog import Backlog
 from situ.blackboard.core import Core, Durability, Outgoing
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.session import Sessions
 from situ.decide.robot import Robot
 from situ.document.project import Project
@@ -94,14 +94,14 @@ class Hand:
             fields.setdefault("module", peer)
         return self.ask(peer, "hello", version=1, **fields)
 
-    def heard(self) -> list[protocol.AnyNotice]:
+    def heard(self) -> list[notices.AnyNotice]:
         """The notices since the last call."""
         notices, self.notices = self.notices, []
         return [wire.read_notice(frame) for frame in notices]
 
     def changes(self) -> list[tuple[str, Any, int]]:
         """Tag, value and version of the changes among them."""
-        found = [one for one in self.heard() if isinstance(one, protocol.Change)]
+        found = [one for one in self.heard() if isinstance(one, notices.Change)]
         return [(one.tag, one.value, one.version) for one in found]
 
     def _take(self) -> Outgoing:

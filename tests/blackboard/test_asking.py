@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from situ.blackboard import protocol, wire
+from situ.blackboard import notices, wire
 from situ.blackboard.core import Core
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.services import PATIENCE
 from situ.blackboard.session import Sessions
 from situ.decide.robot import Robot
@@ -78,7 +78,7 @@ def asked(hand: Hand) -> list[int]:
         notice.count
         for frame in frames
         if frame.startswith(b"q:cuff\n")
-        and isinstance(notice := wire.read_notice(frame), protocol.Asked)
+        and isinstance(notice := wire.read_notice(frame), notices.Asked)
     ]
 
 

@@ -13,7 +13,7 @@ import pytest
 from msgspec.structs import replace
 
 from situ import cli, cli_deploy
-from situ.blackboard.protocol import Deployment, Files, Turn, Turns
+from situ.blackboard.replies import Deployment, Files, Turn, Turns
 from situ.decide.deployment import Waits
 from situ.document.folder import sources
 from situ.document.ready import load_ready

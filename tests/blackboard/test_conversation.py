@@ -14,8 +14,9 @@ import msgspec
 import pytest
 import zmq
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, replies
 from situ.blackboard.feeds import Watch
+from situ.blackboard.notices import Change
 from situ.rehearse.expect import fits
 
 DEADLINE = 20.0
@@ -59,7 +60,7 @@ def test_a_watch_tells_its_user_of_gaps_as_the_vectors_say() -> None:
     for step in STEPS:
         mine, do = step["peer"] == "other", step["send"]["do"]
         if mine and step["reply"]["re"] == "snapshot":
-            reply = msgspec.convert(step["reply"], protocol.Snapshot)
+            reply = msgspec.convert(step["reply"], replies.Snapshot)
             watches = watches or [Watch(pattern) for pattern in step["send"]["patterns"]]
             for watch in watches:
                 watch.snapshot(reply)
@@ -72,7 +73,7 @@ def test_a_watch_tells_its_user_of_gaps_as_the_vectors_say() -> None:
         for one in step.get("notices", []):
             if one["body"]["on"] != "change" or one.get("lost"):
                 continue
-            notice = msgspec.convert({"time": 0, **one["body"]}, protocol.Change)
+            notice = msgspec.convert({"time": 0, **one["body"]}, Change)
             for watch in watches:
                 if watch.fits(notice.tag) and not watch.change(notice):
                     watch.asking = must_ask = True
@@ -93,7 +94,7 @@ def test_every_kind_of_request_and_every_code_is_in_the_conversation() -> None:
     kinds = {str(kind.__struct_config__.tag) for kind in protocol.Request.__subclasses__()}
     assert asked >= kinds - services
     # These two are for strangers and for crowds.
-    codes = {*get_args(protocol.Code)} - {"denied", "limit"}
+    codes = {*get_args(replies.Code)} - {"denied", "limit"}
     assert {step["reply"].get("code") for step in STEPS} >= codes
 
 

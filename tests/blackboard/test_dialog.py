@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import notices, replies, topics, wire
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.dialog import Dialog
 from situ.blackboard.feeds import KEPT
@@ -49,7 +49,7 @@ class Net:
                 if on:
                     self._topics.append(topic)
                     if topic.startswith(topics.ECHO) and not self.cut:
-                        echo = wire.notice(topic + b"\n", protocol.Echo())
+                        echo = wire.notice(topic + b"\n", notices.Echo())
                         self._wire.append(echo)
                 elif topic in self._topics:
                     self._topics.remove(topic)
@@ -192,7 +192,7 @@ def test_of_messages_that_nobody_takes_the_last_are_kept(net: Net) -> None:
     heard = net.dialog.messages("**")
     net.turn()
     for number in range(KEPT + 5):
-        frame = protocol.Message(topic="x", value=number, application="desk")
+        frame = notices.Message(topic="x", value=number, application="desk")
         net.dialog.hear(wire.notice(topics.message("x"), frame), 0.0)
     assert [message.value for message in taken(heard)] == list(range(5, KEPT + 5))
 
@@ -244,10 +244,10 @@ def test_no_echo_counts_that_was_asked_for_before_the_connection_stood() -> None
     subscriptions.watch("a")
     subscriptions.watch("b")
     for topic in echoes():
-        subscriptions.hear(protocol.Echo(), topic + b"\n")
+        subscriptions.hear(notices.Echo(), topic + b"\n")
     assert asked == []
     for topic in echoes():
-        subscriptions.hear(protocol.Echo(), topic + b"\n")
+        subscriptions.hear(notices.Echo(), topic + b"\n")
     assert asked == [("a",), ("b",)]
 
 
@@ -468,6 +468,6 @@ def test_rubbish_from_the_wire_is_passed_over(net: Net) -> None:
 def test_a_request_that_is_answered_with_something_else_fails(net: Net) -> None:
     call = net.dialog.get("x")
     number = call.request.id
-    net.dialog.receive(wire.encode(protocol.Done(id=number)), 0.0)
+    net.dialog.receive(wire.encode(replies.Done(id=number)), 0.0)
     with pytest.raises(Exception, match="answered with Done"):
         call.result()

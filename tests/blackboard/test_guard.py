@@ -12,7 +12,7 @@ import pytest
 from situ.blackboard.audit import AGAIN, LONGEST, MOST, Audit
 from situ.blackboard.guard import Guard
 from situ.blackboard.identity import ROBOT, Identity
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.rights import Rights
 from situ.blackboard.session import Sessions
 

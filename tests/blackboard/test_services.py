@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from situ.blackboard import protocol, wire
+from situ.blackboard import notices, replies, wire
 from situ.blackboard.backlog import Backlog
 from situ.blackboard.core import Core
 from situ.blackboard.feeds import Effects
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.session import Sessions
 from situ.decide.effects import Begin, Cancel, Map
 from situ.decide.robot import Robot
@@ -49,8 +49,8 @@ def serve(hand: Hand, peer: str = "services", *services: str) -> dict[str, Any]:
     return hand.ask(peer, "perform")
 
 
-def given(hand: Hand) -> list[protocol.Effect]:
-    return [one for one in hand.heard() if isinstance(one, protocol.Effect)]
+def given(hand: Hand) -> list[notices.Effect]:
+    return [one for one in hand.heard() if isinstance(one, notices.Effect)]
 
 
 def test_a_service_is_told_what_is_outstanding_and_then_each_effect(hand: Hand) -> None:
@@ -209,22 +209,22 @@ def test_a_core_that_comes_back_counts_on_and_knows_its_services(lab: Project) -
     assert core.effects["screen"] == before
     _, out = ask(sessions, "o", b'{"do":"hello","id":1,"version":1,"role":"operator"}', 10)
     _, out = ask(sessions, "o", b'{"do":"publish","id":2,"event":"go"}', 10)
-    (notice,) = [n for n in map(wire.read_notice, out.notices) if isinstance(n, protocol.Effect)]
+    (notice,) = [n for n in map(wire.read_notice, out.notices) if isinstance(n, notices.Effect)]
     assert notice.number == before + 1
     again = hello.replace(b"}", b',"session":"%s"}' % welcome.session.encode())
     assert ask(sessions, "t", again, 11)[0].resumed
 
 
 def test_effects_that_are_lost_are_found_by_the_next_or_by_a_heartbeat() -> None:
-    def notice(number: int) -> protocol.Effect:
-        return protocol.Effect(service="robot", number=number, does=Cancel(number))
+    def notice(number: int) -> notices.Effect:
+        return notices.Effect(service="robot", number=number, does=Cancel(number))
 
     effects = Effects(("robot",), None)
     effects.asking = True
     # What comes before the reply that it is in is not done twice.
     assert effects.hear(notice(4))
     assert effects.hear(notice(5))
-    outstanding = protocol.Outstanding(id=1, effects=(), next={"robot": 5})
+    outstanding = replies.Outstanding(id=1, effects=(), next={"robot": 5})
     effects.stands(outstanding)
     assert effects.hear(notice(4))
     assert [effects.take(), effects.take(), effects.take()] == [outstanding, Cancel(5), None]

@@ -8,7 +8,7 @@ from typing import Any
 import msgspec
 import pytest
 
-from situ.blackboard import protocol, requests, session
+from situ.blackboard import notices, requests, session
 from situ.decide.effects import Begin, Map
 
 
@@ -67,7 +67,7 @@ def test_hand_over_happens_in_the_step_in_which_the_holder_is_lost(hand: Any) ->
     hand.ask("looker", "heartbeat")
     hand.heard()
     hand.at(1.0)
-    passed = [n for n in hand.heard() if isinstance(n, protocol.Authority)]
+    passed = [n for n in hand.heard() if isinstance(n, notices.Authority)]
     assert [(n.resource, n.source, n.to) for n in passed] == [
         ("base", None, "carry"),
         ("head", "chase", "carry"),
@@ -132,7 +132,7 @@ def test_who_watches_gets_a_snapshot_then_every_change_numbered(hand: Any) -> No
     ]
     hand.ask("eyes", "set", tags={"face.direction": 2, "other": 1})
     hand.ask("eyes", "set", tags={"face.direction": 2, "face.gone": 5})
-    heard = [n for n in hand.heard() if isinstance(n, protocol.Change)]
+    heard = [n for n in hand.heard() if isinstance(n, notices.Change)]
     assert [(n.tag, n.value, n.version) for n in heard] == [
         ("face.direction", 2, 2),
         ("face.direction", 2, 3),
@@ -178,7 +178,7 @@ def test_the_trace_is_given_from_any_seq_and_goes_on_without_a_gap(hand: Any) ->
     assert [event["seq"] for event in backlog] == list(range(1, backlog[-1]["seq"] + 1))
     hand.heard()
     hand.at(0.5).ask("eyes", "set", tags={"x": -1, "y": -1})
-    (events,) = [n for n in hand.heard() if isinstance(n, protocol.Events)]
+    (events,) = [n for n in hand.heard() if isinstance(n, notices.Events)]
     live = [msgspec.json.decode(line) for line in events.events]
     last = backlog[-1]["seq"]
     assert [(e["seq"], e["tag"]) for e in live] == [(last + 1, "x"), (last + 2, "y")]
@@ -202,14 +202,14 @@ def test_a_trace_that_is_too_old_begins_with_the_oldest_kept(
 def test_nobody_who_did_not_ask_gets_the_trace(hand: Any) -> None:
     hand.hello("eyes")
     hand.ask("eyes", "set", tags={"x": 1})
-    assert not [n for n in hand.heard() if isinstance(n, protocol.Events)]
+    assert not [n for n in hand.heard() if isinstance(n, notices.Events)]
 
 
 def test_effects_go_to_who_carries_them_out_and_a_message_to_who_listens(hand: Any) -> None:
     hand.hello("eyes")
     hand.effects.clear()
     hand.ask("eyes", "publish", event="go")
-    (message,) = [n for n in hand.heard() if isinstance(n, protocol.Message)]
+    (message,) = [n for n in hand.heard() if isinstance(n, notices.Message)]
     assert (message.topic, message.value, message.application) == (
         "desk/busy",
         {"user": "Ann"},

@@ -13,7 +13,7 @@ import msgspec
 import pytest
 from msgspec import Struct
 
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import notices, protocol, replies, topics, wire
 
 ROOT = Path(__file__).parent.parent
 DOCUMENT = (ROOT.parent / "docs" / "protocol.md").read_text("utf-8")
@@ -64,19 +64,19 @@ def test_a_pattern_is_subscribed_to_by_its_beginning(vector: dict[str, str]) -> 
 
 
 def test_every_message_has_a_vector() -> None:
-    requests = {body["do"] for body in vectors("requests")}
-    replies = {body["re"] for body in vectors("replies")}
-    notices = {vector["body"]["on"] for vector in vectors("notices")}
-    assert requests == kinds(protocol.Request).keys()
-    assert replies == kinds(protocol.Reply).keys()
-    assert notices == kinds(protocol.Notice).keys()
+    asked = {body["do"] for body in vectors("requests")}
+    answered = {body["re"] for body in vectors("replies")}
+    told = {vector["body"]["on"] for vector in vectors("notices")}
+    assert asked == kinds(protocol.Request).keys()
+    assert answered == kinds(replies.Reply).keys()
+    assert told == kinds(notices.Notice).keys()
 
 
 def test_every_request_has_its_reply() -> None:
-    assert set(protocol.REPLIES) == set(protocol.Request.__subclasses__())
+    assert set(replies.REPLIES) == set(protocol.Request.__subclasses__())
 
 
-@pytest.mark.parametrize("base", [protocol.Request, protocol.Reply, protocol.Notice])
+@pytest.mark.parametrize("base", [protocol.Request, replies.Reply, notices.Notice])
 def test_the_document_has_a_row_for_every_message_with_all_its_fields(base: type[Struct]) -> None:
     for tag, kind in kinds(base).items():
         row = re.search(rf"^\| `{tag}` \|.*$", DOCUMENT, re.MULTILINE)
@@ -87,7 +87,7 @@ def test_the_document_has_a_row_for_every_message_with_all_its_fields(base: type
 
 
 def test_the_document_names_every_code() -> None:
-    for code in get_args(protocol.Code):
+    for code in get_args(replies.Code):
         assert f"`{code}`" in DOCUMENT, code
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, replies
 from situ.decide import inputs, trace
 from situ.decide.deployment import Waits
 from situ.decide.effects import Refuse
@@ -95,9 +95,9 @@ class Desk:
         self.checked()
 
     @property
-    def progress(self) -> protocol.Deployment:
+    def progress(self) -> replies.Deployment:
         found = self.ask(protocol.Progress(id=4))
-        assert isinstance(found, protocol.Deployment)
+        assert isinstance(found, replies.Deployment)
         return found
 
     def files(self, seconds: int) -> dict[str, bytes]:

@@ -29,7 +29,7 @@ from situ.blackboard.keys import (
     token_keys,
 )
 from situ.blackboard.link import Link
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.document.ready import load_ready
 from situ.engine.deciding import Setup
 from situ.engine.live import Live

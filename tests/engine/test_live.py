@@ -20,7 +20,7 @@ import pytest
 import situ
 from situ.blackboard.client import AsyncBoard, Link, Person, connect_async
 from situ.blackboard.curve import KeysOf
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.decide import inputs
 from situ.decide.effects import AnyEffect, Begin, Map
 from situ.decide.trace import TraceEvent, to_line

@@ -22,7 +22,7 @@ from aiohttp import web
 from msgspec import UNSET, Struct
 
 from situ.blackboard.client import connect_async
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.decide import inputs
 from situ.decide.trace import TraceEvent, to_fields
 from situ.document.project import Project

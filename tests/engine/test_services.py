@@ -8,11 +8,12 @@ from typing import Any, cast
 
 import pytest
 
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import notices, protocol, replies, topics, wire
 from situ.blackboard.asynchronous import AsyncBoard
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.dialog import Dialog
-from situ.blackboard.protocol import LEASE, Addresses
+from situ.blackboard.protocol import LEASE
+from situ.blackboard.replies import Addresses
 from situ.blackboard.services import SERVICES
 from situ.decide import inputs
 from situ.decide.effects import Begin, Cancel, Map
@@ -100,7 +101,7 @@ class FarBoard:
 
     def reply(self, kind: type[Any], **fields: Any) -> None:
         """Answers the last request of that kind."""
-        asked = [one for one in self.said if protocol.REPLIES[type(one)] is kind][-1]
+        asked = [one for one in self.said if replies.REPLIES[type(one)] is kind][-1]
         self.dialog.receive(wire.encode(kind(id=asked.id, **fields)), self.now)
         self._turn()
 
@@ -109,7 +110,7 @@ class FarBoard:
         self.now += 1
         self._turn()
         self.reply(
-            protocol.Welcome,
+            replies.Welcome,
             session="s",
             resumed=resumed,
             runtime=runtime,
@@ -122,20 +123,20 @@ class FarBoard:
             seq=0,
         )
         watches = [one for one in self.said if isinstance(one, protocol.Watch)]
-        entry = protocol.Entry("de", 1, "ann", 0)
+        entry = replies.Entry("de", 1, "ann", 0)
         for watch in watches[-1:]:
-            reply = protocol.Snapshot(id=watch.id, entries={"language": entry}, changes={})
+            reply = replies.Snapshot(id=watch.id, entries={"language": entry}, changes={})
             self.dialog.receive(wire.encode(reply), self.now)
-        self.reply(protocol.Outstanding, effects=effects, next=dict.fromkeys(SERVICES, 1))
+        self.reply(replies.Outstanding, effects=effects, next=dict.fromkeys(SERVICES, 1))
         self.deliver()
 
     def change(self, tag: str, value: Any, version: int) -> None:
-        notice = protocol.Change(tag=tag, value=value, version=version, writer="desk", time=0)
+        notice = notices.Change(tag=tag, value=value, version=version, writer="desk", time=0)
         self.dialog.hear(wire.notice(topics.change(tag), notice), self.now)
         self.deliver()
 
     def give(self, service: str, number: int, does: Any) -> None:
-        notice = protocol.Effect(service=service, number=number, does=does)
+        notice = notices.Effect(service=service, number=number, does=does)
         self.dialog.hear(wire.notice(topics.effect(service), notice), self.now)
         self._turn()
         self.deliver()
@@ -205,7 +206,7 @@ def test_what_runs_goes_on_when_an_effect_was_lost(far: Far) -> None:
     far.board.give("robot", 2, base({"vx": 1}))
     assert far.recorder.take() == []
     far.board.reply(
-        protocol.Outstanding,
+        replies.Outstanding,
         effects=(speech(HELLO, 4), base({"vx": 1}), begin(6), begin(7)),
         next={"engine": 3, "robot": 3, "screen": 1},
     )
@@ -227,7 +228,7 @@ def test_a_robot_that_hears_nothing_of_its_core_holds_and_goes_on_when_it_is_bac
 def test_a_core_that_stops_holds_the_robot_at_once(far: Far) -> None:
     far.board.come(base({"vx": 1}))
     far.recorder.take()
-    far.board.dialog.hear(topics.END + wire.encode(protocol.End()), far.board.now)
+    far.board.dialog.hear(topics.END + wire.encode(notices.End()), far.board.now)
     assert far.recorder.take() == ["hold"]
     # What was still on its way is no longer meant.
     far.board._callback(base({"vx": 2}))
@@ -242,7 +243,7 @@ def test_a_core_that_refuses_is_told_of_once_and_the_robot_holds_once(
     for _ in range(3):
         far.board.go()
         hello = [one for one in far.board.said if isinstance(one, protocol.Hello)][-1]
-        refused = protocol.Refused(id=hello.id, code="name", message="robot is taken")
+        refused = replies.Refused(id=hello.id, code="name", message="robot is taken")
         far.board.dialog.receive(wire.encode(refused), far.board.now)
     assert far.recorder.take() == ["hold"]
     told = [record.getMessage() for record in caplog.records]

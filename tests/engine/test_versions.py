@@ -12,7 +12,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from situ.blackboard.protocol import Sent, Turn
+from situ.blackboard.protocol import Sent
+from situ.blackboard.replies import Turn
 from situ.document.export import deployable
 from situ.document.ready import load_ready
 from situ.engine import staging

@@ -22,7 +22,8 @@ from situ.blackboard.calls import Person
 from situ.blackboard.client import Board
 from situ.blackboard.driving import Driver
 from situ.blackboard.link import Link
-from situ.blackboard.protocol import Deployment, Piece, Sent, Stage
+from situ.blackboard.protocol import Piece, Sent, Stage
+from situ.blackboard.replies import Deployment
 from situ.document.export import deployable
 from situ.document.ready import load_ready
 from situ.errors import Refused

@@ -15,7 +15,8 @@ from PySide6.QtWidgets import QApplication, QListView
 from tests.gui.live.conftest import DEADLINE, Running, robot, until
 
 import situ
-from situ.blackboard.protocol import ModuleState, Offer
+from situ.blackboard.protocol import Offer
+from situ.blackboard.replies import ModuleState
 from situ.document.folder import load
 from situ.document.modules import Module, Modules, Provides, Requires
 from situ_studio.kinds import MODULE_MIME

@@ -15,7 +15,7 @@ from situ_studio.live.link import RobotLink
 if TYPE_CHECKING:
     from situ.blackboard.calls import Call
     from situ.blackboard.dialog import Dialog
-    from situ.blackboard.protocol import Deployment, Staged, Turns
+    from situ.blackboard.replies import Deployment, Staged, Turns
 
 POLL = 200
 """Milliseconds between two questions how far it is."""

@@ -30,7 +30,7 @@ from situ_studio.panels.fields import Flag
 from situ_studio.theme import Theme
 
 if TYPE_CHECKING:
-    from situ.blackboard.protocol import Turn
+    from situ.blackboard.replies import Turn
 
 MOST = 500
 """Changes that are listed."""

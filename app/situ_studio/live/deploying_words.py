@@ -9,7 +9,7 @@ from situ_studio.language import said, tr
 from situ_studio.live.deploying import Deploying
 
 if TYPE_CHECKING:
-    from situ.blackboard.protocol import Deployment, Turn
+    from situ.blackboard.replies import Deployment, Turn
     from situ.decide.deployment import Waits
 
 

@@ -29,8 +29,8 @@ from situ_studio.live.moment import TraceFields
 if TYPE_CHECKING:
     from situ.blackboard.client import Call, Dialog
     from situ.blackboard.link import Link
-    from situ.blackboard.protocol import Entry as Standing
-    from situ.blackboard.protocol import ModuleState
+    from situ.blackboard.replies import Entry as Standing
+    from situ.blackboard.replies import ModuleState
 
 T = TypeVar("T")
 

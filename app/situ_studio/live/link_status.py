@@ -14,7 +14,7 @@ from situ_studio.letters import px
 from situ_studio.live.moment import TraceFields
 
 if TYPE_CHECKING:
-    from situ.blackboard.protocol import Turns
+    from situ.blackboard.replies import Turns
     from situ_studio.window import MainWindow
 
 OVER = 2.0

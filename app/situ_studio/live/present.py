@@ -10,7 +10,7 @@ from situ_studio.live.link import RobotLink
 from situ_studio.live.moment import TraceFields
 
 if TYPE_CHECKING:
-    from situ.blackboard.protocol import ModuleState
+    from situ.blackboard.replies import ModuleState
 
 COMINGS = ("connected", "lost", "deployed")
 

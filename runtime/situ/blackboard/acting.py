@@ -6,7 +6,7 @@ from collections.abc import Hashable, Iterable
 
 from msgspec import Struct
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, replies
 from situ.blackboard.core import Core
 from situ.blackboard.history import Acting
 from situ.blackboard.identity import Identity
@@ -59,7 +59,7 @@ class Session(Struct):
 class No(Exception):
     """A request is refused."""
 
-    def __init__(self, code: protocol.Code, message: str) -> None:
+    def __init__(self, code: replies.Code, message: str) -> None:
         super().__init__(message)
         self.code = code
 

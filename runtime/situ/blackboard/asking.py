@@ -12,7 +12,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from situ.blackboard.protocol import Question
+from situ.blackboard.replies import Question
 from situ.blackboard.services import PATIENCE, asked_of
 from situ.decide.effects import Begin
 from situ.decide.inputs import Finish

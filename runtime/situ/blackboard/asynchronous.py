@@ -14,19 +14,16 @@ from situ.blackboard.blocking import PATIENCE, told
 from situ.blackboard.calls import Call
 from situ.blackboard.driving import Line
 from situ.blackboard.feeds import Change, Feed
-from situ.blackboard.protocol import (
+from situ.blackboard.notices import Message
+from situ.blackboard.protocol import DebugVerb, Need, Offer, Request
+from situ.blackboard.replies import (
     Addresses,
     AnyReply,
-    DebugVerb,
     Deployment,
     Entry,
     Files,
-    Message,
     ModuleStates,
-    Need,
-    Offer,
     Outstanding,
-    Request,
     Turns,
 )
 from situ.blackboard.services import Carried

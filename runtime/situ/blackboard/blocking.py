@@ -14,18 +14,9 @@ from situ.blackboard.calls import Call
 from situ.blackboard.dialog import Dialog
 from situ.blackboard.driving import Driving
 from situ.blackboard.feeds import Change, Feed
-from situ.blackboard.protocol import (
-    Addresses,
-    DebugVerb,
-    Deployment,
-    Entry,
-    Files,
-    Message,
-    ModuleStates,
-    Need,
-    Offer,
-    Turns,
-)
+from situ.blackboard.notices import Message
+from situ.blackboard.protocol import DebugVerb, Need, Offer
+from situ.blackboard.replies import Addresses, Deployment, Entry, Files, ModuleStates, Turns
 from situ.blackboard.serving import ServiceRequest
 from situ.decide.expected import Expectation
 from situ.errors import BlackboardError, Refused, Unreachable

@@ -7,7 +7,7 @@ from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, replies
 from situ.blackboard.protocol import Request
 from situ.errors import BlackboardError, Refused
 
@@ -58,11 +58,11 @@ class Call(Generic[T]):
         else:
             self._then = callback
 
-    def answer(self, reply: protocol.AnyReply) -> None:
-        if isinstance(reply, protocol.Refused):
+    def answer(self, reply: replies.AnyReply) -> None:
+        if isinstance(reply, replies.Refused):
             self.fail(Refused(reply.message))
             return
-        if type(reply) is not protocol.REPLIES[type(self.request)]:
+        if type(reply) is not replies.REPLIES[type(self.request)]:
             self.fail(BlackboardError(f"the blackboard answered with {type(reply).__name__}"))
             return
         self._value = self._read(reply)

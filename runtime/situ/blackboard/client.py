@@ -27,18 +27,9 @@ from situ.blackboard.driving import Driver
 from situ.blackboard.feeds import Change, Messages, TraceFeed, Watch
 from situ.blackboard.keys import client_keys
 from situ.blackboard.link import Link
-from situ.blackboard.protocol import (
-    Entry,
-    Files,
-    Message,
-    ModuleState,
-    ModuleStates,
-    Need,
-    Offer,
-    Role,
-    Wanted,
-    Welcome,
-)
+from situ.blackboard.notices import Message
+from situ.blackboard.protocol import Need, Offer, Role
+from situ.blackboard.replies import Entry, Files, ModuleState, ModuleStates, Wanted, Welcome
 from situ.blackboard.serving import ServiceRequest
 
 __all__ = [

@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 from msgspec import Raw, Struct
 
-from situ.blackboard import masked, protocol, topics, wire
+from situ.blackboard import masked, notices, protocol, replies, topics, wire
 from situ.blackboard.asking import Asking
 from situ.blackboard.backlog import Backlog, stamped
 from situ.blackboard.history import AnySessionEvent, Past
@@ -65,7 +65,7 @@ class Deployer(Protocol):
     @property
     def version(self) -> int: ...
 
-    def answer(self, request: protocol.Deploying, who: str, session: str, /) -> protocol.Reply:
+    def answer(self, request: protocol.Deploying, who: str, session: str, /) -> replies.Reply:
         """Raises Refused."""
 
     def left(self, session: str, /) -> None:
@@ -88,7 +88,7 @@ class Held(Struct):
             f"durable tags could not be kept ({why}): what was set stands on the blackboard, "
             "but not after a restart; make room on the robot's disk and set it again"
         )
-        return wire.encode(protocol.Refused(id=self.request, code="refused", message=message))
+        return wire.encode(replies.Refused(id=self.request, code="refused", message=message))
 
 
 class Outgoing(Struct):
@@ -241,7 +241,7 @@ class Core:
                 self.asking.begin(effect, self.now, self.modules)
 
     def _is_asked(self, module: str) -> None:
-        body = protocol.Asked(count=self.asking.counts[module])
+        body = notices.Asked(count=self.asking.counts[module])
         self._out.notices.append(wire.notice(topics.asked(module), body))
 
     def holds(self, module: str | None) -> tuple[str, ...]:
@@ -259,21 +259,21 @@ class Core:
         """Why these tags can not be set because they are durable; None where they can."""
         return self._durability.refusal(tags) if self._durability is not None else None
 
-    def reply(self, peer: Hashable, reply: protocol.Reply) -> None:
+    def reply(self, peer: Hashable, reply: replies.Reply) -> None:
         """A reply leaves after the notices of what it answers; one that acknowledges durable
         tags when they are kept."""
         body = wire.encode(reply)
-        if self._out.durable and isinstance(reply, protocol.Written) and self._is_held(reply):
+        if self._out.durable and isinstance(reply, replies.Written) and self._is_held(reply):
             self._out.held.append(Held(peer, body, reply.id))
         else:
             self._out.replies.append((peer, body))
 
-    def _is_held(self, reply: protocol.Written) -> bool:
+    def _is_held(self, reply: replies.Written) -> bool:
         return self._durable is not None and any(self._durable[tag] for tag in reply.versions)
 
     def end(self) -> None:
         """Tells all that the runtime stops."""
-        self._out.notices.append(wire.notice(topics.END, protocol.End()))
+        self._out.notices.append(wire.notice(topics.END, notices.End()))
 
     def take(self) -> Outgoing:
         """What is to be sent and carried out since the last call."""
@@ -286,7 +286,7 @@ class Core:
             self.effects[service] += 1
             if self.performing[service]:
                 number = self.effects[service]
-                body = protocol.Effect(service=service, number=number, does=effect)
+                body = notices.Effect(service=service, number=number, does=effect)
                 self._out.notices.append(wire.notice(topics.effect(service), body))
 
     def _traced(self, events: list[trace.TraceEvent]) -> None:
@@ -304,7 +304,7 @@ class Core:
                 swapped = True
             elif type(event) is trace.Authority:
                 self.holders[event.resource] = event.to
-                passed = protocol.Authority(
+                passed = notices.Authority(
                     resource=event.resource, source=event.source, to=event.to, seq=event.seq
                 )
                 topic = topics.authority(event.resource)
@@ -313,11 +313,11 @@ class Core:
             self.deployer.swapped(events)
         if self.tracing[False]:
             lines = tuple(Raw(stamped(event, at)) for event in events)
-            body = protocol.Events(events=lines)
+            body = notices.Events(events=lines)
             self._out.notices.append(wire.notice(topics.TRACE, body))
         if self.tracing[True]:
             shown = masked.events(self.mask(), (stamped(event, at) for event in events))
-            body = protocol.Events(events=shown)
+            body = notices.Events(events=shown)
             self._out.notices.append(wire.notice(topics.MASKED + topics.TRACE, body))
 
 
@@ -333,8 +333,8 @@ def _masked_change(mask: Mask, effect: Changed) -> bytes:
     return wire.notice(topics.MASKED + topics.change(effect.tag), body)
 
 
-def _changed(effect: Changed, value: Any) -> protocol.Change:
-    return protocol.Change(
+def _changed(effect: Changed, value: Any) -> notices.Change:
+    return notices.Change(
         tag=effect.tag,
         value=value,
         version=effect.version,
@@ -353,7 +353,7 @@ def _masked_message(mask: Mask, effect: Begin) -> bytes:
     return wire.notice(topics.MASKED + topic, body)
 
 
-def _sent(effect: Begin, value: Any) -> tuple[bytes, protocol.Message]:
+def _sent(effect: Begin, value: Any) -> tuple[bytes, notices.Message]:
     topic = str(effect.fields.get("topic", ""))
-    body = protocol.Message(topic=topic, value=value, application=effect.application)
+    body = notices.Message(topic=topic, value=value, application=effect.application)
     return topics.message(topic), body

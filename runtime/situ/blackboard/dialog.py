@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 from msgspec import UNSET
 from msgspec.structs import replace
 
-from situ.blackboard import json_values, protocol, topics, wire
+from situ.blackboard import json_values, notices, protocol, replies, topics, wire
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.feeds import Feed
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Request
@@ -46,7 +46,7 @@ class Dialog:
         self.connected = False
         self.ended = False
         self.stopped = False
-        self.welcome: protocol.Welcome | None = None
+        self.welcome: replies.Welcome | None = None
         self.problem: Refused | None = None
         self.deployed: int | None = None
         self.notifications: str | None = None
@@ -104,17 +104,17 @@ class Dialog:
         except Malformed:
             return
         self._heard = now
-        if isinstance(reply, protocol.Welcome):
+        if isinstance(reply, replies.Welcome):
             if not self.connected:
                 self._welcomed(reply, now)
             return
-        if isinstance(reply, protocol.Refused) and reply.id in self._hellos:
+        if isinstance(reply, replies.Refused) and reply.id in self._hellos:
             self._turned_away(reply, now)
             return
         call = self._calls.pop(reply.id, None) if reply.id is not None else None
         if call is None:
             return
-        if isinstance(reply, protocol.Refused) and reply.code == "session":
+        if isinstance(reply, replies.Refused) and reply.code == "session":
             # Neither this one nor what was sent after it was done.
             if self.connected:
                 self._calls[call.request.id] = call
@@ -131,12 +131,12 @@ class Dialog:
             notice = wire.read_notice(frame)
         except (Malformed, ValueError):
             return
-        if isinstance(notice, protocol.Authority):
+        if isinstance(notice, notices.Authority):
             if notice.seq > self._holds_seq:
                 passed = {notice.resource}
                 mine = notice.to is not None and notice.to == self.person.module
                 self._hold(self.holds | passed if mine else self.holds - passed, notice.seq)
-        elif isinstance(notice, protocol.End):
+        elif isinstance(notice, notices.End):
             self.stopped = True
             if self.connected:
                 self._lose()
@@ -189,7 +189,7 @@ class Dialog:
         self.outgoing.clear()
         self.outgoing.append(wire.encode(hello))
 
-    def _welcomed(self, welcome: protocol.Welcome, now: float) -> None:
+    def _welcomed(self, welcome: replies.Welcome, now: float) -> None:
         restarted = self.welcome is not None and self.welcome.runtime != welcome.runtime
         self.welcome, self.problem, self._turned = welcome, None, None
         self.connected, self.stopped = True, False
@@ -210,7 +210,7 @@ class Dialog:
                 self._send(call)
         self._tell()
 
-    def _turned_away(self, refused: protocol.Refused, now: float) -> None:
+    def _turned_away(self, refused: replies.Refused, now: float) -> None:
         self.problem = Refused(refused.message)
         if self._turned is None:
             self._turned = now
@@ -248,7 +248,7 @@ class Dialog:
         self._hold(frozenset(), 0)
         self._tell()
 
-    def _alive(self, alive: protocol.Alive) -> None:
+    def _alive(self, alive: replies.Alive) -> None:
         if self.person.module is not None and alive.seq >= self._holds_seq:
             self._hold(frozenset(alive.holds), alive.seq)
         self._subscriptions.check(alive)
@@ -302,12 +302,12 @@ class Dialog:
         request = protocol.Get(id=self.next_id(), names=(name,))
         return self.ask(request, lambda reply: reply.entries[name].value, again=True)
 
-    def entries(self, names: Iterable[str]) -> Call[dict[str, protocol.Entry]]:
+    def entries(self, names: Iterable[str]) -> Call[dict[str, replies.Entry]]:
         """Entries of names and patterns, with version, writer and time."""
         request = protocol.Get(id=self.next_id(), names=tuple(names))
         return self.ask(request, _entries, again=True)
 
-    def known(self, name: str) -> protocol.Entry | None:
+    def known(self, name: str) -> replies.Entry | None:
         """The entry at a watched tag as last heard, without asking; None: ask."""
         if not self.connected:
             return None
@@ -347,14 +347,14 @@ class Dialog:
     def touch(self) -> Call[None]:
         return self.ask(protocol.Touch(id=self.next_id()), _nothing, again=False)
 
-    def documents(self) -> Call[protocol.Files]:
+    def documents(self) -> Call[replies.Files]:
         return self.ask(protocol.Documents(id=self.next_id()), _same, again=True)
 
     def expected(self) -> Call[dict[str, Expectation]]:
         request = protocol.Expected(id=self.next_id())
         return self.ask(request, lambda reply: reply.applications, again=True)
 
-    def modules(self) -> Call[protocol.ModuleStates]:
+    def modules(self) -> Call[replies.ModuleStates]:
         return self.ask(protocol.Modules(id=self.next_id()), _same, again=True)
 
     def disclose(
@@ -380,7 +380,7 @@ class Dialog:
 
     def give(
         self, request: Callable[[int], Request], again: bool = False
-    ) -> Call[protocol.AnyReply]:
+    ) -> Call[replies.AnyReply]:
         """Any other request, made with the id that it must carry. again: as of ``Call``."""
         return self.ask(request(self.next_id()), _same, again)
 
@@ -434,12 +434,12 @@ class Dialog:
         if self._asked:
             self._acquire(again=False)
 
-    def _granted(self, granted: protocol.Granted) -> None:
+    def _granted(self, granted: replies.Granted) -> None:
         if granted.seq >= self._holds_seq:
             self._hold(frozenset(granted.holds), granted.seq)
 
 
-def _nothing(reply: protocol.Done) -> None:
+def _nothing(reply: replies.Done) -> None:
     return None
 
 
@@ -447,11 +447,11 @@ def _same(reply: Any) -> Any:
     return reply
 
 
-def _versions(reply: protocol.Written) -> dict[str, int]:
+def _versions(reply: replies.Written) -> dict[str, int]:
     return reply.versions
 
 
-def _entries(reply: protocol.Values) -> dict[str, protocol.Entry]:
+def _entries(reply: replies.Values) -> dict[str, replies.Entry]:
     return reply.entries
 
 

@@ -13,7 +13,7 @@ from typing import Any, Generic, TypeVar
 import msgspec
 from msgspec import Struct
 
-from situ.blackboard import protocol, topics
+from situ.blackboard import notices, replies, topics
 from situ.blackboard.services import Carried
 from situ.document import names
 from situ.errors import Refused
@@ -71,8 +71,8 @@ class Watch(Feed[Change]):
     def __init__(self, pattern: str, callback: Callable[[Change], None] | None = None) -> None:
         super().__init__(callback)
         self.pattern = pattern
-        self.known: dict[str, protocol.Entry] = {}
-        self._early: list[protocol.Change] = []
+        self.known: dict[str, replies.Entry] = {}
+        self._early: list[notices.Change] = []
         self._first = True
         self._seen = self._told = 0
 
@@ -84,7 +84,7 @@ class Watch(Feed[Change]):
 
     # -- for the dialog ------------------------------------------------------
 
-    def change(self, notice: protocol.Change) -> bool:
+    def change(self, notice: notices.Change) -> bool:
         """False where changes of this tag were lost: then a snapshot is needed."""
         if not self.ready:
             if self.asking:
@@ -99,12 +99,12 @@ class Watch(Feed[Change]):
             return False
         self._known(
             notice.tag,
-            protocol.Entry(notice.value, notice.version, notice.writer, notice.time),
+            replies.Entry(notice.value, notice.version, notice.writer, notice.time),
         )
         self._seen += 1
         return True
 
-    def snapshot(self, reply: protocol.Snapshot) -> None:
+    def snapshot(self, reply: replies.Snapshot) -> None:
         """Tells what differs from what was known, then what came meanwhile."""
         self.asking = False
         entries = {tag: entry for tag, entry in reply.entries.items() if self.fits(tag)}
@@ -131,7 +131,7 @@ class Watch(Feed[Change]):
         self._told = changes
         return late
 
-    def _known(self, tag: str, entry: protocol.Entry) -> None:
+    def _known(self, tag: str, entry: replies.Entry) -> None:
         before = self.known.get(tag)
         # A version below the one before is of a core that began anew, and counts from there.
         last = before.version if before is not None else entry.version - 1
@@ -153,7 +153,7 @@ class Watch(Feed[Change]):
         self._queue = deque(last.values())
 
 
-class Messages(Feed[protocol.Message]):
+class Messages(Feed[notices.Message]):
     """The messages whose topic ``pattern`` fits, from when ``ready`` on.
 
     What is sent while the connection is away is not heard; of more than ``KEPT`` that
@@ -161,7 +161,7 @@ class Messages(Feed[protocol.Message]):
     """
 
     def __init__(
-        self, pattern: str, callback: Callable[[protocol.Message], None] | None = None
+        self, pattern: str, callback: Callable[[notices.Message], None] | None = None
     ) -> None:
         super().__init__(callback, most=KEPT)
         self.pattern = topics.one_line(pattern)
@@ -171,12 +171,12 @@ class Messages(Feed[protocol.Message]):
 
     # -- for the dialog ------------------------------------------------------
 
-    def hear(self, message: protocol.Message) -> None:
+    def hear(self, message: notices.Message) -> None:
         if names.matches(self.pattern, topics.one_line(message.topic)):
             self._queue.append(message)
 
 
-class Effects(Feed[protocol.Outstanding | Carried]):
+class Effects(Feed[replies.Outstanding | Carried]):
     """What services are to carry out: first ``Outstanding``, all of it, then each effect.
 
     ``Outstanding`` comes again after every loss, of an effect or of the connection: what is in
@@ -187,18 +187,18 @@ class Effects(Feed[protocol.Outstanding | Carried]):
         self,
         services: tuple[str, ...],
         http: str | None,
-        callback: Callable[[protocol.Outstanding | Carried], None] | None = None,
+        callback: Callable[[replies.Outstanding | Carried], None] | None = None,
     ) -> None:
         super().__init__(callback)
         self.services = services
         self.http = http
-        self._early: list[protocol.Effect] = []
+        self._early: list[notices.Effect] = []
         self._next: dict[str, int] = {}
         self._told: dict[str, int] = {}
 
     # -- for the dialog ------------------------------------------------------
 
-    def hear(self, notice: protocol.Effect) -> bool:
+    def hear(self, notice: notices.Effect) -> bool:
         """False where effects before this one were lost: then all must be asked for."""
         if not self.ready:
             if self.asking:
@@ -214,7 +214,7 @@ class Effects(Feed[protocol.Outstanding | Carried]):
         self._queue.append(notice.does)
         return True
 
-    def stands(self, reply: protocol.Outstanding) -> None:
+    def stands(self, reply: replies.Outstanding) -> None:
         """The answer to ``perform``; what came meanwhile follows."""
         self.asking, self.ready = False, True
         self._next = dict(reply.next)
@@ -267,7 +267,7 @@ class TraceFeed(Feed[dict[str, Any]]):
             return True
         return self._append(events)
 
-    def page(self, reply: protocol.Traced) -> bool:
+    def page(self, reply: replies.Traced) -> bool:
         """True where the core has more."""
         if self.next is None:
             self.next = reply.next

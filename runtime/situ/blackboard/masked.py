@@ -11,7 +11,7 @@ from typing import Any
 import msgspec
 from msgspec import Raw, Struct
 
-from situ.blackboard import protocol
+from situ.blackboard import replies
 from situ.blackboard.backlog import Backlog
 from situ.decide.board import Board
 from situ.decide.expected import Expectation
@@ -47,7 +47,7 @@ def events(mask: Mask, lines: Iterable[bytes]) -> tuple[Raw, ...]:
     return tuple(Raw(msgspec.json.encode(event)) for event in shown)
 
 
-def entries(mask: Mask, found: Mapping[str, protocol.Entry]) -> dict[str, protocol.Entry]:
+def entries(mask: Mask, found: Mapping[str, replies.Entry]) -> dict[str, replies.Entry]:
     return {
         tag: msgspec.structs.replace(entry, value=mask.shown(tag, entry.value, entry.writer or ""))
         for tag, entry in found.items()

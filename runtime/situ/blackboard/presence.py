@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from situ.blackboard.protocol import ModuleState, Need, Offer, Wanted
+from situ.blackboard.protocol import Need, Offer
+from situ.blackboard.replies import ModuleState, Wanted
 from situ.document.modules import Module
 from situ.document.project import Project
 

@@ -7,7 +7,7 @@ from typing import Any, get_args
 
 from msgspec import UNSET, Raw
 
-from situ.blackboard import masked, presence, protocol
+from situ.blackboard import masked, presence, protocol, replies
 from situ.blackboard.acting import No, Session, acts_as, has_a_screen, may_write, writes_as
 from situ.blackboard.asking import one_line
 from situ.blackboard.core import Core
@@ -27,13 +27,13 @@ PATTERNS = 1_000
 """Patterns that one session watches."""
 
 
-def answer(core: Core, session: Session, request: protocol.Request) -> protocol.Reply:
+def answer(core: Core, session: Session, request: protocol.Request) -> replies.Reply:
     """The reply; all but hello and the end of a session. Raises ``No``."""
     return _ANSWERS[type(request)](core, session, request)
 
 
-def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> protocol.Reply:
-    return protocol.Alive(
+def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> replies.Reply:
+    return replies.Alive(
         id=request.id,
         time=core.moment,
         seq=core.backlog.last,
@@ -45,7 +45,7 @@ def _heartbeat(core: Core, session: Session, request: protocol.Heartbeat) -> pro
     )
 
 
-def _set(core: Core, session: Session, request: protocol.Set) -> protocol.Reply:
+def _set(core: Core, session: Session, request: protocol.Set) -> replies.Reply:
     writer = writes_as(core, session, request)
     for tag in request.tags:
         if len(tag) > LONGEST:
@@ -67,17 +67,17 @@ def _set(core: Core, session: Session, request: protocol.Set) -> protocol.Reply:
     if full is not None:
         raise No("refused", full)
     if not session.heeded:
-        return protocol.Written(id=request.id, versions={})
+        return replies.Written(id=request.id, versions={})
     before = {tag: _version(board, tag) for tag in request.tags}
     _do(core, inputs.Set(request.tags, writer))
     after = {tag: _version(board, tag) for tag in request.tags}
     versions = {tag: version for tag, version in after.items() if version != before[tag]}
-    return protocol.Written(id=request.id, versions=versions)
+    return replies.Written(id=request.id, versions=versions)
 
 
-def _get(core: Core, session: Session, request: protocol.Get) -> protocol.Reply:
+def _get(core: Core, session: Session, request: protocol.Get) -> replies.Reply:
     board = core.board
-    found: dict[str, protocol.Entry] = {}
+    found: dict[str, replies.Entry] = {}
     for name in request.names:
         if "*" in name:
             _check(names.is_pattern, name)
@@ -85,16 +85,16 @@ def _get(core: Core, session: Session, request: protocol.Get) -> protocol.Reply:
         else:
             _check(names.is_name, name)
             entry = board.last_set(name)
-            found[name] = protocol.Entry(
+            found[name] = replies.Entry(
                 value=board.look(name),
                 version=0 if entry is None else entry.version,
                 writer=None if entry is None else entry.writer,
                 time=0 if entry is None else entry.time,
             )
-    return protocol.Values(id=request.id, entries=_seen(core, session, found))
+    return replies.Values(id=request.id, entries=_seen(core, session, found))
 
 
-def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Reply:
+def _watch(core: Core, session: Session, request: protocol.Watch) -> replies.Reply:
     for pattern in request.patterns:
         _check(names.is_pattern, pattern)
     begun = tuple(dict.fromkeys(p for p in request.patterns if p not in session.patterns))
@@ -103,7 +103,7 @@ def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Re
     if begun:
         session.watch(begun, core.watching)
         core.remember(Watched(session.id, begun))
-    found: dict[str, protocol.Entry] = {}
+    found: dict[str, replies.Entry] = {}
     state = core.board.state
     for pattern in request.patterns:
         if "*" not in pattern:
@@ -115,23 +115,23 @@ def _watch(core: Core, session: Session, request: protocol.Watch) -> protocol.Re
             if names.matches(pattern, tag):
                 found[tag] = _entry(state[tag])
     changes = core.watching.changes(request.patterns)
-    return protocol.Snapshot(id=request.id, entries=_seen(core, session, found), changes=changes)
+    return replies.Snapshot(id=request.id, entries=_seen(core, session, found), changes=changes)
 
 
 def _seen(
-    core: Core, session: Session, found: dict[str, protocol.Entry]
-) -> dict[str, protocol.Entry]:
+    core: Core, session: Session, found: dict[str, replies.Entry]
+) -> dict[str, replies.Entry]:
     return masked.entries(core.mask(), found) if session.is_blind else found
 
 
-def _unwatch(core: Core, session: Session, request: protocol.Unwatch) -> protocol.Reply:
+def _unwatch(core: Core, session: Session, request: protocol.Unwatch) -> replies.Reply:
     ended = tuple(session.patterns.intersection(request.patterns))
     session.unwatch(ended, core.watching)
     core.remember(Unwatched(session.id, ended))
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _publish(core: Core, session: Session, request: protocol.Publish) -> protocol.Reply:
+def _publish(core: Core, session: Session, request: protocol.Publish) -> replies.Reply:
     may_write(session)
     if session.services:
         raise No("role", "a service raises no events: connect as a module or an operator")
@@ -141,53 +141,53 @@ def _publish(core: Core, session: Session, request: protocol.Publish) -> protoco
         raise No("invalid", f"{request.event[:LONGEST]!r} and so on is too long for a name")
     writer = session.writer if session.role == "operator" else None
     _do(core, inputs.Raise(request.event, request.application, writer))
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _acquire(core: Core, session: Session, request: protocol.Acquire) -> protocol.Reply:
+def _acquire(core: Core, session: Session, request: protocol.Acquire) -> replies.Reply:
     module = acts_as(core, session, request.module)
     _do(core, inputs.Acquire(module, request.resources, request.optional))
     return _granted(core, request.id, module)
 
 
-def _abandon(core: Core, session: Session, request: protocol.Abandon) -> protocol.Reply:
+def _abandon(core: Core, session: Session, request: protocol.Abandon) -> replies.Reply:
     module = acts_as(core, session, request.module)
     _do(core, inputs.Abandon(module, request.resources))
     return _granted(core, request.id, module)
 
 
-def _granted(core: Core, number: int, module: str) -> protocol.Reply:
+def _granted(core: Core, number: int, module: str) -> replies.Reply:
     holds = core.holds(module)
-    return protocol.Granted(id=number, holds=holds, seq=core.backlog.last)
+    return replies.Granted(id=number, holds=holds, seq=core.backlog.last)
 
 
-def _command(core: Core, session: Session, request: protocol.Command) -> protocol.Reply:
+def _command(core: Core, session: Session, request: protocol.Command) -> replies.Reply:
     module = acts_as(core, session, request.module)
     if request.valid is not None and request.valid <= 0:
         raise No("invalid", "a command is good for a number of seconds above 0")
     _do(core, inputs.Command(module, request.resource, request.value, request.valid))
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _use(core: Core, session: Session, request: protocol.Use) -> protocol.Reply:
+def _use(core: Core, session: Session, request: protocol.Use) -> replies.Reply:
     has_a_screen(session)
     _do(core, inputs.Use(request.component, request.value))
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _touch(core: Core, session: Session, request: protocol.Touch) -> protocol.Reply:
+def _touch(core: Core, session: Session, request: protocol.Touch) -> replies.Reply:
     has_a_screen(session)
     _do(core, inputs.Touch())
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _attend(core: Core, session: Session, request: protocol.Attend) -> protocol.Reply:
+def _attend(core: Core, session: Session, request: protocol.Attend) -> replies.Reply:
     has_a_screen(session)
     _do(core, inputs.Attend())
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _perform(core: Core, session: Session, request: protocol.Perform) -> protocol.Reply:
+def _perform(core: Core, session: Session, request: protocol.Perform) -> replies.Reply:
     if not session.services:
         raise No("role", "only a service carries out effects: say so in hello")
     if request.http is not None and "screen" not in session.services:
@@ -198,17 +198,17 @@ def _perform(core: Core, session: Session, request: protocol.Perform) -> protoco
         core.performing.update(session.services)
         core.remember(Performing(session.id))
     mine = set(session.services)
-    return protocol.Outstanding(
+    return replies.Outstanding(
         id=request.id,
         effects=tuple(e for e in core.outstanding() if mine.intersection(carried_by(e))),
         next={service: core.effects[service] + 1 for service in session.services},
     )
 
 
-def _finish(core: Core, session: Session, request: protocol.Finish) -> protocol.Reply:
+def _finish(core: Core, session: Session, request: protocol.Finish) -> replies.Reply:
     may_write(session)
     if not session.heeded:
-        return protocol.Done(id=request.id)
+        return replies.Done(id=request.id)
     _do(
         core,
         inputs.Finish(
@@ -222,10 +222,10 @@ def _finish(core: Core, session: Session, request: protocol.Finish) -> protocol.
             id=request.action_id,
         ),
     )
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _serve(core: Core, session: Session, request: protocol.Serve) -> protocol.Reply:
+def _serve(core: Core, session: Session, request: protocol.Serve) -> replies.Reply:
     if session.module is None:
         raise No("role", "only a module is asked: connect with its name")
     for name in request.requests:
@@ -233,10 +233,10 @@ def _serve(core: Core, session: Session, request: protocol.Serve) -> protocol.Re
             raise No("invalid", f"{name[:LONGEST]!r} is no name of a request")
     questions = core.asking.serve(session.module, request.requests, core.now)
     count = core.asking.counts[session.module]
-    return protocol.Questions(id=request.id, questions=questions, count=count)
+    return replies.Questions(id=request.id, questions=questions, count=count)
 
 
-def _answer(core: Core, session: Session, request: protocol.Answer) -> protocol.Reply:
+def _answer(core: Core, session: Session, request: protocol.Answer) -> replies.Reply:
     if session.module is None:
         raise No("role", "only a module answers: connect with its name")
     module = core.asking.asked_of(request.asked)
@@ -250,10 +250,10 @@ def _answer(core: Core, session: Session, request: protocol.Answer) -> protocol.
                 id=request.asked, ok=request.ok, result=request.result, error=error, status=None
             ),
         )
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _trace(core: Core, session: Session, request: protocol.Trace) -> protocol.Reply:
+def _trace(core: Core, session: Session, request: protocol.Trace) -> replies.Reply:
     if not session.tracing:
         core.tracing[session.masked] += 1
         session.tracing = True
@@ -262,7 +262,7 @@ def _trace(core: Core, session: Session, request: protocol.Trace) -> protocol.Re
     since = last + 1 if request.since is None else max(request.since, core.backlog.first)
     kept = core.backlog.since(since, PAGE)
     lines = masked.events(core.mask(), kept) if session.masked else tuple(map(Raw, kept))
-    return protocol.Traced(
+    return replies.Traced(
         id=request.id,
         events=lines,
         first=core.backlog.first,
@@ -271,7 +271,7 @@ def _trace(core: Core, session: Session, request: protocol.Trace) -> protocol.Re
     )
 
 
-def _debug(core: Core, session: Session, request: protocol.Debugging) -> protocol.Reply:
+def _debug(core: Core, session: Session, request: protocol.Debugging) -> replies.Reply:
     if session.role != "operator":
         raise No("role", "only an operator debugs: connect as one")
     who, of = session.writer, request
@@ -289,10 +289,10 @@ def _debug(core: Core, session: Session, request: protocol.Debugging) -> protoco
     else:
         given = inputs.Goto(who, of.state, of.application)
     _do(core, given)
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _deploying(core: Core, session: Session, request: protocol.Deploying) -> protocol.Reply:
+def _deploying(core: Core, session: Session, request: protocol.Deploying) -> replies.Reply:
     looks = isinstance(request, (protocol.Progress, protocol.History))
     fetches = isinstance(request, (protocol.Bundle, protocol.Fetch))
     if fetches and not session.services:
@@ -309,38 +309,38 @@ def _deploying(core: Core, session: Session, request: protocol.Deploying) -> pro
         raise No("refused", str(error)) from None
 
 
-def _documents(core: Core, session: Session, request: protocol.Documents) -> protocol.Reply:
-    return protocol.Files(id=request.id, project=core.project.name, files=dict(core.files))
+def _documents(core: Core, session: Session, request: protocol.Documents) -> replies.Reply:
+    return replies.Files(id=request.id, project=core.project.name, files=dict(core.files))
 
 
-def _expected(core: Core, session: Session, request: protocol.Expected) -> protocol.Reply:
+def _expected(core: Core, session: Session, request: protocol.Expected) -> replies.Reply:
     told = core.expected()
     if session.is_blind:
         told = masked.expectations(core.mask(), told)
-    return protocol.Expectations(id=request.id, applications=told)
+    return replies.Expectations(id=request.id, applications=told)
 
 
-def _modules(core: Core, session: Session, request: protocol.Modules) -> protocol.Reply:
+def _modules(core: Core, session: Session, request: protocol.Modules) -> replies.Reply:
     states = presence.modules(core.project, core.modules, core.holders)
     wanted = presence.wanted(states, lambda tag: core.board.get(tag) is not None)
-    return protocol.ModuleStates(id=request.id, modules=states, wanted=wanted)
+    return replies.ModuleStates(id=request.id, modules=states, wanted=wanted)
 
 
-def _disclose(core: Core, session: Session, request: protocol.Disclose) -> protocol.Reply:
+def _disclose(core: Core, session: Session, request: protocol.Disclose) -> replies.Reply:
     if session.module is None:
         raise No("role", "only a module discloses")
     resources, description, _, _ = core.modules[session.module]
     said = (resources, request.description or description, request.requires, request.provides)
     core.modules[session.module] = said
     core.remember(Told(session.id, said))
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
-def _lost(core: Core, session: Session, request: protocol.Bye) -> protocol.Reply:
+def _lost(core: Core, session: Session, request: protocol.Bye) -> replies.Reply:
     if session.role != "scenario" or request.module is None:
         raise No("role", "only a scenario speaks for other modules: leave out module")
     _do(core, inputs.Lost(request.module))
-    return protocol.Done(id=request.id)
+    return replies.Done(id=request.id)
 
 
 def _do(core: Core, given: inputs.AnyInput) -> None:
@@ -359,11 +359,11 @@ def _version(board: Board, tag: str) -> int:
     return 0 if entry is None else entry.version
 
 
-def _entry(entry: Any) -> protocol.Entry:
-    return protocol.Entry(entry.value, entry.version, entry.writer, entry.time)
+def _entry(entry: Any) -> replies.Entry:
+    return replies.Entry(entry.value, entry.version, entry.writer, entry.time)
 
 
-_ANSWERS: dict[type[protocol.Request], Callable[[Core, Session, Any], protocol.Reply]] = {
+_ANSWERS: dict[type[protocol.Request], Callable[[Core, Session, Any], replies.Reply]] = {
     protocol.Heartbeat: _heartbeat,
     protocol.Set: _set,
     protocol.Get: _get,

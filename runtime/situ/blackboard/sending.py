@@ -13,7 +13,7 @@ import hashlib
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, replies
 from situ.blackboard.calls import Call
 from situ.blackboard.dialog import Dialog
 
@@ -21,7 +21,7 @@ PIECE = 700_000
 """Bytes of one request: less than a frame of the WebSocket door, in base64 too."""
 
 
-def stage(dialog: Dialog, files: Mapping[str, bytes], main: str | None) -> Call[protocol.Staged]:
+def stage(dialog: Dialog, files: Mapping[str, bytes], main: str | None) -> Call[replies.Staged]:
     """Announces files. main: what the project is read from; None: all other files stay."""
     sent = {path: protocol.Sent(len(d), hashlib.sha256(d).hexdigest()) for path, d in files.items()}
     request = protocol.Stage(id=dialog.next_id(), files=sent, main=main)
@@ -35,31 +35,31 @@ def pieces(files: Mapping[str, bytes], wanted: Iterable[str]) -> Iterator[tuple[
             yield path, offset, files[path][offset : offset + PIECE]
 
 
-def send(dialog: Dialog, piece: tuple[str, int, bytes]) -> Call[protocol.Done]:
+def send(dialog: Dialog, piece: tuple[str, int, bytes]) -> Call[replies.Done]:
     path, offset, data = piece
     request = protocol.Piece(id=dialog.next_id(), path=path, offset=offset, data=data)
     # One that has come already is passed over.
     return dialog.ask(request, _same, again=True)
 
 
-def deploy(dialog: Dialog, force_after: float | None) -> Call[protocol.Deployment]:
+def deploy(dialog: Dialog, force_after: float | None) -> Call[replies.Deployment]:
     request = protocol.Deploy(id=dialog.next_id(), force_after=force_after)
     return dialog.ask(request, _same, again=False)
 
 
 def rollback(
     dialog: Dialog, version: int | None, force_after: float | None
-) -> Call[protocol.Deployment]:
+) -> Call[replies.Deployment]:
     number = dialog.next_id()
     request = protocol.Rollback(id=number, version=version, force_after=force_after)
     return dialog.ask(request, _same, again=False)
 
 
-def progress(dialog: Dialog) -> Call[protocol.Deployment]:
+def progress(dialog: Dialog) -> Call[replies.Deployment]:
     return dialog.ask(protocol.Progress(id=dialog.next_id()), _same, again=True)
 
 
-def history(dialog: Dialog) -> Call[protocol.Turns]:
+def history(dialog: Dialog) -> Call[replies.Turns]:
     return dialog.ask(protocol.History(id=dialog.next_id()), _same, again=True)
 
 

@@ -13,7 +13,7 @@ from urllib.parse import urlsplit
 import zmq
 from zmq.backend import zmq_poll
 
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import notices, topics, wire
 from situ.blackboard.identity import Identity
 from situ.blackboard.keys import RobotKeys
 from situ.blackboard.link import INCOMING, MORE, NOW
@@ -185,7 +185,7 @@ class Server:
         self._publisher.close()
 
 
-_ECHO = wire.encode(protocol.Echo())
+_ECHO = wire.encode(notices.Echo())
 
 
 def _bind(socket: zmq.Socket[bytes], address: str) -> str:

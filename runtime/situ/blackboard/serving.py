@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, replies
 from situ.blackboard.calls import Call
 from situ.blackboard.feeds import Feed
 from situ.errors import Unreachable
@@ -23,7 +23,7 @@ class ServiceRequest:
     request: its name. params: as the application sent them. application: who asks.
     """
 
-    def __init__(self, question: protocol.Question, requests: Requests) -> None:
+    def __init__(self, question: replies.Question, requests: Requests) -> None:
         self.request = question.request
         self.params = question.params
         self.application = question.application
@@ -103,7 +103,7 @@ class Requests(Feed[ServiceRequest]):
         for number in list(self._open):
             self._withdraw(number)
 
-    def stands(self, reply: protocol.Questions) -> bool:
+    def stands(self, reply: replies.Questions) -> bool:
         """All that is asked now. False where more has changed meanwhile."""
         self.asking, self.ready = False, True
         self._count = reply.count

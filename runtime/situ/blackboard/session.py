@@ -12,7 +12,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import protocol, replies, topics, wire
 from situ.blackboard.acting import OPERATOR, No, Session
 from situ.blackboard.core import Core, Outgoing
 from situ.blackboard.guard import Guard
@@ -31,7 +31,8 @@ from situ.blackboard.history import (
     Watched,
 )
 from situ.blackboard.identity import Identity
-from situ.blackboard.protocol import HEARTBEAT, LEASE, Addresses
+from situ.blackboard.protocol import HEARTBEAT, LEASE
+from situ.blackboard.replies import Addresses
 from situ.blackboard.requests import answer
 from situ.blackboard.rights import Rights
 from situ.blackboard.services import SERVICES, carried_by, may_repeat
@@ -122,7 +123,7 @@ class Sessions:
         except Exception as fault:
             # A fault of ours: whoever asked is not left waiting, and the driver is told.
             message = f"a fault in situ itself ({type(fault).__name__}); please report it"
-            refused = protocol.Refused(id=wire.read_id(body), code="refused", message=message)
+            refused = replies.Refused(id=wire.read_id(body), code="refused", message=message)
             self._core.reply(peer, refused)
             raise
         self._core.reply(peer, reply)
@@ -309,7 +310,7 @@ class Sessions:
 
     # -- requests ------------------------------------------------------------
 
-    def _answer(self, peer: Hashable, body: bytes, identity: Identity | None) -> protocol.Reply:
+    def _answer(self, peer: Hashable, body: bytes, identity: Identity | None) -> replies.Reply:
         session = self._sessions.get(peer)
         if session is not None and (
             session.identity != identity or session.masked != self._core.hides(session.role)
@@ -323,7 +324,7 @@ class Sessions:
         try:
             request = wire.read_request(body)
         except Malformed as error:
-            return protocol.Refused(id=error.id, code="malformed", message=str(error))
+            return replies.Refused(id=error.id, code="malformed", message=str(error))
         try:
             if isinstance(request, protocol.Hello):
                 return self._hello(peer, request, identity)
@@ -338,13 +339,13 @@ class Sessions:
         except No as no:
             if self._guard is not None:
                 self._guard.refused(identity, request, no)
-            return protocol.Refused(id=request.id, code=no.code, message=str(no))
+            return replies.Refused(id=request.id, code=no.code, message=str(no))
 
-    def _do(self, session: Session, request: protocol.Request) -> protocol.Reply:
+    def _do(self, session: Session, request: protocol.Request) -> replies.Reply:
         self._time(session, request)
         if isinstance(request, protocol.Bye) and request.module is None:
             self._end(session)
-            return protocol.Done(id=request.id)
+            return replies.Done(id=request.id)
         return answer(self._core, session, request)
 
     def _time(self, session: Session, request: protocol.Request) -> None:
@@ -359,7 +360,7 @@ class Sessions:
 
     def _hello(
         self, peer: Hashable, hello: protocol.Hello, identity: Identity | None
-    ) -> protocol.Reply:
+    ) -> replies.Reply:
         if hello.version != protocol.VERSION:
             raise No(
                 "version",
@@ -403,7 +404,7 @@ class Sessions:
             if session.module is not None:
                 self._core.modules[session.module] = said
                 self._core.step(inputs.Connected(session.module, hello.resources))
-        return protocol.Welcome(
+        return replies.Welcome(
             id=hello.id,
             session=session.id,
             resumed=resumed,

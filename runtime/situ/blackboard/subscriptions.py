@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from typing import Any, Protocol, TypeVar
 
-from situ.blackboard import protocol, topics
+from situ.blackboard import notices, protocol, replies, topics
 from situ.blackboard.calls import Call
 from situ.blackboard.feeds import Change, Effects, Feed, Messages, TraceFeed, Watch
 from situ.blackboard.services import Carried
@@ -67,26 +67,26 @@ class Subscriptions:
 
     # -- for the dialog ------------------------------------------------------
 
-    def hear(self, notice: protocol.AnyNotice, frame: bytes) -> None:
+    def hear(self, notice: notices.AnyNotice, frame: bytes) -> None:
         """A notice has come, in this frame."""
-        if isinstance(notice, protocol.Change):
+        if isinstance(notice, notices.Change):
             for watch in self.watching(notice.tag):
                 if not watch.change(notice):
                     self._sync([watch])
-        elif isinstance(notice, protocol.Events):
+        elif isinstance(notice, notices.Events):
             for feed in self.feeds:
                 if not feed.add(notice.events):
                     self._fetch(feed)
-        elif isinstance(notice, protocol.Message):
+        elif isinstance(notice, notices.Message):
             for messages in self.messages:
                 messages.hear(notice)
-        elif isinstance(notice, protocol.Effect):
+        elif isinstance(notice, notices.Effect):
             for effects in self.effects:
                 if not effects.hear(notice):
                     self._sync([effects])
-        elif isinstance(notice, protocol.Asked):
+        elif isinstance(notice, notices.Asked):
             self._look_again(notice.count)
-        elif isinstance(notice, protocol.Echo):
+        elif isinstance(notice, notices.Echo):
             self._echoed(frame[: frame.index(b"\n")])
 
     def mask(self, beginnings: tuple[bytes, ...]) -> None:
@@ -133,7 +133,7 @@ class Subscriptions:
         for feed in self.feeds:
             self._fetch(feed)
 
-    def check(self, alive: protocol.Alive) -> None:
+    def check(self, alive: replies.Alive) -> None:
         """What a heartbeat told: asks for what must have been lost."""
         self._beats += 1
         for topic, (asked, beat, _) in list(self._echo.items()):
@@ -236,7 +236,7 @@ class Subscriptions:
     def _ask_snapshot(self, watches: list[Watch]) -> None:
         patterns = tuple(dict.fromkeys(w.pattern for w in watches if not w.ended))
 
-        def read(reply: protocol.Snapshot) -> None:
+        def read(reply: replies.Snapshot) -> None:
             for watch in watches:
                 watch.snapshot(reply)
 
@@ -247,7 +247,7 @@ class Subscriptions:
     # -- messages ------------------------------------------------------------
 
     def listen(
-        self, pattern: str, callback: Callable[[protocol.Message], None] | None = None
+        self, pattern: str, callback: Callable[[notices.Message], None] | None = None
     ) -> Messages:
         """Messages of applications from when ``ready``; kept up over losses of the connection,
         in which those that are sent meanwhile are lost."""
@@ -269,7 +269,7 @@ class Subscriptions:
         self,
         services: Iterable[str],
         http: str | None,
-        callback: Callable[[protocol.Outstanding | Carried], None] | None = None,
+        callback: Callable[[replies.Outstanding | Carried], None] | None = None,
     ) -> Effects:
         """What these services (those told in hello) are to carry out, from now on."""
         effects = Effects(tuple(services), http, callback)
@@ -311,7 +311,7 @@ class Subscriptions:
         requests.asking = True
         names = tuple(dict.fromkeys(name for one in self.requests for name in one.names))
 
-        def read(reply: protocol.Questions) -> None:
+        def read(reply: replies.Questions) -> None:
             if not requests.stands(reply) and not requests.ended:
                 self._ask_questions(requests)
 
@@ -349,7 +349,7 @@ class Subscriptions:
             return
         feed.asking = True
 
-        def read(reply: protocol.Traced) -> None:
+        def read(reply: replies.Traced) -> None:
             feed.asking = False
             if feed.page(reply):
                 self._fetch(feed)
@@ -382,5 +382,5 @@ def _failed(feeds: Iterable[Feed[Any]], call: Call[None]) -> None:
             one.error = call.error
 
 
-def _nothing(reply: protocol.Done) -> None:
+def _nothing(reply: replies.Done) -> None:
     return None

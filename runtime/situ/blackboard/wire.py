@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 from msgspec import Struct
 
-from situ.blackboard import protocol
+from situ.blackboard import notices, protocol, replies
 from situ.errors import BlackboardError
 
 MAXIMUM = 16_000_000
@@ -28,8 +28,8 @@ class Malformed(BlackboardError):
 _encoder = msgspec.json.Encoder()
 _requests: msgspec.json.Decoder[protocol.AnyRequest] = msgspec.json.Decoder(protocol.AnyRequest)
 _requests_as_found = msgspec.json.Decoder()
-_replies: msgspec.json.Decoder[protocol.AnyReply] = msgspec.json.Decoder(protocol.AnyReply)
-_notices: msgspec.json.Decoder[protocol.AnyNotice] = msgspec.json.Decoder(protocol.AnyNotice)
+_replies: msgspec.json.Decoder[replies.AnyReply] = msgspec.json.Decoder(replies.AnyReply)
+_notices: msgspec.json.Decoder[notices.AnyNotice] = msgspec.json.Decoder(notices.AnyNotice)
 
 
 class _Id(Struct):
@@ -42,7 +42,7 @@ _id = msgspec.json.Decoder(_Id)
 _BROKEN = (msgspec.MsgspecError, UnicodeError, RecursionError)
 
 
-def encode(message: protocol.Request | protocol.Reply | protocol.Notice) -> bytes:
+def encode(message: protocol.Request | replies.Reply | notices.Notice) -> bytes:
     """The body of a message; its values must be JSON values."""
     return _encoder.encode(message)
 
@@ -72,7 +72,7 @@ def read_id(body: bytes) -> int | None:
         return None
 
 
-def read_reply(body: bytes) -> protocol.AnyReply:
+def read_reply(body: bytes) -> replies.AnyReply:
     """Raises ``Malformed`` and nothing else."""
     try:
         return _replies.decode(body)
@@ -80,7 +80,7 @@ def read_reply(body: bytes) -> protocol.AnyReply:
         raise Malformed(f"no reply of version {protocol.VERSION}: {_said(error)}") from None
 
 
-def read_notice(frame: bytes) -> protocol.AnyNotice:
+def read_notice(frame: bytes) -> notices.AnyNotice:
     """A frame with its topic. Raises ``Malformed`` and nothing else."""
     try:
         begin = frame.index(b"\n") + 1
@@ -90,7 +90,7 @@ def read_notice(frame: bytes) -> protocol.AnyNotice:
         raise Malformed(f"no notice of version {protocol.VERSION}: {_said(error)}") from None
 
 
-def notice(topic: bytes, body: protocol.Notice) -> bytes:
+def notice(topic: bytes, body: notices.Notice) -> bytes:
     """One frame: topic (which ends with a newline) and body."""
     return topic + _encoder.encode(body)
 

@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable
 
 from situ.blackboard.journal import DurableTags
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.engine.deciding import Deciding
 from situ.engine.notify import WATCHDOG, Notifier
 from situ.engine.waking import Waking

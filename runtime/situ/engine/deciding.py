@@ -22,7 +22,7 @@ from situ.blackboard.guard import Guard
 from situ.blackboard.identity import Identity
 from situ.blackboard.journal import DurableTags
 from situ.blackboard.keys import RobotKeys
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.rights import Rights
 from situ.blackboard.server import Server
 from situ.blackboard.services import PATIENCE, Carried, carried_by, may_repeat

@@ -16,7 +16,7 @@ from typing import Any, Protocol
 from msgspec import Struct
 from msgspec.structs import replace
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, replies
 from situ.decide import trace
 from situ.decide.deploying import PROBATION
 from situ.decide.deployment import Deployment
@@ -65,7 +65,7 @@ class Wish(Struct):
     who: str
     did: Any
     force_after: float | None
-    stands: protocol.Stands = "checking"
+    stands: replies.Stands = "checking"
     problems: tuple[str, ...] = ()
     restart: tuple[str, ...] = ()
     changed: tuple[str, ...] = ()
@@ -174,7 +174,7 @@ class Deployer:
         if session == self._session:
             self._session = None
 
-    def answer(self, request: protocol.Deploying, who: str, session: str) -> protocol.Reply:
+    def answer(self, request: protocol.Deploying, who: str, session: str) -> replies.Reply:
         """Raises Refused."""
         if isinstance(request, protocol.Stage):
             return self._stage(request, who, session)
@@ -183,17 +183,17 @@ class Deployer:
         if isinstance(request, protocol.Bundle):
             number = self._robot.version
             main, files = self._versions.files(number)
-            return protocol.Bundled(id=request.id, version=number, main=main, files=files)
+            return replies.Bundled(id=request.id, version=number, main=main, files=files)
         if isinstance(request, protocol.Fetch):
             data = self._versions.read(request.version, request.path, request.offset)
-            return protocol.Fetched(id=request.id, data=data)
+            return replies.Fetched(id=request.id, data=data)
         if isinstance(request, protocol.Deploy):
             self._deploy(request, who, session)
         elif isinstance(request, protocol.Rollback):
             self._roll_back(request, who)
         elif isinstance(request, protocol.History):
             versions = self._versions
-            return protocol.Turns(
+            return replies.Turns(
                 id=request.id,
                 turns=tuple(versions.turns()),
                 version=self._robot.version,
@@ -201,7 +201,7 @@ class Deployer:
             )
         return self._progress(request.id)
 
-    def _stage(self, request: protocol.Stage, who: str, session: str) -> protocol.Reply:
+    def _stage(self, request: protocol.Stage, who: str, session: str) -> replies.Reply:
         self._check_free()
         others = self._staging is not None and not self._is_of(who, session)
         if others and self._clock() < self._heard + IDLE:
@@ -214,9 +214,9 @@ class Deployer:
         self._staging, self._main = staging, request.main
         self._sender, self._session = who, session
         self._heard = self._clock()
-        return protocol.Staged(id=request.id, wanted=tuple(staging.wanted))
+        return replies.Staged(id=request.id, wanted=tuple(staging.wanted))
 
-    def _piece(self, request: protocol.Piece, who: str, session: str) -> protocol.Reply:
+    def _piece(self, request: protocol.Piece, who: str, session: str) -> replies.Reply:
         if len(request.data) > PIECE:
             raise Refused(f"a piece has at most {PIECE} bytes: send it in several")
         staging = self._of(who, session)
@@ -227,7 +227,7 @@ class Deployer:
             if not staging.folder.exists():
                 self._staging = None
             raise
-        return protocol.Done(id=request.id)
+        return replies.Done(id=request.id)
 
     def _deploy(self, request: protocol.Deploy, who: str, session: str) -> None:
         staging = self._of(who, session)
@@ -269,13 +269,13 @@ class Deployer:
         self._wish = Wish(wanted, who, "rolled back", force_after)
         self._work(lambda: checking.check(versions, versions.project(wanted), project))
 
-    def _progress(self, number: int) -> protocol.Deployment:
+    def _progress(self, number: int) -> replies.Deployment:
         state, wish, now = self._robot.deployment(), self._wish, self._moment()
         left, former = self._minute(), state.former
         if former is None:
             former = self._versions.current.former
         fails = left > 0 and former is not None
-        return protocol.Deployment(
+        return replies.Deployment(
             id=number,
             version=state.version,
             asked=None if wish is None else wish.number,
@@ -451,7 +451,7 @@ class Deployer:
         self, version: int, who: str, did: Any, why: str = "", changed: tuple[str, ...] = ()
     ) -> None:
         try:
-            self._versions.note(protocol.Turn(self._wall(), version, who, did, why, changed))
+            self._versions.note(replies.Turn(self._wall(), version, who, did, why, changed))
         except OSError as error:
             _log.error("the history of versions could not be written: %s", error)
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from situ.blackboard.curve import KeysOf
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.services import PATIENCE, SERVICES, carried_by
 from situ.decide.effects import AnyEffect, Begin, Cancel, Map
 from situ.decide.inputs import AnyInput, Finish, Set

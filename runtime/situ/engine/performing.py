@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from situ.blackboard.curve import KeysOf
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.services import Carried
 from situ.decide import inputs
 from situ.document.project import Project

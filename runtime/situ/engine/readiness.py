@@ -13,7 +13,7 @@ from situ.engine.notify import ADDRESSES, READY, WATCHDOG, Notifier
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop
 
-    from situ.blackboard.protocol import Addresses
+    from situ.blackboard.replies import Addresses
     from situ.engine.announcing import Announcement, Announcing
 
 ANNOUNCEMENT = "announcement"

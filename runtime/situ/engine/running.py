@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from situ.blackboard.core import Heard
     from situ.blackboard.journal import DurableTags
     from situ.blackboard.keys import RobotKeys
-    from situ.blackboard.protocol import Addresses
+    from situ.blackboard.replies import Addresses
     from situ.document.project import Project
     from situ.engine.deciding import Setup
     from situ.engine.deploy import Deployer

@@ -13,12 +13,12 @@ from typing import Any, Protocol
 
 from msgspec.structs import replace
 
-from situ.blackboard import protocol
+from situ.blackboard import protocol, replies
 from situ.blackboard.asynchronous import AsyncBoard
 from situ.blackboard.curve import KeysOf
 from situ.blackboard.feeds import Change
 from situ.blackboard.link import reachable
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.services import Carried
 from situ.decide import inputs
 from situ.decide.effects import Begin, Cancel, Map
@@ -192,11 +192,11 @@ class ServicesApart:
 
     # -- what the core decides -----------------------------------------------
 
-    def _do(self, item: protocol.Outstanding | Carried) -> None:
+    def _do(self, item: replies.Outstanding | Carried) -> None:
         if not self._dialog.connected:
             # It is in what will be outstanding.
             return
-        if isinstance(item, protocol.Outstanding):
+        if isinstance(item, replies.Outstanding):
             self._take_up(item)
         elif isinstance(item, Map):
             self._apply(item)
@@ -207,7 +207,7 @@ class ServicesApart:
             self._given.discard(item.id)
             self._performer.perform(item)
 
-    def _take_up(self, outstanding: protocol.Outstanding) -> None:
+    def _take_up(self, outstanding: replies.Outstanding) -> None:
         """Makes what runs here what is outstanding."""
         stands = {e.resource: e for e in outstanding.effects if isinstance(e, Map)}
         begun = {e.id: e for e in outstanding.effects if isinstance(e, Begin)}

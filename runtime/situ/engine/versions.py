@@ -29,7 +29,8 @@ import msgspec
 from msgspec import Struct
 from msgspec.structs import replace
 
-from situ.blackboard.protocol import Sent, Turn
+from situ.blackboard.protocol import Sent
+from situ.blackboard.replies import Turn
 from situ.document.check import merge, structure
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE, load, media_of, sources, write
 from situ.document.project import Project

@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from situ.blackboard import protocol, topics, wire
+from situ.blackboard import notices, topics, wire
 from situ.blackboard.calls import Person
 from situ.blackboard.dialog import Dialog
 from situ.testing.shared_time import SharedTime
@@ -84,7 +84,7 @@ class MemoryLine:
             if on:
                 self._topics.append(topic)
                 if topic.startswith(topics.ECHO):
-                    self.put(True, wire.notice(topic + b"\n", protocol.Echo()))
+                    self.put(True, wire.notice(topic + b"\n", notices.Echo()))
             elif topic in self._topics:
                 self._topics.remove(topic)
         while dialog.outgoing and not self.cut:

@@ -10,7 +10,7 @@ import msgspec
 
 from situ.blackboard.calls import Person
 from situ.blackboard.core import Core, Outgoing
-from situ.blackboard.protocol import Addresses
+from situ.blackboard.replies import Addresses
 from situ.blackboard.session import Sessions
 from situ.decide import inputs
 from situ.decide.robot import Robot

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from situ.blackboard.protocol import Turn, Turns
+from situ.blackboard.replies import Turn, Turns
 from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_dialog import DeployDialog
 from situ_studio.live.link import RobotLink
