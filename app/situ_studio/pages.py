@@ -166,7 +166,7 @@ class PagesSide(QObject):
     def _on_listen(self, text: str, language: str) -> None:
         project = self._session.project
         words = project.readings.get(language, {}) if project is not None else {}
-        self._voice.toggle(read_out(text, words), language)
+        self._voice.toggle(read_out(text, words, language), language)
 
     def _on_voice(self) -> None:
         for group in self._window.sides.groups:

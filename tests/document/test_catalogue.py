@@ -223,8 +223,8 @@ def test_situ_texts_leaves_readings_as_they_are() -> None:
 )
 def test_a_voice_says_whole_words_as_their_readings_say(text: str, said: str) -> None:
     words = {"Dr.": "Doctor", "SPO": "S P O", "SPO2": "oxygen", "山田": "やまだ"}
-    assert texts.read_out(text, words) == said
-    assert texts.read_out(text, {}) == text
+    assert texts.read_out(text, words, "en") == said
+    assert texts.read_out(text, {}, "en") == text
 
 
 def test_another_reading_is_told_as_a_change() -> None:

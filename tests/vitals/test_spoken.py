@@ -81,7 +81,7 @@ def test_all_that_is_said_in_japanese_is_said_as_japanese(project: Project, espe
         *(f"{days}日前のことでした。" for days in range(2, 8)),
     ]
     assert len(written) > 150
-    read = [read_out(text, project.readings["ja"]) for text in written]
+    read = [read_out(text, project.readings["ja"], "ja") for text in written]
     left = {text: spelt for text in read if (spelt := re.findall("[\u3005\u4e00-\u9fff]+", text))}
     assert left == {}
     # Of another language it says so.
@@ -99,13 +99,19 @@ def test_all_that_is_said_in_japanese_is_said_as_japanese(project: Project, espe
     ],
 )
 def test_what_is_counted_is_counted_in_japanese(project: Project, written: str, kana: str) -> None:
-    assert read_out(written, project.readings["ja"]) == kana
+    assert read_out(written, project.readings["ja"], "ja") == kana
 
 
 def test_a_number_is_said_as_a_japanese_one(espeak: str) -> None:
     # Hyaku, ni, and no hundred.
     spelt = said(espeak, "ja", ["うえが128です"])
     assert ("çˌäkɯ" in spelt, "nˌi" in spelt, "(en)" in spelt) == (True, True, False)
+
+
+def test_what_was_measured_is_said_with_its_point(espeak: str) -> None:
+    # Go ten roku; as it is written, 56.
+    assert "tˈe̞ɴ" in said(espeak, "ja", [read_out("けっとうちわ5.6です", {}, "ja")])
+    assert "tˈe̞ɴ" not in said(espeak, "ja", ["けっとうちわ5.6です"])
 
 
 def test_names_are_said_in_english_too(project: Project, espeak: str) -> None:

@@ -73,7 +73,7 @@ class Sounding(QObject):
         speaking = course.speaking
         if speaking is not None:
             words = course.project.readings.get(speaking.language, {})
-            self._waiting.append((speaking, read_out(speaking.text, words)))
+            self._waiting.append((speaking, read_out(speaking.text, words, speaking.language)))
             self._go_on()
 
     def _go_on(self) -> None:

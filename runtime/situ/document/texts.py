@@ -11,6 +11,7 @@ from typing import Any
 
 import polib
 
+from situ.document.japanese_numbers import say_numbers
 from situ.document.problem import Problem
 
 MAX_BYTES = 16_000_000
@@ -38,17 +39,20 @@ def _is_used(entry: Any) -> bool:
     return bool(entry.msgid) and bool(entry.msgstr) and not entry.obsolete and not entry.fuzzy
 
 
-def read_out(text: str, words: Mapping[str, str]) -> str:
-    """A text as a voice shall say it: each of the words, the longest first, as its reading says.
+def read_out(text: str, words: Mapping[str, str], language: str) -> str:
+    """A text as a voice of the language shall say it: each of the words, the longest first, as its
+    reading says; Japanese numbers as ``japanese_numbers`` does.
 
     Whole words only, in scripts that have blanks between words; a letter counts as it is written,
     great or small.
     """
-    if not words:
-        return text
-    longest = sorted(words, key=lambda word: (-len(word), word))
-    pattern = re.compile("|".join(map(_whole, longest)))
-    return pattern.sub(lambda found: words[found[0]], text)
+    if words:
+        longest = sorted(words, key=lambda word: (-len(word), word))
+        pattern = re.compile("|".join(map(_whole, longest)))
+        text = pattern.sub(lambda found: words[found[0]], text)
+    if re.split("[-_]", language.lower())[0] == "ja":
+        text = say_numbers(text)
+    return text
 
 
 def _whole(word: str) -> str:

@@ -313,7 +313,7 @@ class Performer:
         if self._screen is not None:
             self._screen.caption(text, lang)
         volume, rate = self._tag("speech.volume"), self._tag("speech.rate")
-        said = read_out(text, self._readings.get(lang, {}))
+        said = read_out(text, self._readings.get(lang, {}), lang)
         await self._speaker.say(said, lang, volume, rate)
         if self._screen is not None:
             self._screen.caption(None)
