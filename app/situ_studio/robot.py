@@ -11,12 +11,12 @@ from situ.document.project import Project
 from situ.errors import SituError, UsageError
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.edit import Document
-from situ_studio.language import said
+from situ_studio.live.chosen_recording import ChosenRecording
 from situ_studio.live.comparing_side import ComparingSide
 from situ_studio.live.follower import Follower
 from situ_studio.live.following import FollowMode
 from situ_studio.live.link import RobotLink
-from situ_studio.live.recordings import ReadingRecording, Recording
+from situ_studio.live.recordings import Recording
 from situ_studio.live.timeline.bookmarks import beside
 from situ_studio.live.timeline.panel import Timeline
 from situ_studio.panels.authority import Authority
@@ -25,7 +25,6 @@ from situ_studio.panels.trace import Trace
 from situ_studio.panels.trace_kinds import TraceKinds
 from situ_studio.theme import Theme
 from situ_studio.words import running_state
-from situ_studio.working import OneWork
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -70,11 +69,8 @@ class RobotSide(QObject):
             window.bottom.set_shown(name, False)
         self.recording: Recording | None = None
         """The one that is looked at, instead of the robot."""
-        self._reading = ReadingRecording(self)
-        self._work = OneWork(self._reading.cancel)
-        self._reading.read.connect(self.show_recording)
-        self._reading.refused.connect(self._on_refused)
-        self._reading.went_on.connect(self._work.tell)
+        self.chosen = ChosenRecording(window, self)
+        self.chosen.read.connect(self.show_recording)
         self.comparing = ComparingSide(window, self)
         self.link.state_changed.connect(self.settle)
         window.session.changed.connect(self._on_changed)
@@ -119,14 +115,11 @@ class RobotSide(QObject):
 
     def open_recording(self, path: Path) -> None:
         """Reads it, and lets all views show it from its beginning."""
-        words = self.tr("Reading {0}").format(path.name)
-        self._work.begin(self._window.status.work, words)
-        self._reading.start(path)
+        self.chosen.start(path)
 
     def close_recording(self) -> None:
         """The views show the robot again, if there is one."""
-        self._reading.cancel()
-        self._work.end()
+        self.chosen.cancel()
         if self.recording is not None:
             self.recording = None
             self.follower.show_link()
@@ -134,7 +127,6 @@ class RobotSide(QObject):
 
     def show_recording(self, recording: Recording) -> None:
         """All views show that run, instead of the robot."""
-        self._work.end()
         self.disconnect_robot()
         self.recording = recording
         self.follower.show_recording(recording)
@@ -148,10 +140,6 @@ class RobotSide(QObject):
 
     def _ask_for_bookmark(self, usual: str) -> str | None:
         return self._window.dialogs.name(self.tr("Bookmark"), self.tr("Name"), usual)
-
-    def _on_refused(self, why: str) -> None:
-        self._work.end()
-        self._window.dialogs.tell(said(why))
 
     # -- what the follower needs ---------------------------------------------
 

@@ -31,6 +31,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QWidget
 from situ.resources import example
 from situ_studio import main
 from situ_studio.export_dialog import Export
+from situ_studio.language import Speaking
 from situ_studio.live.connecting_dialog import Chosen
 from situ_studio.window import MainWindow
 
@@ -305,6 +306,10 @@ def studio(qt: QApplication, settings: QSettings) -> Iterator[Callable[..., Stud
         window.deleteLater()
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     QApplication.processEvents()
+    speaking = qt.findChild(Speaking)
+    if speaking is not None:
+        # Tests without a window read what is told in English.
+        speaking.use("en")
 
 
 @pytest.fixture

@@ -11,18 +11,17 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QMenu
 
 from situ.errors import UsageError
-from situ_studio.language import said
 from situ_studio.letters import px
+from situ_studio.live.chosen_recording import ChosenRecording
 from situ_studio.live.comparing import Compared, Comparing
 from situ_studio.live.comparing_projects import RecordedProjects
 from situ_studio.live.comparing_strip import ComparingStrip
 from situ_studio.live.log import TraceLog
-from situ_studio.live.recordings import ReadingRecording, Recording
+from situ_studio.live.recordings import Recording
 from situ_studio.live.timeline.beside import LETTERS, Marked, RunBeside
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
 from situ_studio.theme import Theme
 from situ_studio.words import running_state
-from situ_studio.working import OneWork
 
 if TYPE_CHECKING:
     from situ_studio.robot import RobotSide
@@ -55,11 +54,8 @@ class ComparingSide(QObject):
         """The runs that were looked at last, what they are called; the one of now first."""
         self._runs: tuple[RunBeside, ...] = ()
         self._shown: list[Compared] = []
-        self._reading = ReadingRecording(self)
-        self._work = OneWork(self._reading.cancel)
-        self._reading.read.connect(self._add_recording)
-        self._reading.refused.connect(self._on_refused)
-        self._reading.went_on.connect(self._work.tell)
+        self._chosen = ChosenRecording(window, self)
+        self._chosen.read.connect(self._add_recording)
         self._projects = RecordedProjects(self)
         self._projects.read.connect(self.comparing.know)
         self.strip.swap_asked.connect(self.swap)
@@ -89,9 +85,7 @@ class ComparingSide(QObject):
 
     def compare_with(self, path: Path) -> None:
         """Reads the recording and puts it below what is looked at."""
-        words = self.tr("Reading {0}").format(path.name)
-        self._work.begin(self._window.status.work, words)
-        self._reading.start(path)
+        self._chosen.start(path)
 
     def swap(self, run: int) -> None:
         """All views show that run of those beside, at the same moment, and what they showed stands
@@ -111,17 +105,19 @@ class ComparingSide(QObject):
             self._add(one.log, one.name, one.recording)
 
     def move_to(self, other: ComparingSide) -> None:
-        """What stands beside stands there in a window in place of this one."""
+        """What stands beside, or is being read to stand there, does so in a window in place of this
+        one.
+        """
         other._seen = list(self._seen)
         for one in self.comparing.others:
             other._add(one.log, one.name, one.recording)
         other.comparing.line_up(self.comparing.way)
+        self._chosen.move_to(other._chosen)
 
     def end(self) -> None:
         """The timeline shows one run only."""
-        self._reading.cancel()
+        self._chosen.cancel()
         self._projects.end()
-        self._work.end()
         self._remember()
         self.comparing.end()
 
@@ -165,7 +161,6 @@ class ComparingSide(QObject):
         return Compared(name, log, theirs or project, _bookmarks(recording.path), recording)
 
     def _add_recording(self, recording: Recording) -> None:
-        self._work.end()
         self._add(recording.log, recording.path.name, recording)
 
     def _add(self, log: TraceLog, name: str, recording: Recording | None) -> None:
@@ -182,10 +177,6 @@ class ComparingSide(QObject):
         room = min(px(ROOM), self._window.height() * 9 // 20)
         if dock.height() < room:
             self._window.resizeDocks([dock], [room], Qt.Orientation.Vertical)
-
-    def _on_refused(self, why: str) -> None:
-        self._work.end()
-        self._window.dialogs.tell(said(why))
 
     # -- from difference to difference ---------------------------------------------------
 

@@ -17,6 +17,7 @@ def move(before: MainWindow, window: MainWindow) -> None:
     before.rehearsing.move_to(window.rehearsing)
     if old.recording is not None:
         new.show_recording(old.recording)
+    old.chosen.move_to(new.chosen)
     new.timeline.bookmarks.take(bookmarks)
     old.comparing.move_to(new.comparing)
     if t is not None:

@@ -87,7 +87,7 @@ class ReadingRecording(QObject):
     def start(self, path: Path) -> None:
         """Begins; ``read`` or ``refused`` comes from the loop."""
         self.cancel()
-        self._path = path
+        self.path = path
         try:
             self._file = path.open("rb")
             self._size = max(path.stat().st_size, 1)
@@ -103,6 +103,8 @@ class ReadingRecording(QObject):
         if self._file is not None:
             self._file.close()
             self._file = None
+        self.path: Path | None = None
+        """What is being read."""
         self._pieces = iter(())
         self._heading = recorded.Heading()
         self._files: dict[str, str] = {}
@@ -157,14 +159,15 @@ class ReadingRecording(QObject):
         number = len(self._log) + self._log.gone + 1
         if isinstance(error, KeyError):
             said = self.tr("{0}: event {1} lacks “{2}”; give what situ run --record wrote")
-            return said.format(self._path, number, error.args[0])
+            return said.format(self.path, number, error.args[0])
         said = self.tr("{0}: event {1} is none of a robot's; give what situ run --record wrote")
-        return said.format(self._path, number)
+        return said.format(self.path, number)
 
     def _finish(self) -> None:
         heading = self._heading
+        assert self.path is not None
         read = Recording(
-            self._path,
+            self.path,
             heading.project,
             heading.masked,
             self._files,

@@ -148,6 +148,36 @@ def test_a_recording_stays_with_what_stands_beside_it_and_what_was_counted(
     window.commands.close_recording()
 
 
+def test_what_is_being_read_is_read_on_for_the_window_that_comes(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    where = project("reception")
+    it = studio(where)
+    files = [
+        recording(tmp_path / f"{name}.mcap", played("reception", script)[2], where)
+        for name, script in (("monday", "known-user.jsonl"), ("tuesday", "second-thoughts.jsonl"))
+    ]
+    it.answers.put("recording", files[0])
+    it.window.commands.open_recording()
+    before = it.window
+    (work,) = before.status.work.going
+    window = anew(it)
+    if window.robot.recording is None:
+        assert [one.words for one in window.status.work.going] == ["monday.mcap を読んでいます"]
+        until_shown(it)
+    assert window.robot.recording.path == files[0]
+    assert window.status.work.going == []
+    # One that is to stand beside it too, and it can be cancelled there still.
+    side = window.robot.comparing
+    side.compare_with(files[1])
+    window = anew(it)
+    comparing = window.robot.comparing.comparing
+    compared(comparing)
+    assert [one.name for one in comparing.others] == ["tuesday.mcap"]
+    assert window.robot.recording.path == files[0]
+    window.commands.close_recording()
+
+
 def test_a_rehearsal_goes_on(studio: Callable[..., Any], project: Callable[[str], Path]) -> None:
     it = studio(project("reception"))
     it.window.rehearsing.clock = lambda: 0.0
