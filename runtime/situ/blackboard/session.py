@@ -7,41 +7,28 @@ connection; nothing here knows ZeroMQ.
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable, Collection, Hashable, Iterable, Mapping
+from collections.abc import Collection, Hashable, Iterable, Mapping
 from typing import Any
 
 from msgspec.structs import replace
 
 from situ.blackboard import protocol, replies, topics, wire
 from situ.blackboard.acting import OPERATOR, No, Session
+from situ.blackboard.admission import check, writer
 from situ.blackboard.core import Core, Outgoing
 from situ.blackboard.guard import Guard
-from situ.blackboard.history import (
-    Acting,
-    Ended,
-    Opened,
-    Past,
-    Performing,
-    SessionEvent,
-    SessionsState,
-    Standing,
-    Told,
-    Traced,
-    Unwatched,
-    Watched,
-)
+from situ.blackboard.history import Ended, Opened, Past, SessionEvent, SessionsState
 from situ.blackboard.identity import Identity
 from situ.blackboard.protocol import HEARTBEAT, LEASE
+from situ.blackboard.register import Register
 from situ.blackboard.replies import Addresses
 from situ.blackboard.requests import answer
 from situ.blackboard.rights import Rights
-from situ.blackboard.services import SERVICES, carried_by, may_repeat
+from situ.blackboard.services import carried_by, may_repeat
 from situ.blackboard.wire import Malformed
 from situ.decide import inputs
 from situ.decide.effects import Begin
 from situ.decide.step import SECOND
-from situ.document import names
-from situ.document.names import LONGEST
 from situ.document.project import Project
 
 _LEASE = int(LEASE * SECOND)
@@ -84,10 +71,11 @@ class Sessions:
         core.asking.heeds = not scripted
         self._guard = guard
         self._own = frozenset(own)
-        self._sessions: dict[Hashable, Session] = {}
+        self._register = Register(core)
+        # The same, for each message asks for it.
+        self._sessions = self._register.sessions
         # No lease ends before: every message only puts one off.
         self._look: int | None = None
-        self._applications = {a.name for a in core.project.applications.values()}
 
     # -- for who drives it ---------------------------------------------------
 
@@ -136,7 +124,6 @@ class Sessions:
     def turn_to(self, project: Project, files: Mapping[str, str]) -> None:
         """The robot runs this from here on; who is connected stays. files: as in ``Core``."""
         self._core.project, self._core.files = project, files
-        self._applications = {a.name for a in project.applications.values()}
         if self._guard is not None:
             self._guard.rights = Rights(project)
 
@@ -180,20 +167,7 @@ class Sessions:
         core = self._core
         return SessionsState(
             runtime=self.runtime,
-            sessions=[
-                Standing(
-                    s.id,
-                    s.role,
-                    s.module,
-                    s.writer,
-                    tuple(sorted(s.patterns)),
-                    s.tracing,
-                    s.services,
-                    s.performing,
-                    s.acts,
-                )
-                for s in self._sessions.values()
-            ],
+            sessions=self._register.standing(),
             modules=core.modules,
             holders=core.holders,
             changes=core.watching.state(),
@@ -214,13 +188,13 @@ class Sessions:
         core.holders.update(state.holders)
         core.effects.update(state.effects)
         for one in state.sessions:
-            self._stand(one)
+            self._register.stand(one)
         core.watching.restore(state.changes)
         for moment, event in past:
             core.now = moment
             core.move(moment)
             if isinstance(event, SessionEvent):
-                _AGAIN[type(event)](self, event)
+                self._register.do_again(event)
             elif event is not None:
                 core.step(event)
         core.now = now
@@ -229,71 +203,6 @@ class Sessions:
         for session in self._sessions.values():
             session.heard = now
         self._look = now + _LEASE if self._sessions else None
-
-    def _stand(self, one: Standing) -> None:
-        session = Session(
-            id=one.id,
-            peer=("gone", one.id),
-            role=one.role,
-            module=one.module,
-            writer=one.writer,
-            heard=0,
-            tracing=one.tracing,
-            services=one.services,
-            performing=one.performing,
-            acts=one.acts,
-        )
-        self._hide(session)
-        session.watch(one.patterns, self._core.watching)
-        self._core.tracing[session.masked] += one.tracing
-        if one.performing:
-            self._core.performing.update(one.services)
-        self._sessions[session.peer] = session
-
-    def _hide(self, session: Session) -> None:
-        session.masked = self._core.hides(session.role)
-        if session.is_blind:
-            # Messages are heard without asking.
-            self._core.mask()
-
-    def _find(self, id: str) -> Session:
-        return next(session for session in self._sessions.values() if session.id == id)
-
-    def _opened(self, event: Opened) -> None:
-        self._stand(
-            Standing(
-                event.session, event.role, event.module, event.writer, (), False, event.services
-            )
-        )
-        if event.module is not None and event.disclosed is not None:
-            self._core.modules[event.module] = event.disclosed
-
-    def _ended(self, event: Ended) -> None:
-        self._forget(self._find(event.session))
-
-    def _watched(self, event: Watched) -> None:
-        self._find(event.session).watch(event.patterns, self._core.watching)
-
-    def _unwatched(self, event: Unwatched) -> None:
-        self._find(event.session).unwatch(event.patterns, self._core.watching)
-
-    def _traced(self, event: Traced) -> None:
-        session = self._find(event.session)
-        session.tracing = True
-        self._core.tracing[session.masked] += 1
-
-    def _performing(self, event: Performing) -> None:
-        session = self._find(event.session)
-        session.performing = True
-        self._core.performing.update(session.services)
-
-    def _acting(self, event: Acting) -> None:
-        self._find(event.session).acts = True
-
-    def _told(self, event: Told) -> None:
-        module = self._find(event.session).module
-        assert module is not None
-        self._core.modules[module] = event.disclosed
 
     def _move(self, now: int) -> None:
         self._core.now = now
@@ -372,7 +281,7 @@ class Sessions:
         session = self._resumed(peer, hello, identity)
         resumed = session is not None
         if session is None:
-            self._check_hello(hello)
+            check(hello, self._core, self._sessions.values(), self._own, scripted=self._scripted)
             if len(self._sessions) >= MOST:
                 raise No("limit", f"{MOST} clients are connected already: end some of them")
             session = Session(
@@ -380,14 +289,13 @@ class Sessions:
                 peer=peer,
                 role=hello.role,
                 module=hello.module,
-                writer=_writer(hello),
+                writer=writer(hello),
                 heard=self._core.now,
                 services=hello.services,
                 heeded=not (hello.services and self._scripted),
+                identity=identity,
             )
-            session.identity = identity
-            self._hide(session)
-            self._sessions[peer] = session
+            self._register.add(session)
             if self._look is None:
                 self._look = session.heard + _LEASE
             said = (hello.resources, hello.description, hello.requires, hello.provides)
@@ -429,49 +337,13 @@ class Sessions:
             session = next((one for one in alive if one.id == hello.session), None)
         if session is None:
             return None
-        said = (hello.module, hello.role, hello.services, _writer(hello))
+        said = (hello.module, hello.role, hello.services, writer(hello))
         if (session.module, session.role, session.services, session.writer) != said:
             raise No("name", "this connection has another session already: say bye first")
         del self._sessions[session.peer]
         session.peer, session.heard, session.identity = peer, self._core.now, identity
         self._sessions[peer] = session
         return session
-
-    def _check_hello(self, hello: protocol.Hello) -> None:
-        if hello.role == "scenario" and not self._scripted:
-            raise No("role", "a scenario is played only by situ run --script")
-        if (hello.module is not None) != (hello.role == "module"):
-            raise No("role", "a module gives its name, and only a module does")
-        if bool(hello.services) != (hello.role == "service"):
-            raise No("role", "a service says what it carries out, and only a service does")
-        self._check_services(hello.services)
-        if hello.module is None:
-            return
-        name = hello.module
-        if len(name) > LONGEST or not names.is_tag(f"module/{name}/x") or "/" in name:
-            raise No(
-                "name", f"{name[:LONGEST]!r} can be no module's name: use letters, digits, - and _"
-            )
-        if name in self._applications:
-            raise No("name", f"{name} is an application of this project: choose another name")
-        if name in self._core.modules:
-            raise No(
-                "name",
-                f"a module {name} is connected already: end it, or choose another name",
-            )
-
-    def _check_services(self, services: Iterable[str]) -> None:
-        for service in services:
-            if service not in SERVICES:
-                raise No("name", f"{service[:LONGEST]!r} is no service: {', '.join(SERVICES)}")
-            if service in self._own:
-                raise No(
-                    "name", f"{service} is carried out in the core's own process: leave it out"
-                )
-            if any(service in session.services for session in self._sessions.values()):
-                raise No(
-                    "name", f"{service} is carried out by another program already: end that first"
-                )
 
     def _where(self) -> Addresses:
         """The addresses, with the screen's where another process serves it."""
@@ -480,7 +352,7 @@ class Sessions:
         return self._addresses if http is None else replace(self._addresses, http=http)
 
     def _end(self, session: Session) -> None:
-        self._forget(session)
+        self._register.remove(session)
         self._core.remember(Ended(session.id))
         if self._core.deployer is not None:
             self._core.deployer.left(session.id)
@@ -494,36 +366,8 @@ class Sessions:
                 if isinstance(effect, Begin) and carried_by(effect) and not may_repeat(effect):
                     self._core.step(lost(effect, "the service engine was lost"))
 
-    def _forget(self, session: Session) -> None:
-        del self._sessions[session.peer]
-        session.unwatch(tuple(session.patterns), self._core.watching)
-        self._core.tracing[session.masked] -= session.tracing
-        if session.performing:
-            self._core.performing.subtract(session.services)
-        if session.module is not None:
-            del self._core.modules[session.module]
-
 
 def lost(begun: Begin, why: str) -> inputs.Finish:
     """The end of what nobody knows whether it was done; why: what happened to who did it."""
     error = f"{why} while {begun.name or begun.action} was under way"
     return inputs.Finish(id=begun.id, ok=False, error=f"{error}; whether it was done is not known")
-
-
-def _writer(hello: protocol.Hello) -> str:
-    """formats.md, *Trace*: the writers."""
-    if hello.role == "operator":
-        return f"operator:{hello.user or 'unknown'}"
-    return hello.module or hello.role
-
-
-_AGAIN: dict[type[SessionEvent], Callable[[Sessions, Any], None]] = {
-    Opened: Sessions._opened,
-    Ended: Sessions._ended,
-    Watched: Sessions._watched,
-    Unwatched: Sessions._unwatched,
-    Traced: Sessions._traced,
-    Performing: Sessions._performing,
-    Acting: Sessions._acting,
-    Told: Sessions._told,
-}
