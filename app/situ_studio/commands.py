@@ -298,7 +298,7 @@ class Commands(InsertCommands):
         return self.has_project() and self._window.tabs.has_closed
 
     def reopen_tab(self) -> None:
-        self._window.reopen_tab()
+        self._window.open_files.reopen()
 
     def reset_layout(self) -> None:
         self._window.reset_layout()

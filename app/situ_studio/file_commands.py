@@ -131,7 +131,7 @@ class FileCommands(SituationCommands):
         self._try(self._window.exporting.print_)
 
     def close_tab(self) -> None:
-        self._window.close_tab()
+        self._window.open_files.close_chosen()
 
     def close_window(self) -> None:
         self._window.close()

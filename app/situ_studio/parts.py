@@ -71,7 +71,7 @@ class PartsSide(QObject):
     def show_way(self, way: tuple[str, ...]) -> None:
         """Shows the last file of a way, whose first one is that of the chosen tab."""
         self._ways[way[0]] = way
-        self._window.show_file(way[-1])
+        self._window.open_files.show(way[-1])
         self._window.crumbs.show_way(tuple(stem(file) for file in way))
 
     def reach(self, file: str) -> bool:

@@ -22,7 +22,7 @@ class ScriptModules(QObject):
         super().__init__(window)
         self._window = window
         self.present = PresentModules(window.robot.link, self)
-        self.present.changed.connect(window.settle_outline)
+        self.present.changed.connect(window.panels.settle_outline)
         self._more = window.outline.more
         self._more.wanted.connect(self.add)
 

@@ -164,13 +164,13 @@ def _show_group(window: MainWindow, wanted: Open) -> None:
             show_as(view, document, how)
     for way in wanted.ways:
         if _is_there(window, way):
-            window.add_tab(way[0])
+            window.open_files.add_tab(way[0])
     for place, way in enumerate(wanted.ways):
         if way[0] in window.tabs.files():
             window.tabs.put(way[0], place)
     for file in window.tabs.files():
         if file not in {way[0] for way in wanted.ways}:
-            window.close_file(file)
+            window.open_files.close(file)
     group.ways = {way[0]: way for way in wanted.ways}
     chosen = wanted.tab if wanted.tab in window.tabs.files() else window.tabs.files()[0]
     window.tabs.choose(chosen)
@@ -187,9 +187,9 @@ def show_beside(window: MainWindow, file: str, moved: bool = False) -> None:
     moved = moved and (len(here.tabs.files()) > 1 or len(window.sides.groups) > 1)
     there = window.sides.other or window.sides.add()
     if moved:
-        window.close_file(file)
+        window.open_files.close(file)
     window.sides.enter(there)
-    window.add_tab(way[0])
+    window.open_files.add_tab(way[0])
     there.ways[way[0]] = way
     there.waiting |= {f: how for f, how in documents.items() if f in way and f not in there.views}
     window.tabs.choose(way[0])

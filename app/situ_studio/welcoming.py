@@ -56,8 +56,8 @@ class Welcoming:
         window.docking.hide()
         window.toolbar.hide()
         window.sides.current.current_file = None
-        window.settle_title()
-        window.settle_document()
+        window.panels.settle_title()
+        window.panels.settle_document()
 
     def leave(self) -> None:
         """Goes back to the project that is open, as it was left."""
@@ -70,7 +70,7 @@ class Welcoming:
         if self._before in window.tabs.files():
             window.tabs.choose(str(self._before))
         else:
-            window.show_file("")
+            window.open_files.show("")
         if window.current_view is not None:
             window.current_view.current_view().setFocus()
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,8 +10,7 @@ from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication
 
-from situ.document.rbd import Application
-from situ_studio import leftovers, places, problem_rows
+from situ_studio import leftovers, places
 from situ_studio.checking import CheckWork
 from situ_studio.choosing_media import ChoosingMedia
 from situ_studio.claim import Claim
@@ -36,11 +34,13 @@ from situ_studio.live.why_side import WhySide
 from situ_studio.looking import FindingSide
 from situ_studio.mending import MendingSide
 from situ_studio.menus import Actions
+from situ_studio.open_files import OpenFiles
 from situ_studio.opening import Found
 from situ_studio.pages import PagesSide
 from situ_studio.panels.beside import ScreenBeside
 from situ_studio.panels.fields import Choice, Line, Paragraph
-from situ_studio.panels.project_tree import look, stem
+from situ_studio.panels.project_tree import stem
+from situ_studio.panels_side import PanelsSide
 from situ_studio.parts import PartsSide
 from situ_studio.project_menu import ProjectMenu
 from situ_studio.project_pictures import Example
@@ -51,13 +51,12 @@ from situ_studio.robot import RobotSide
 from situ_studio.script_modules import ScriptModules
 from situ_studio.session import Session
 from situ_studio.showing import keep as keep_shown
-from situ_studio.showing import recall, show_as, show_beside
+from situ_studio.showing import recall, show_beside
 from situ_studio.telling import TellingSide
 from situ_studio.theme import Theme
 from situ_studio.undo import Looking
 from situ_studio.vocabulary import Lexicon, Vocabulary
 from situ_studio.welcoming import Welcoming
-from situ_studio.working import follow
 
 if TYPE_CHECKING:
     from situ_studio.windows import Windows
@@ -97,6 +96,8 @@ class MainWindow(Frame):
         self.claim = Claim(home)
         self.commands = Commands(self)
         self.welcoming = Welcoming(self, examples)
+        self.panels = PanelsSide(self)
+        self.open_files = OpenFiles(self)
         self.telling = TellingSide(self)
         self.robot = RobotSide(self, link)
         self.why = WhySide(self)
@@ -134,10 +135,10 @@ class MainWindow(Frame):
         session.listed.connect(self._on_listed)
         session.changed.connect(self._on_changed)
         session.selected.connect(self._on_undone)
-        session.stack_changed.connect(self._on_stack)
+        session.stack_changed.connect(self.panels.settle_stack)
         session.problems_changed.connect(self._on_problems)
-        self.sides.entered.connect(self._settle_shown)
-        self.sides.closed.connect(self.close_file)
+        self.sides.entered.connect(self.panels.settle_shown)
+        self.sides.closed.connect(self.open_files.close)
         self.sides.view_chosen.connect(self.show_mode)
         self.sides.beside_asked.connect(lambda file, moved: show_beside(self, file, moved))
         self.project_tree.file_asked.connect(self.open_file)
@@ -192,12 +193,12 @@ class MainWindow(Frame):
         self.moment.settle()
         shown = [f for f in self.session.files if f != project.modules_file]
         for file in shown or self.session.files:
-            self.add_tab(file)
-        self._refresh_tree()
+            self.open_files.add_tab(file)
+        self.panels.settle_files()
         if self.tabs.files():
             self.tabs.choose(self.tabs.files()[0])
         else:
-            self.show_file("")
+            self.open_files.show("")
         self.size_docks()
         shown_view = self.current_view
         if shown_view is not None:
@@ -208,21 +209,10 @@ class MainWindow(Frame):
         if self.session.project is not None:
             self._on_opened()
             self._on_problems()
-        self._on_stack()
+        self.panels.settle_stack()
         self.recovery.keep()
         self.robot.follower.compare()
         self.robot.settle()
-
-    def add_tab(self, file: str) -> None:
-        """A tab for a document, unless the current group has one; it is not chosen."""
-        document = self.session.document(file)
-        if file in self.tabs.files():
-            return
-        if document is not None:
-            icon, token, _ = look(document, self.parts.is_part(file))
-            self.tabs.add(file, stem(file), icon, token)
-        elif self.pages.has(file) and file not in self.tabs.files():
-            self.tabs.add(file, *self.pages.look(file))
 
     def open_file(self, file: str) -> None:
         """Shows a document: where it is on the way into a part, else in its tab, new if need be;
@@ -231,91 +221,9 @@ class MainWindow(Frame):
         file = self.pages.key(file)
         if self.parts.reach(file):
             return
-        self.add_tab(file)
+        self.open_files.add_tab(file)
         self.parts.forget(file)
         self.tabs.choose(file)
-
-    def show_file(self, file: str) -> None:
-        """Shows a document in the chosen tab."""
-        document, group = self.session.document(file), self.sides.current
-        group.current_file = file if document is not None else None
-        if document is not None:
-            view = group.views.get(file)
-            if view is None:
-                view = self._make_view(file)
-                self.robot.follower.refresh()
-            group.documents.setCurrentWidget(view)
-            view.show_document(document, self.session.problems_of(file))
-            how = group.waiting.pop(file, None)
-            if how is not None:
-                show_as(view, document, how)
-            group.tabs.views.set_offered(view.ways_to_show)
-            group.tabs.views.setVisible(len(view.ways_to_show) > 1)
-            group.tabs.views.show_choice(view.shown_as)
-        else:
-            page = self.pages.page(file)
-            if page is not None and group.documents.indexOf(page) < 0:
-                group.documents.addWidget(page)
-            group.documents.setCurrentWidget(page or group.no_document)
-            group.tabs.views.hide()
-        self._settle_shown()
-
-    def _settle_shown(self) -> None:
-        """Another document is shown, or another group of tabs is the current one."""
-        self.settle_title()
-        self._settle_problems()
-        self.disk.settle()
-        self.project_tree.show_current(self.current_file)
-        self.settle_document()
-
-    def _make_view(self, file: str) -> DocumentView:
-        group = self.sides.current
-        view = DocumentView(self.theme, file, project=lambda: self.session.project)
-        view.origin = str((self.session.root / file).resolve())
-        # Something may be dropped where the focus is not.
-        view.edited.connect(lambda *_: self.sides.enter(group))
-        view.edited.connect(lambda after, text: self.commit(after, text, file))
-        view.selection_changed.connect(self._on_selection)
-        view.activated.connect(self._on_activated)
-        view.status.connect(self.say)
-        view.filled_in.connect(self.fill_in)
-        view.screen_asked.connect(self.designing.open)
-        view.media_asked.connect(self.media_choice.add)
-        view.file_asked.connect(self.media_choice.change)
-        view.work_begun.connect(partial(follow, self.status.work))
-        view.part_asked.connect(self.parts.insert)
-        view.menu_requested.connect(self.context_menus.open)
-        view.mends_asked.connect(self.mending.ask)
-        view.module_dropped.connect(self.modules.add)
-        group.add_view(view)
-        return view
-
-    def close_file(self, file: str) -> None:
-        """Closes a tab of the current group, and the group with the last of one of two; the
-        document stays in the project, with its changes."""
-        group = self.sides.current
-        self.parts.forget(file)
-        group.tabs.remove(file)
-        if not group.tabs.files() and self.sides.other is not None:
-            self.sides.remove(group)
-        elif file != group.current_file:
-            # Else another tab is at this part now.
-            group.drop_view(file)
-
-    def close_tab(self) -> None:
-        file = self.tabs.chosen_file
-        if file is not None and self.tabs.may_close:
-            self.close_file(file)
-
-    def reopen_tab(self) -> None:
-        """Opens the tab again that was closed last, where it was."""
-        while (last := self.tabs.last_closed()) is not None:
-            file, place = last
-            there = self.session.document(file) is not None or self.pages.has(file)
-            if file not in self.tabs.files() and there:
-                self.open_file(file)
-                self.tabs.put(file, place)
-                return
 
     # -- what is shown ------------------------------------------------------------------
 
@@ -350,7 +258,7 @@ class MainWindow(Frame):
             view.set_mode(mode)
             self.tabs.views.show_choice(view.shown_as)
             view.current_view().setFocus()
-            self._settle_selection()
+            self.panels.settle_selection()
 
     def reset_layout(self) -> None:
         """A designer that is shown keeps its panel, and so does what is live."""
@@ -379,7 +287,7 @@ class MainWindow(Frame):
             return
         view.select(chosen)
         view.selected = chosen
-        self._settle_selection()
+        self.panels.settle_selection()
 
     def fill_in(self, place: Place, attribute: str = "") -> None:
         """Selects a place and puts the cursor into its form: into the first field unless named."""
@@ -432,7 +340,7 @@ class MainWindow(Frame):
         document = self.session.document(file)
         if view is not None and document is not None:
             view.show_document(document, self.session.problems_of(file))
-            self._settle_selection()
+            self.panels.settle_selection()
 
     def _on_form(self, after: Document, text: str, place: Place) -> None:
         self.commit(after, text)
@@ -445,13 +353,7 @@ class MainWindow(Frame):
         project = self.session.project
         assert project is not None
         self.project_tree.show_project(project, self.session.files)
-        for group in reversed(self.sides.groups):
-            self.sides.enter(group)
-            for file in group.tabs.files():
-                if self.session.document(file) is None and not self.pages.has(file):
-                    self.close_file(file)
-        if self.current_file is not None and self.current_document is None:
-            self.parts.leave()
+        self.open_files.close_gone()
         self.project_tree.show_current(self.current_file)
 
     def _on_changed(self, file: str) -> None:
@@ -462,8 +364,8 @@ class MainWindow(Frame):
             view.selected = tuple(p for p in view.selected if places.get(document, p) is not None)
             view.show_document(document, self.session.problems_of(file))
         if file == self.current_file:
-            self.settle_document()
-        self._refresh_tree()
+            self.panels.settle_document()
+        self.panels.settle_files()
 
     def _on_undone(self, file: str, selected: tuple[Place, ...], looking: Looking | None) -> None:
         other = self.sides.other
@@ -480,28 +382,12 @@ class MainWindow(Frame):
             if looking is not None:
                 view.call("look_at", looking)
             view.call("bring_into_view", chosen)
-            self._settle_selection()
+            self.panels.settle_selection()
 
     def _open_if_there(self, file: str) -> None:
         """Nothing is shown of a file that a step had begun, once it is taken back."""
         if self.session.value(file) is not None:
             self.open_file(file)
-
-    def _on_stack(self) -> None:
-        undo, redo = self.session.undo_text, self.session.redo_text
-        actions = self.actions_.actions
-        actions["undo"].setText(self.tr("Undo: {0}").format(undo) if undo else self.tr("Undo"))
-        actions["redo"].setText(self.tr("Redo: {0}").format(redo) if redo else self.tr("Redo"))
-        self.status.show_saved(
-            len(self.session.dirty), self.session.saved_at, self.session.project is not None
-        )
-        self.settle_title()
-        self._refresh_tree()
-        self.actions_.refresh()
-
-    def _on_selection(self, selected: tuple[Place, ...]) -> None:
-        if self.sender() in (None, self.current_view):
-            self._settle_selection()
 
     def _on_outline(self, selected: tuple[Place, ...]) -> None:
         view = self.current_view
@@ -510,7 +396,7 @@ class MainWindow(Frame):
             view.selected = selected
             if selected:
                 view.call("zoom_to", selected)
-            self._settle_selection()
+            self.panels.settle_selection()
 
     def _on_outline_activated(self, place: Place) -> None:
         view = self.current_view
@@ -518,104 +404,15 @@ class MainWindow(Frame):
             view.call("zoom_to", (place,))
             view.current_view().setFocus()
 
-    def _on_activated(self, place: Place) -> None:
-        """A double click or Enter on a card: its form gets the focus, or the part is shown."""
-        view = self.current_view
-        on_graph = view is not None and view.mode == "graph" and view.selected == (place,)
-        if on_graph and self.parts.can_enter():
-            self.parts.enter()
-        else:
-            self.fill_in(tuple(place))
-
-    # -- problems -------------------------------------------------------------
-
-    def _settle_problems(self) -> None:
-        found = self.session.problems
-        self.problems.show_problems(problem_rows.rows(self.session, self.current_file))
-        self.bottom.set_count("problems", len(found))
-        errors = sum(1 for p in found if p.severity == "error")
-        self.status.show_problems(errors, len(found) - errors)
-
     def _on_problems(self) -> None:
-        self._settle_problems()
+        self.panels.settle_problems()
         for view in self.sides.views():
             document, found = self.session.document(view.file), self.session.problems_of(view.file)
             if document is not None and view.problems != found:
                 view.show_document(document, found)
-        self._refresh_tree()
-        self.settle_outline()
-        self._settle_selection()
-
-    # -- bringing panels up to date ----------------------------------------------------------
-
-    def settle_document(self) -> None:
-        """The panels show the current document, or that there is none."""
-        document, project = self.current_document, self.session.project
-        self.palette_.show_document(document)
-        self.status.show_counts(document)
-        self.status.show_project(self.session.project is not None)
-        self.settle_outline()
-        self._settle_selection()
-        if project is not None and document is not None:
-            application = isinstance(document, Application)
-            self.headers["outline"].title.setText(
-                self.tr("Outline") if application else self.tr("Modules")
-            )
-
-    def settle_outline(self) -> None:
-        project, file = self.session.project, self.current_file
-        if project is None or file is None:
-            return
-        self.modules.settle()
-        self.outline.show_document(
-            project, self.current_document, tuple(self.session.problems_of(file))
-        )
-
-    def _settle_selection(self) -> None:
-        view, document, project = self.current_view, self.current_document, self.session.project
-        if view is None or document is None or project is None:
-            self.inspector.show_nothing(self.tr("Nothing is selected."))
-            self.inspector.usages.hide()
-            self.status.show_selection(())
-            self.designing.settle()
-            self.actions_.refresh()
-            return
-        self.inspector.show_selection(
-            document,
-            view.selected,
-            self._lexicon.vocabulary(project, document),
-            tuple(self.session.problems_of(view.file)),
-            project,
-        )
-        self.commands.components.offer_tags(self._lexicon.vocabulary(project, document).tags)
-        self.inspector.usages.setVisible(self.commands.can_find_usages())
-        self.outline.select(view.selected)
-        self.status.show_selection(view.selected)
-        self.designing.settle()
-        self.actions_.refresh()
-
-    def _refresh_tree(self) -> None:
-        dirty = self.session.dirty
-        for file in self.session.files:
-            document = self.session.document(file)
-            if document is None:
-                continue
-            found = {p.severity for p in self.session.problems_of(file)}
-            marks = tuple(m for m in ("error", "warning") if m in found)[:1]
-            part = self.parts.is_part(file)
-            self.project_tree.show_document(file, document, part, file in dirty, marks)
-        for group in self.sides.groups:
-            group.tabs.show_unsaved((*dirty, *self.pages.unsaved()))
-
-    def settle_title(self) -> None:
-        """The project's name, with a star while something is not saved."""
-        project = self.session.project
-        if project is None or self.stack.currentIndex() == 0:
-            self.setWindowTitle(self.tr("Situ Studio"))
-            return
-        star = "*" if self.session.dirty else ""
-        self.setWindowTitle(self.tr("{0}{1} — Situ Studio").format(project.name, star))
-        self.toolbar.show()
+        self.panels.settle_files()
+        self.panels.settle_outline()
+        self.panels.settle_selection()
 
     def set_theme(self, theme: Theme) -> None:
         """The documents and the robot's panels take the theme too."""
@@ -631,7 +428,7 @@ class MainWindow(Frame):
         self.pages.set_theme(theme)
         for view in self.sides.views():
             view.set_theme(theme)
-        self._settle_selection()
+        self.panels.settle_selection()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -62,7 +62,7 @@ def test_the_form_changes_title_colour_and_size(used: Any) -> None:
 def test_a_frame_from_the_menu_goes_round_the_selected_states(used: Any) -> None:
     window = used.window
     window.current_view.select((("state", "1"), ("state", "2")))
-    window._settle_selection()
+    window.panels.settle_selection()
     window.actions_.refresh()
     window.actions_.actions["insert.frame"].trigger()
     used.settle()

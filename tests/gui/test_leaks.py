@@ -54,7 +54,7 @@ def test_opening_and_closing_documents_leaves_nothing(studio: Start, project: Co
                 used.settle()
             assert hear(QAccessible.queryAccessibleInterface(window.current_view.canvas.viewer)) > 5
             if len(window.tabs.files()) > 1:
-                window.close_file(file)
+                window.open_files.close(file)
                 used.settle()
         if turn % 2:
             counts.append(ours())

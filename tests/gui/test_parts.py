@@ -152,7 +152,7 @@ def test_closing_the_parts_own_tab_leaves_it_shown_in_the_other(used: Any) -> No
     used.settle()
     while window.tabs.files() != [RECEPTION]:
         window.tabs.choose(window.tabs.files()[-1])
-        window.close_tab()
+        window.open_files.close_chosen()
         used.settle()
     assert window.current_file == REGISTER
     assert crumbs(used).isVisible()
@@ -166,7 +166,7 @@ def choose_states(used: Any, *numbers: str) -> None:
     view = used.window.current_view
     view.select(tuple(("state", no) for no in numbers))
     view.current_view().setFocus()
-    used.window._settle_selection()
+    used.window.panels.settle_selection()
     used.settle()
 
 
