@@ -16,6 +16,8 @@ from tests.gui.live.test_deploying import connect, rename
 from tests.gui.live.test_log import played
 from tests.gui.live.test_recordings import recording, until_shown
 
+from situ_studio.live import recordings
+
 
 def anew(it: Any) -> Any:
     """The window that stands in its place, once it is there."""
@@ -149,7 +151,10 @@ def test_a_recording_stays_with_what_stands_beside_it_and_what_was_counted(
 
 
 def test_what_is_being_read_is_read_on_for_the_window_that_comes(
-    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+    studio: Callable[..., Any],
+    project: Callable[[str], Path],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     where = project("reception")
     it = studio(where)
@@ -157,20 +162,25 @@ def test_what_is_being_read_is_read_on_for_the_window_that_comes(
         recording(tmp_path / f"{name}.mcap", played("reception", script)[2], where)
         for name, script in (("monday", "known-user.jsonl"), ("tuesday", "second-thoughts.jsonl"))
     ]
-    it.answers.put("recording", files[0])
-    it.window.commands.open_recording()
-    before = it.window
-    (work,) = before.status.work.going
-    window = anew(it)
-    if window.robot.recording is None:
-        assert [one.words for one in window.status.work.going] == ["monday.mcap を読んでいます"]
-        until_shown(it)
+    with monkeypatch.context() as slow:
+        # No slice has time for anything.
+        slow.setattr(recordings, "SLICE", -1.0)
+        it.answers.put("recording", files[0])
+        it.window.commands.open_recording()
+        window = anew(it)
+        assert [one.words for one in window.status.work.going] == ["monday.mcap を読み込み中"]
+    until_shown(it)
     assert window.robot.recording.path == files[0]
     assert window.status.work.going == []
-    # One that is to stand beside it too, and it can be cancelled there still.
-    side = window.robot.comparing
-    side.compare_with(files[1])
-    window = anew(it)
+    # So is one that is to stand beside it, and can be cancelled there.
+    with monkeypatch.context() as slow:
+        slow.setattr(recordings, "SLICE", -1.0)
+        window.robot.comparing.compare_with(files[1])
+        window = anew(it)
+        window.status.work.cancel()
+        assert window.status.work.going == []
+        window.robot.comparing.compare_with(files[1])
+        window = anew(it)
     comparing = window.robot.comparing.comparing
     compared(comparing)
     assert [one.name for one in comparing.others] == ["tuesday.mcap"]
