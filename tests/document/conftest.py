@@ -13,7 +13,8 @@ from situ.document import datatypes as types
 from situ.document.aside import EDITOR, Aside
 from situ.document.condition import TESTS, Test
 from situ.document.datatypes import WHITE, Type
-from situ.document.elements import ROOTS, TEST, TIMEOUT, Element
+from situ.document.elements import ROOTS, TEST, TIMEOUT
+from situ.document.grammar import Element
 
 RBD = """\
 <application name="reception" start="1">

@@ -16,8 +16,9 @@ from situ.document import names
 from situ.document.accept import ACCEPT
 from situ.document.condition import Condition, Group, GroupName, Test, TestName
 from situ.document.datatypes import shown
-from situ.document.elements import ROOTS, Element, Slot
+from situ.document.elements import ROOTS
 from situ.document.finding import Findings, Place
+from situ.document.grammar import Element, Slot
 from situ.document.mend import change, take_out
 from situ.document.place import follow
 from situ.document.problem import Mend

@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterator
 from sys import intern
 from typing import Any
 
-from situ.document.elements import ROOTS, Element, Slot, every
+from situ.document.elements import ROOTS
+from situ.document.grammar import Element, Slot, every
 
 Parse = Callable[[str], Any]
 Plan = tuple[tuple[str, str, "Known | None"], ...]

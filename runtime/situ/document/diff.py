@@ -24,7 +24,8 @@ from situ.document.diff_words import (
     member,
     subject,
 )
-from situ.document.elements import ROOTS, Attribute, Element, Slot
+from situ.document.elements import ROOTS
+from situ.document.grammar import Attribute, Element, Slot
 from situ.document.modules import Module
 from situ.document.pairing import Paired, pair
 from situ.document.project import Project

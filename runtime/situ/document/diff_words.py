@@ -8,7 +8,7 @@ from typing import Any
 
 from situ.document import modules, rbd, spds, words
 from situ.document.codec import Document
-from situ.document.elements import Attribute
+from situ.document.grammar import Attribute
 
 PLACES: dict[str, tuple[str, str | None]] = {
     "states": ("state", "no"),

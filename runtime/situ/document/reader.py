@@ -21,8 +21,8 @@ from msgspec.structs import replace
 from situ.document.aside import EDITOR, Aside
 from situ.document.compiled import NAMES, PARENTS, ROOT_RULES, Known, Plan, Rule
 from situ.document.datatypes import WHITE, short, shown
-from situ.document.elements import Element, Misfit
 from situ.document.foreign import Foreign, declared
+from situ.document.grammar import Element, Misfit
 from situ.document.problem import Problem
 from situ.document.reader_problems import Found, malformed, nearest, not_text, problems
 from situ.document.writer import XML, XMLNS

@@ -13,7 +13,8 @@ from pathlib import Path
 from lxml import etree
 
 from situ.document.datatypes import SOME, TEXT
-from situ.document.elements import APPLICATION, MODULES, SPDS, Attribute, Element, Slot
+from situ.document.elements import APPLICATION, MODULES, SPDS
+from situ.document.grammar import Attribute, Element, Slot
 from situ.resources import resource
 
 FILES = {"rbd.rng": APPLICATION, "spds.rng": SPDS, "modules.rng": MODULES}

@@ -13,7 +13,8 @@ from functools import cache
 from typing import Any
 
 from situ.document.aside import EDITOR, Aside
-from situ.document.elements import ROOTS, Element
+from situ.document.elements import ROOTS
+from situ.document.grammar import Element
 
 _Write = Callable[[Any], str]
 

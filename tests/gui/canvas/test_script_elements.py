@@ -18,6 +18,7 @@ from tests.gui.test_newcomer import CONTROL
 
 from situ.document import codec, elements
 from situ.document.condition import TESTS
+from situ.document.grammar import Element
 from situ_studio.canvas.test_editor import TestEditor
 
 GIVEN = """<spds name="ward">
@@ -210,7 +211,7 @@ TABLE: dict[str, tuple[Callable[[Draughtsman], None], str]] = {
 GROUPS = ("all", "any", "none")
 
 
-def known(element: elements.Element, where: str = "") -> Iterator[str]:
+def known(element: Element, where: str = "") -> Iterator[str]:
     """Every element and attribute of a script; groups in groups are groups, tests in them tests."""
     if element.name in ("condition", "until"):
         where = ""
