@@ -11,10 +11,10 @@ class RobotCommands(FileCommands):
     # -- when ------------------------------------------------------------------------
 
     def can_connect(self) -> bool:
-        return self._window.can_connect and not self.is_connected()
+        return not self.is_connected()
 
     def is_connected(self) -> bool:
-        return self._window.is_connected
+        return self._window.robot.connected
 
     def can_compare(self) -> bool:
         return self._window.robot.comparing.can_compare()
@@ -70,10 +70,10 @@ class RobotCommands(FileCommands):
     # -- what is done ----------------------------------------------------------------
 
     def connect_robot(self) -> None:
-        self._window.ask_to_connect()
+        self._window.robot.ask()
 
     def disconnect_robot(self) -> None:
-        self._window.disconnect_robot()
+        self._window.robot.disconnect_robot()
 
     def open_recording(self) -> None:
         path = self._window.dialogs.recording()

@@ -42,7 +42,7 @@ class Welcoming:
         """Shows the welcome page; an open project stays open."""
         window, page = self._window, self._window.welcome
         self._show_recent()
-        page.show_connect(window.can_connect)
+        page.show_connect(not window.robot.connected)
         if with_examples:
             page.show_examples(self._list_examples())
         page.themes.show_choice(window.theme_choice)

@@ -461,24 +461,11 @@ class MainWindow(Frame):
         keep_shown(self.settings, self)
         self.recovery.forget()
         self.claim.release()
-        self.disconnect_robot()
+        self.robot.disconnect_robot()
         super().closeEvent(event)
         self.closed.emit(self)
 
     # -- the robot -------------------------------------------------------------------------------
-
-    @property
-    def can_connect(self) -> bool:
-        """Whether a robot can be followed: none is yet."""
-        return not self.robot.connected
-
-    @property
-    def is_connected(self) -> bool:
-        return self.robot.connected
-
-    def ask_to_connect(self) -> None:
-        """Asks for an address and connects."""
-        self.robot.ask()
 
     def disconnect_robot(self) -> None:
         """Ends the link, if there is one."""
