@@ -66,10 +66,11 @@ async def take(page: Page, robot: Performer, language: str, shown: Screens, out:
     """Returns how many have a text that does not fit."""
     cut = 0
     for (application, state), components in shown.items():
-        robot.perform(
-            Map("screen", application, {"components": components, "background": None}, ())
-        )
-        await page.wait_for_function(SHOWN, arg=len(components))
+        # Empty in between: another screen with as many components would be taken for this one.
+        for those in ([], components):
+            value = {"components": those, "background": None}
+            robot.perform(Map("screen", application, value, ()))
+            await page.wait_for_function(SHOWN, arg=len(those))
         await page.evaluate(SETTLED)
         if too_long := await page.evaluate(CUT):
             cut += 1

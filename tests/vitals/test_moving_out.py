@@ -83,8 +83,11 @@ def test_with_the_readings_nothing_is_left_but_a_number(office: Office, jack: Re
     office.moving_out.remove(jack.id, readings=False)
     assert office.tables_with(jack) == set()
     assert office.moving_out.all() == []
-    # One that nobody has seen is still gone to.
-    assert [one.why for one in office.store.calls()] == ["fall"]
+    # One that nobody has seen is still gone to; then nothing is left of it, either.
+    (unseen,) = office.store.calls()
+    assert (unseen.why, unseen.left) == ("fall", True)
+    office.store.see(unseen.id)
+    assert office.store.calls() == []
 
 
 def test_readings_are_kept_with_name_and_room_until_they_are_taken_away(
@@ -123,6 +126,46 @@ def test_who_lives_in_the_same_room_keeps_its_calls(office: Office, jack: Reside
     office.moving_out.remove(jack.id, readings=False)
     assert len(office.store.calls()) == 2
     assert office.store.login(12, "2718").name == "Joan Nikora"
+
+
+def test_what_comes_from_the_room_afterwards_is_a_call_as_any(
+    office: Office, jack: Resident
+) -> None:
+    """Of whoever is there by then: the next who lives there, or who cleans the room."""
+    office.has_much_of(jack)
+    office.moving_out.remove(jack.id, readings=True)
+    office.store.add(12, "Joan Nikora", "2718")
+    office.store.keep({"kind": "call", "why": "help", "room": 12})
+    for one in office.store.calls():
+        office.store.see(one.id)
+    assert [(one.why, one.left) for one in office.store.calls()] == [("help", False)]
+
+
+def test_who_lived_together_leaves_no_call_with_the_last_of_them(
+    office: Office, jack: Resident
+) -> None:
+    joan = office.store.add(12, "Joan Nikora", "2718")
+    office.has_much_of(jack)
+    office.moving_out.remove(jack.id, readings=False)
+    assert [one.left for one in office.store.calls()] == [False, False]
+    office.moving_out.remove(joan.id, readings=False)
+    assert [(one.why, one.left) for one in office.store.calls()] == [("fall", True)]
+
+
+def test_the_nurse_is_told_that_who_called_has_moved_out(office: Office, jack: Resident) -> None:
+    office.has_much_of(jack)
+    office.moving_out.remove(jack.id, readings=False)
+    told = "who lived there has moved out"
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        assert told in await (await session.get("/")).text()
+        ward = await (await session.post("/calls/2")).text()
+        assert told not in ward
+        assert "Nobody has called." in ward
+        # Another nurse's page showed it still.
+        assert (await session.post("/calls/2")).status == 200
+
+    over_http(office.store, asking, "a-nurse")
 
 
 def test_no_byte_of_who_is_gone_is_left_in_the_file(tmp_path: Path, clock: Clock) -> None:

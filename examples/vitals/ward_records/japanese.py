@@ -107,10 +107,14 @@ JAPANESE = {
     "No, go back": "やめて戻る",
     (
         "The robot then knows this person no more: nobody logs in with their PIN, and whoever is "
-        "logged in is logged out. Medicine, messages and contacts are taken away."
+        "logged in is logged out. Medicine, messages and contacts are taken away, and a round that "
+        "is under way passes by."
     ): (
         "ロボットはこの方がわからなくなります。暗証番号は使えなくなり、利用中であれば終了します。"
-        "薬、お知らせ、連絡先は消去されます。"
+        "薬、お知らせ、連絡先は消去され、巡回中のロボットもこの方を訪ねません。"
+    ),
+    "who lived there has moved out: this goes once you have seen it": (
+        "お住まいだった方は退去済みです。確認すると消えます"
     ),
     "What was measured: {0} readings": "測定値：{0}件",
     "Keep them, with name and room, until you take them away.": (

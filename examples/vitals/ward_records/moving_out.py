@@ -35,8 +35,8 @@ class MovingOut:
 
     def remove(self, number: int, *, readings: bool) -> None:
         """readings: what was measured of them stays, with the name and the room; how their visits
-        ended, too. Of all else nothing stays, nor of the calls from a room where nobody is left.
-        Raises Unknown."""
+        ended, too. Of all else nothing stays, nor of the calls from a room where nobody is left,
+        once they are seen. Raises Unknown."""
         room = self._store.resident(number).room
         with self._db:
             self._db.execute(
@@ -50,12 +50,7 @@ class MovingOut:
             self._contacts.part_from(number)
             if not readings:
                 self._take_away(number)
-            # One that nobody has seen yet is still gone to.
-            self._db.execute(
-                "DELETE FROM call WHERE room = ?1 AND seen IS NOT NULL "
-                "AND NOT EXISTS (SELECT 1 FROM lives_here WHERE room = ?1)",
-                (str(room),),
-            )
+            self._store.part_from_calls(room)
 
     def take_away(self, number: int) -> None:
         """The readings of who has moved out already. Raises Unknown."""

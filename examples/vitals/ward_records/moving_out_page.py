@@ -12,7 +12,8 @@ from ward_records.store import Resident
 
 _GONE = (
     "The robot then knows this person no more: nobody logs in with their PIN, and whoever is "
-    "logged in is logged out. Medicine, messages and contacts are taken away."
+    "logged in is logged out. Medicine, messages and contacts are taken away, and a round that "
+    "is under way passes by."
 )
 
 

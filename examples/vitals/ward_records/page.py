@@ -170,6 +170,9 @@ def _call(one: Call, open_: bool) -> str:
     why, room = (escape(say(one.why)), escape(say(one.room))) if open_ else (HIDDEN, HIDDEN)
     where = say("room {0}").format(room) if room.isdigit() else room
     said = f"<strong>{where}</strong>: {why}, {when(one.at)}"
+    if one.left:
+        left = say("who lived there has moved out: this goes once you have seen it")
+        said += f"<br><small>{left}</small>"
     if one.seen is not None:
         return f'<li class="seen">{said} · {say("seen")} {when(one.seen)}</li>'
     button = (

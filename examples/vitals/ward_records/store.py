@@ -61,6 +61,7 @@ CREATE TABLE IF NOT EXISTS call (
 CREATE TABLE IF NOT EXISTS moved_out (
   resident INTEGER PRIMARY KEY REFERENCES resident (id), at TEXT NOT NULL, kept INTEGER NOT NULL
 );
+CREATE TABLE IF NOT EXISTS call_left (call INTEGER PRIMARY KEY REFERENCES call (id));
 CREATE VIEW IF NOT EXISTS lives_here AS
   SELECT * FROM resident WHERE id NOT IN (SELECT resident FROM moved_out);
 """
@@ -110,13 +111,14 @@ class Reading(Struct, frozen=True):
 
 
 class Call(Struct, frozen=True):
-    """seen: when a nurse said that she goes; None: nobody yet."""
+    """seen: when a nurse said that she goes; None: nobody yet. left: of who has moved out since."""
 
     id: int
     at: datetime
     why: str
     room: str
     seen: datetime | None
+    left: bool = False
 
 
 class Store:
@@ -330,22 +332,34 @@ class Store:
     def calls(self, most: int = 50) -> list[Call]:
         """Those that nobody has seen first, of these who may lie on the floor; then the newest."""
         rows = self._db.execute(
-            "SELECT id, at, why, room, seen FROM call "
+            "SELECT id, at, why, room, seen, id IN (SELECT call FROM call_left) FROM call "
             "ORDER BY seen IS NOT NULL, seen IS NULL AND why NOT IN (?, ?, ?), at DESC, id DESC "
             "LIMIT ?",
             (*URGENT, most),
         )
         return [
-            Call(number, _at(at), why, room, _at(seen) if seen is not None else None)
-            for number, at, why, room, seen in rows
+            Call(number, _at(at), why, room, _at(seen) if seen is not None else None, bool(left))
+            for number, at, why, room, seen, left in rows
         ]
 
     def see(self, call: int) -> None:
-        """A nurse goes there; seen once is seen."""
+        """A nurse goes there; seen once is seen. Of who has moved out since it then goes."""
         with self._db:
+            if self._db.execute("DELETE FROM call_left WHERE call = ?", (call,)).rowcount:
+                self._db.execute("DELETE FROM call WHERE id = ?", (call,))
             self._db.execute(
                 "UPDATE call SET seen = ? WHERE id = ? AND seen IS NULL", (self.time(), call)
             )
+
+    def part_from_calls(self, room: int) -> None:
+        """Those from a room where nobody lives any more are taken away, but one that nobody has
+        seen: it is still gone to, and goes when it is seen. In the transaction of the caller."""
+        if any(one.room == room for one in self.residents()):
+            return
+        self._db.execute("DELETE FROM call WHERE room = ? AND seen IS NOT NULL", (str(room),))
+        self._db.execute(
+            "INSERT OR IGNORE INTO call_left SELECT id FROM call WHERE room = ?", (str(room),)
+        )
 
     def time(self) -> str:
         """Now, as it is written down."""
