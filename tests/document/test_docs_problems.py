@@ -27,7 +27,6 @@ TELLERS = {
     "warning",
     "warn",
     "problem",
-    "_problem",
     "bad",
     "Finding",
     "Found",

@@ -13,7 +13,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from situ.document import codec
-from situ.document.reader import MAX_DEPTH, MAX_ELEMENTS, MAX_TEXT
+from situ.document.reader import MAX_DEPTH, MAX_ELEMENTS
+from situ.document.start_tags import MAX_TEXT
 
 HEAD = b'<application name="a">'
 

@@ -101,6 +101,11 @@ class Rule:
         return plan
 
 
+Frame = tuple[Rule, str, bool, int, dict[str, Any]]
+"""An open element: its rule, the parent's field that holds it and whether that holds
+many, its place in the file, and the fields of its value so far."""
+
+
 def _known(parse: Parse | None) -> Known | None:
     return Known(parse) if parse is not None else None
 

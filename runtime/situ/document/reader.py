@@ -11,58 +11,35 @@ is plain they do themselves, everything else is a method behind them.
 from __future__ import annotations
 
 import gc
-from collections.abc import Mapping
-from types import MappingProxyType
-from typing import Any, NoReturn
+from collections import defaultdict
+from typing import Any
 from xml.parsers import expat
 
 from msgspec.structs import replace
 
-from situ.document.aside import EDITOR, Aside
-from situ.document.compiled import NAMES, PARENTS, ROOT_RULES, Known, Plan, Rule
+from situ.document.aside import Aside
+from situ.document.compiled import NAMES, PARENTS, ROOT_RULES, Frame, Rule
 from situ.document.datatypes import WHITE, short, shown
-from situ.document.foreign import Foreign, declared
+from situ.document.foreign import Foreign
 from situ.document.grammar import Element, Misfit
 from situ.document.problem import Problem
-from situ.document.reader_problems import Found, malformed, nearest, not_text, problems
-from situ.document.writer import XML, XMLNS
+from situ.document.reader_problems import Findings, Found, Stop, malformed, nearest, not_text
+from situ.document.start_tags import LONGEST, MAX_TEXT, Rest, StartTags
+from situ.document.writer import XMLNS
 
 MAX_BYTES = 64_000_000
 MAX_DEPTH = 200
 MAX_ELEMENTS = 300_000
-MAX_TEXT = 1_000_000
-MAX_PROBLEMS = 100
 
-LONGEST = "a million characters are the most"
-
-_Frame = tuple[Rule, str, bool, int, dict[str, Any]]
-"""An open element: its rule, the parent's field that holds it and whether that holds
-many, its place in the file, and the fields of its value so far."""
-
-
-class _Stop(Exception):
-    """Reading ends here; the problem is noted."""
-
-
-class _Absent(ValueError):
-    """An attribute that must be there is not."""
-
-
-def _absent(_text: str) -> NoReturn:
-    raise _Absent
-
-
-_ABSENT = Known(_absent)
-
-
-class _Rest:
-    """What an open element has that most have not."""
-
-    before: tuple[str, ...] = ()
-    attributes: tuple[tuple[str, str], ...] = ()
-    parts: tuple[tuple[str, Aside], ...] = ()
-    texts: tuple[str, ...] = ()
-    bound: Mapping[str, str] = MappingProxyType({})
+_HANDLERS = (
+    "StartElementHandler",
+    "EndElementHandler",
+    "CharacterDataHandler",
+    "CommentHandler",
+    "ProcessingInstructionHandler",
+    "XmlDeclHandler",
+    "StartDoctypeDeclHandler",
+)
 
 
 def read(data: bytes, file: str) -> tuple[Any, list[Problem]]:
@@ -76,42 +53,40 @@ def read(data: bytes, file: str) -> tuple[Any, list[Problem]]:
     collecting = gc.isenabled()
     gc.disable()
     try:
-        reading = _Reading(data, file)
+        reading = _Reading(data)
         reading.parse()
     finally:
         if collecting:
             gc.enable()
-    return reading.document, reading.problems()
+    return reading.document, reading.findings.problems(data, file)
 
 
 class _Reading:
-    def __init__(self, data: bytes, file: str) -> None:
+    def __init__(self, data: bytes) -> None:
         self.data = data
-        self.file = file
         self.document: Any = None
-        self.parser = expat.ParserCreate("utf-8", None, dict(NAMES))
-        self._found: list[Found] = []
+        self._parser = expat.ParserCreate("utf-8", None, dict(NAMES))
         top = Rule(Element("", make=dict))
         top.children = {name: (rule, "document", False) for name, rule in ROOT_RULES.items()}
-        self._stack: list[_Frame] = [(top, "", False, -1, {})]
-        self._rests: dict[int, _Rest] = {}
+        self._stack: list[Frame] = [(top, "", False, -1, {})]
+        self._rests: defaultdict[int, Rest] = defaultdict(Rest)
+        self.findings = Findings(self._parser, self._stack)
+        self._tags = StartTags(self.findings, self._stack, self._rests)
         self._texts: list[str] = []
         self._pending: list[str] = []
-        self._declared: list[tuple[str, str]] = []
         self._foreign: Foreign | None = None
-        self._foreign_plans: dict[tuple[Rule, tuple[str, ...]], tuple[Plan, _Plain]] = {}
 
     # -- the loop ----------------------------------------------------------------
 
     def parse(self) -> None:
-        """Reads all of the data; what comes of it is in ``document`` and ``problems``."""
+        """Reads all of the data; what comes of it is in ``document`` and ``findings``."""
         wrong = _too_large(self.data) or not_text(self.data)
         if wrong is not None:
-            self._found.append(wrong)
+            self.findings.found.append(wrong)
             return
-        parser, stack, rests = self.parser, self._stack, self._rests
+        parser, stack, rests, tags = self._parser, self._stack, self._rests, self._tags
         texts, pending = self._texts, self._pending
-        self._long = long = self._has_long()
+        tags.long = long = self._has_long()
         index = -1
 
         def start(name: str, given: dict[str, Any]) -> None:
@@ -138,7 +113,7 @@ class _Reading:
                     self._duplicate(name)
                 stack.append((rule, field, many, index, given))
             if pending:
-                self._rest(index).before = tuple(pending)
+                rests[index].before = tuple(pending)
                 pending.clear()
             if given or rule.required:
                 names = tuple(given)
@@ -146,16 +121,16 @@ class _Reading:
                 if plan is None:
                     plan = rule.plan(names)
                     if plan is None:
-                        plan = self._irregular(rule, given, names, index)
+                        plan = tags.irregular(rule, given, names, index)
                 if long:
-                    self._shorten(rule, given)
+                    tags.shorten(rule, given)
                 for key, at, values in plan:
                     value = given[key]
                     if values is not None:
                         try:
                             value = values[value]
                         except ValueError as wrong:
-                            value = self._bad_attribute(rule, key, wrong)
+                            value = tags.bad_attribute(rule, key, wrong)
                     if at is not key:
                         del given[key]
                     given[at] = value
@@ -178,7 +153,7 @@ class _Reading:
             stack.pop()
             if rule.part:
                 if pending or index in rests or rule.attributes:
-                    rest = self._rest(stack[-1][3])
+                    rest = rests[stack[-1][3]]
                     rest.parts = (*rest.parts, (rule.name, self._aside(index)))
                 return
             for one in rule.many:
@@ -188,7 +163,7 @@ class _Reading:
             try:
                 value = rule.make(**values)  # type: ignore[misc]
             except Misfit as wrong:
-                self._problem(wrong.code, str(wrong), index)
+                self.findings.problem(wrong.code, str(wrong), index)
                 value = wrong.instead
             held = stack[-1][4]
             if not many:
@@ -231,55 +206,29 @@ class _Reading:
         try:
             parser.Parse(self.data, True)
             self.document = self._complete(stack[0][4]["document"])
-        except _Stop:
+        except Stop:
             pass
         except expat.ExpatError as error:
             name = stack[-1][0].name
-            self._found.append(malformed(error, self.data, name, self._place()))
+            self.findings.found.append(malformed(error, self.data, name, self.findings.place()))
         finally:
             # The functions above and the parser hold each other: let go of the file at once.
-            parser.StartElementHandler = parser.EndElementHandler = None
+            for handler in _HANDLERS:
+                setattr(parser, handler, None)
             self._listen = _nothing
             self._foreign = None
-            del self.parser
-
-    # -- problems ----------------------------------------------------------------
-
-    def problems(self) -> list[Problem]:
-        """What is wrong, in the order of the file."""
-        return problems(self._found, self.data, self.file)
-
-    def _problem(self, code: str, message: str, index: int | None = None) -> None:
-        """Notes a problem; its place is the element ``index``, or where the parser stands."""
-        line = column = 0
-        if index is None:
-            line = self.parser.CurrentLineNumber
-            column = self.parser.CurrentColumnNumber + 1
-        self._found.append(Found(code, message, line, column, index, self._place()))
-        if len(self._found) >= MAX_PROBLEMS:
-            raise _Stop
-
-    def _place(self) -> tuple[str, ...]:
-        for rule, _, _, _, values in self._stack[2:]:
-            if rule.name == "state":
-                return ("state", str(values.get("no", "")))
-            if rule.name == "always":
-                return ("always",)
-            if rule.name == "situation" or (rule.name == "module" and not rule.part):
-                return (rule.name, str(values.get("name", "")))
-        return ()
 
     # -- what is not an element --------------------------------------------------
 
     def _xml_declaration(self, _version: str, encoding: str | None, _alone: int) -> None:
         if encoding is not None and encoding.lower() not in ("utf-8", "utf8", "us-ascii"):
             said = f"The file says that it is {shown(encoding)}: save it as UTF-8"
-            self._problem("not-utf-8", said)
-            raise _Stop
+            self.findings.problem("not-utf-8", said)
+            raise Stop
 
     def _doctype(self, *_: object) -> None:
-        self._problem("doctype", "A DOCTYPE is not allowed: take it out")
-        raise _Stop
+        self.findings.problem("doctype", "A DOCTYPE is not allowed: take it out")
+        raise Stop
 
     def _comment(self, text: str) -> None:
         if self._foreign is None:
@@ -297,14 +246,14 @@ class _Reading:
         self._texts.clear()
         rule, _, _, index, _ = self._stack[-1]
         if rule.text is not None:
-            rest = self._rest(index)
+            rest = self._rests[index]
             rest.texts = (*rest.texts, text)
         elif not text.isspace():
             said = (
                 f"Text cannot stand directly in <{rule.name}>: {shown(text)}; put it into an "
                 "element that holds text, such as <speech>, or into a comment <!-- … -->"
             )
-            self._problem("unexpected-text", said, index)
+            self.findings.problem("unexpected-text", said, index)
 
     def _take_text(self, rule: Rule, index: int, values: dict[str, Any]) -> None:
         rest = self._rests.get(index)
@@ -315,7 +264,9 @@ class _Reading:
         if not text and not rule.element.text_required:
             return
         if len(text) > MAX_TEXT:
-            self._problem("too-long", f"The text of <{rule.name}> is too long: {LONGEST}", index)
+            self.findings.problem(
+                "too-long", f"The text of <{rule.name}> is too long: {LONGEST}", index
+            )
             text = ""
         assert rule.text is not None
         if rule.known_text is None:
@@ -327,17 +278,11 @@ class _Reading:
             said = f"The text of <{rule.name}> {wrong}"
             if not text:
                 said = f"<{rule.name}> is empty: write a number"
-            self._problem("bad-value", said, index)
+            self.findings.problem("bad-value", said, index)
             assert rule.element.text is not None
             values[rule.text] = rule.element.text[1].blank
 
     # -- what rides along --------------------------------------------------------
-
-    def _rest(self, index: int) -> _Rest:
-        rest = self._rests.get(index)
-        if rest is None:
-            rest = self._rests[index] = _Rest()
-        return rest
 
     def _aside(self, index: int) -> Aside:
         inside: tuple[str, ...] = ()
@@ -351,10 +296,11 @@ class _Reading:
 
     def _complete(self, document: Any) -> Any:
         """The document with what stands after its root, and the namespaces declared anywhere."""
-        if not self._pending and not self._declared:
+        declared = self._tags.declared
+        if not self._pending and not declared:
             return document
         aside: Aside = document.aside
-        spaces = tuple((f"{{{XMLNS}}}{prefix}", uri) for prefix, uri in self._declared)
+        spaces = tuple((f"{{{XMLNS}}}{prefix}", uri) for prefix, uri in declared)
         after = tuple(self._pending)
         aside = replace(aside, after=after, attributes=(*aside.attributes, *spaces))
         return replace(document, aside=aside)
@@ -364,12 +310,12 @@ class _Reading:
     def _limit(self, depth: int, index: int) -> None:
         if depth > MAX_DEPTH:
             said = f"Elements stand more than {MAX_DEPTH} deep in each other: close some before"
-            self._problem("too-deep", said)
-            raise _Stop
+            self.findings.problem("too-deep", said)
+            raise Stop
         if index >= MAX_ELEMENTS:
             said = f"The file holds more than {MAX_ELEMENTS} elements: split it into parts"
-            self._problem("too-many", said)
-            raise _Stop
+            self.findings.problem("too-many", said)
+            raise Stop
 
     def _has_long(self) -> bool:
         """Whether any attribute may be too long: somewhere no ``<`` stands for long."""
@@ -381,86 +327,9 @@ class _Reading:
             at = found + 1
         return False
 
-    def _shorten(self, rule: Rule, given: dict[str, Any]) -> None:
-        for key, text in given.items():
-            if len(text) > MAX_TEXT:
-                said = f"The {short(key)} of <{rule.name}> is too long: {LONGEST}"
-                self._problem("too-long", said)
-                given[key] = ""
-
     def _duplicate(self, name: str) -> None:
         said = f"<{self._stack[-1][0].name}> holds two <{name}>: only one may stand here"
-        self._problem("duplicate-element", said)
-
-    def _bad_attribute(self, rule: Rule, key: str, wrong: ValueError) -> Any:
-        if isinstance(wrong, _Absent):
-            said = f'<{rule.name}> needs the attribute "{key}": add {key}="…"'
-            self._problem("missing-attribute", said)
-        else:
-            self._problem("bad-value", f"The {key} of <{rule.name}> {wrong}")
-        if key in rule.required:
-            return rule.blank[key]
-        field = rule.attributes[key][0]
-        return next(one.default for one in rule.element.attributes if one.field == field)
-
-    def _irregular(
-        self, rule: Rule, given: dict[str, Any], names: tuple[str, ...], index: int
-    ) -> Plan:
-        """How to read a start tag with attributes that are foreign, unknown or missing."""
-        plan, foreign = self._foreign_plans.get((rule, names)) or self._plan(
-            rule, given, names, index
-        )
-        if self._long:
-            self._shorten(rule, given)
-        if foreign:
-            attributes = [(full, given.pop(key)) for key, full in foreign]
-            self._rest(index).attributes = tuple(attributes)
-        return plan
-
-    def _plan(
-        self, rule: Rule, given: dict[str, Any], names: tuple[str, ...], index: int
-    ) -> tuple[Plan, _Plain]:
-        """How to read a start tag, and its foreign attributes with their full names.
-
-        Takes declarations and what is unknown out of ``given``. A plan is kept where
-        the same attributes always mean the same: with no declaration but the root's.
-        """
-        if given.get("xmlns"):
-            said = f"<{rule.name}> must have no namespace: take the xmlns attribute out"
-            self._problem("unknown-namespace", said)
-            raise _Stop
-        bound = self._declare(given)
-        if bound:
-            self._rest(index).bound = bound
-        plain: list[tuple[str, str, Known | None]] = []
-        foreign: list[tuple[str, str]] = []
-        keep = not bound and "xmlns" not in given
-        for key in names:
-            if key in rule.attributes:
-                field, values = rule.attributes[key]
-                if values is not None or field != key:
-                    plain.append((key, field, values))
-            elif key == "xmlns" or key.startswith("xmlns:"):
-                del given[key]
-            elif ":" in key:
-                prefix, _, local = key.partition(":")
-                foreign.append((key, f"{{{self._bound(prefix)}}}{local}"))
-            else:
-                keep = False
-                del given[key]
-                said = f'<{rule.name}> has no attribute "{short(key)}"'
-                if rule.attributes:
-                    said += f'; did you mean "{nearest(key, rule.attributes)}"?'
-                self._problem("unknown-attribute", said)
-        for key in rule.required:
-            if key not in given:
-                keep = False
-                given[key] = ""
-                plain.append((key, rule.attributes[key][0], _ABSENT))
-        made = (tuple(plain), tuple(foreign))
-        if keep and not any(rest.bound for at, rest in self._rests.items() if at > 0):
-            self._foreign_plans[rule, names] = made
-        return made
+        self.findings.problem("duplicate-element", said)
 
     def _stranger(self, name: str, given: dict[str, Any], index: int) -> None:
         """An element that has no place here: foreign, or unknown."""
@@ -468,48 +337,29 @@ class _Reading:
         parent = self._stack[-1][0]
         if not parent.name:
             said = f"<{short(name)}> is no document of Situ"
-            self._problem("unknown-element", f"{said}; did you mean <{nearest(name, ROOT_RULES)}>?")
-            raise _Stop
+            self.findings.problem(
+                "unknown-element", f"{said}; did you mean <{nearest(name, ROOT_RULES)}>?"
+            )
+            raise Stop
         foreign = bool(given.get("xmlns")) or ":" in name
-        self._declare(given)
+        self._tags.declare(given)
         if not foreign:
             belongs = PARENTS[self._stack[1][0].name].get(name)
             if belongs is not None and belongs != parent.name:
                 said = f"<{name}> has no place in <{parent.name}>: it belongs in <{belongs}>"
-                self._problem("misplaced-element", said)
+                self.findings.problem("misplaced-element", said)
             else:
                 said = f"<{short(name)}> is not known in <{parent.name}>"
                 if parent.children:
                     said += f"; did you mean <{nearest(name, parent.children)}>?"
                 else:
                     said += ": nothing can stand in it"
-                self._problem("unknown-element", said)
-        self._foreign = Foreign(self.data, self.parser.CurrentByteIndex, self._bound, keep=foreign)
+                self.findings.problem("unknown-element", said)
+        self._foreign = Foreign(
+            self.data, self._parser.CurrentByteIndex, self._tags.bound, keep=foreign
+        )
         self._foreign.start(name, given)
         self._listen()
-
-    def _declare(self, given: Mapping[str, str]) -> dict[str, str]:
-        """The namespaces that a start tag declares, taken note of for the root."""
-        found = declared(given)
-        self._declared += [one for one in found.items() if one not in self._declared]
-        return found
-
-    def _bound(self, prefix: str) -> str:
-        """The namespace of a prefix where the parser stands; ends reading where there is none."""
-        for _, _, _, index, _ in reversed(self._stack):
-            rest = self._rests.get(index)
-            if rest is not None and prefix in rest.bound:
-                return rest.bound[prefix]
-        if prefix == "xml":
-            return XML
-        said = f'The prefix "{short(prefix)}" is not declared'
-        if prefix == "ed":
-            said += f': add xmlns:ed="{EDITOR}" to the first element'
-        self._problem("malformed-xml", said)
-        raise _Stop
-
-
-_Plain = tuple[tuple[str, str], ...]
 
 
 def _nothing() -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection
 from difflib import get_close_matches
 from typing import NamedTuple
 from xml.parsers import expat
 
+from situ.document.compiled import Frame
 from situ.document.locate import locate_all
 from situ.document.problem import Problem
+
+MAX_PROBLEMS = 100
 
 _BROKEN = {
     "not well-formed (invalid token)": (
@@ -39,18 +42,55 @@ class Found(NamedTuple):
     place: tuple[str, ...] = ()
 
 
-def problems(found: Iterable[Found], data: bytes, file: str) -> list[Problem]:
-    """What was found in ``data``, each with line and column, in the order of the file."""
-    found = list(found)
-    places = locate_all(data, {one.element for one in found if one.element is not None})
-    made = []
-    for code, message, line, column, element, place in found:
-        if element is not None:
-            line, column = places.get(element, (1, 1))
-        made.append(
-            Problem(file=file, line=line, column=column, code=code, message=message, place=place)
-        )
-    return sorted(made, key=lambda p: (p.line, p.column))
+class Stop(Exception):
+    """Reading ends here; what is wrong is noted."""
+
+
+class Findings:
+    """What is wrong with one file. open: the elements that are open, innermost last."""
+
+    def __init__(self, parser: expat.XMLParserType, open: list[Frame]) -> None:
+        self.found: list[Found] = []
+        self._parser = parser
+        self._open = open
+
+    def problem(self, code: str, message: str, index: int | None = None) -> None:
+        """Notes a problem; its place is the element ``index``, or where the parser stands.
+
+        Raises ``Stop`` where there are too many.
+        """
+        line = column = 0
+        if index is None:
+            line = self._parser.CurrentLineNumber
+            column = self._parser.CurrentColumnNumber + 1
+        self.found.append(Found(code, message, line, column, index, self.place()))
+        if len(self.found) >= MAX_PROBLEMS:
+            raise Stop
+
+    def place(self) -> tuple[str, ...]:
+        """The state, situation or module in which reading stands."""
+        for rule, _, _, _, values in self._open[2:]:
+            if rule.name == "state":
+                return ("state", str(values.get("no", "")))
+            if rule.name == "always":
+                return ("always",)
+            if rule.name == "situation" or (rule.name == "module" and not rule.part):
+                return (rule.name, str(values.get("name", "")))
+        return ()
+
+    def problems(self, data: bytes, file: str) -> list[Problem]:
+        """What was found in ``data``, each with line and column, in the order of the file."""
+        places = locate_all(data, {one.element for one in self.found if one.element is not None})
+        made = []
+        for code, message, line, column, element, place in self.found:
+            if element is not None:
+                line, column = places.get(element, (1, 1))
+            made.append(
+                Problem(
+                    file=file, line=line, column=column, code=code, message=message, place=place
+                )
+            )
+        return sorted(made, key=lambda p: (p.line, p.column))
 
 
 def not_text(data: bytes) -> Found | None:
