@@ -11,7 +11,7 @@ from situ.document.condition import Condition, Group, Test
 from situ.document.modules import Module, Modules
 from situ.document.rbd import Always, Application, Event, State, Timeout
 from situ.document.spds import Declaration, Observed, Situation, Spds
-from situ_studio import places
+from situ_studio import button_names, places
 from situ_studio.edit import Document, Place
 
 _NAMES: dict[type, str] = {
@@ -30,9 +30,12 @@ def set_field(
 ) -> tuple[Document, Place]:
     """The document with one attribute of the value at ``place`` changed, and its place then.
 
-    A new name is followed everywhere. ValueError, with a line for the user, where it is taken.
+    A new name is followed everywhere, a new button's words by its name. ValueError, with a line
+    for the user, where it is taken.
     """
     old = places.get(document, place)
+    if isinstance(old, rbd.Button) and attribute == "text" and isinstance(document, Application):
+        return button_names.with_words(document, place, value)
     if attribute != _NAMES.get(type(old)):
         return places.change(document, place, **{attribute: value}), place
     moved = (*place[:-1], value)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from situ.document import rbd
+from situ_studio.button_names import event_of
 from situ_studio.kinds.kind import Field, Kind, Section
 
 _ID = Field(
@@ -159,9 +160,7 @@ BUTTON = Kind(
         Field(attribute="value", label="To", help="The value that the tag gets."),
     ),
     sections=(_PLACE, _ALIGN, _FIT, _TOUCHED, _LOOKS),
-    make=lambda name: rbd.Button(
-        id=name, text="OK", event=f"click{name[:1].upper()}{name[1:]}", **_box(35, 75, 30, 15)
-    ),
+    make=lambda name: rbd.Button(id=name, text="OK", event=event_of(name), **_box(35, 75, 30, 15)),
     summary=lambda v: f"{v.text} → {v.event}" if v.event else str(v.text),
     palette="screen",
 )

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QPoint, Signal
 
 from situ.document import rbd
 from situ.document.problem import Problem
-from situ_studio import kinds, places
+from situ_studio import button_names, kinds, places
 from situ_studio.edit import Place
 from situ_studio.insert import NotHere, insert
 from situ_studio.screens import placing
@@ -210,8 +210,10 @@ class StateScreen(QObject):
 
     def _on_edited(self, screen: rbd.Screen, text: str) -> None:
         if self.application is not None:
-            after = places.change(self.application, self.place, screen=screen)
+            after, called = button_names.written(self.application, self.place, screen)
             self.edited.emit(after, text)
+            if called:
+                self.sheet.choose(tuple(called.values()))
 
     def _on_dropped(self, name: str, x: float, y: float) -> None:
         self.add(name, (x, y))

@@ -84,7 +84,7 @@ def test_the_steps_of_the_tutorial_make_a_robot_that_measures(
     assert tested.returncode == 0, tested.stdout
     script = tmp_path / "lower.jsonl"
     lines: list[dict[str, Any]] = [
-        {"at": 6, "use": {"component": "button1"}},
+        {"at": 6, "use": {"component": "start"}},
         {"at": 9, "finish": {"action": "service", "name": "measure", "result": MEASURED}},
         {"at": 9, "expect": {"kind": "enter", "state": "3"}},
         {"at": 70, "expect": {"kind": "enter", "state": "1"}},
