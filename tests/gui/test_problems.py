@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 
 from situ.document import codec, rbd
-from situ_studio.panels.problems import PROBLEM, mend_box
+from situ_studio.panels.problems import PROBLEM, lines, mend_box
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 FILE = "many.rbd.xml"
@@ -70,6 +70,24 @@ def test_a_mend_is_one_click_and_one_step(
     used.window.actions_.actions["undo"].trigger()
     used.settle()
     assert len(used.session.problems) == count
+
+
+def test_what_to_do_is_read_in_a_second_line_where_the_row_is_too_short(
+    studio: Start, folder: Callable[..., Path], dead_end: rbd.Application
+) -> None:
+    used = studio(folder(dead_end))
+    rows, index = used.window.problems.list, mendable(used)
+    words = index.data(PROBLEM).message
+    narrow = rows.visualRect(index).height()
+    used.window.resize(2560, 800)
+    used.settle()
+    wide = rows.visualRect(index).height()
+    assert narrow > wide
+    assert lines(words, rows.width()) == (words,)
+    assert " ".join(lines(words, 500)) == words
+    first, rest = lines(words, 200)
+    assert words.startswith(first)
+    assert rest.endswith("…")
 
 
 def test_a_mend_is_done_by_the_keyboard(

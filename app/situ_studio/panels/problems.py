@@ -20,6 +20,7 @@ from PySide6.QtGui import (
     QPen,
     QStandardItem,
     QStandardItemModel,
+    QTextLayout,
 )
 from PySide6.QtWidgets import (
     QLabel,
@@ -49,6 +50,8 @@ MANY, FEW = 8, 3
 """Of more than so many warnings of one code, so many are shown."""
 PLACE_MOST = 160
 """Px of width that the words of a place get at most."""
+LINE = 18
+"""Px from one line of a problem's words to the next."""
 MEND_MOST = 280
 """Px of width that a mend's words get at most."""
 
@@ -62,8 +65,22 @@ def mend_box(rect: QRect, problem: Problem | None) -> QRect:
     return QRect(rect.right() - width - px(8), rect.y() + px(3), width, px(22))
 
 
+def lines(words: str, width: int) -> tuple[str, ...]:
+    """Words in at most two lines of that width: how it is mended stands at their end."""
+    measure = QFontMetrics(font(13))
+    if measure.horizontalAdvance(words) <= width:
+        return (words,)
+    layout = QTextLayout(words, font(13))
+    layout.beginLayout()
+    line = layout.createLine()
+    line.setLineWidth(max(1, width))
+    layout.endLayout()
+    first, rest = words[: line.textLength()].rstrip(), words[line.textLength() :]
+    return (first, measure.elidedText(rest, Qt.TextElideMode.ElideRight, width))
+
+
 class ProblemDelegate(QStyledItemDelegate):
-    """28 px: mark, place, words, and the mend's button."""
+    """28 px: mark, place, words, and the mend's button; a second line where the words need it."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -84,7 +101,21 @@ class ProblemDelegate(QStyledItemDelegate):
         self._theme = theme
 
     def sizeHint(self, option: QStyleOptionViewItem, index: AnyIndex) -> QSize:
-        return QSize(px(200), px(28))
+        view = self.parent()
+        assert isinstance(view, QListView)
+        row = QRect(0, 0, view.viewport().width(), px(28))
+        problem: Problem | None = index.data(PROBLEM)
+        many = 1
+        if problem is not None:
+            many = len(lines(said(problem.message), self._room(row, problem).width()))
+        return QSize(px(200), px(28) + (many - 1) * px(LINE))
+
+    def _room(self, rect: QRect, problem: Problem) -> QRect:
+        """Where the words stand in a row, in their first line."""
+        button = mend_box(rect, problem)
+        end = button.x() if button.width() else rect.right()
+        begin = rect.x() + px(36) + self.place_width + px(8)
+        return QRect(begin, rect.y(), max(0, end - begin - px(12)), px(28))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: AnyIndex) -> None:
         theme = self._theme
@@ -97,8 +128,9 @@ class ProblemDelegate(QStyledItemDelegate):
             painter.fillRect(rect, theme.color("accent_soft"))
         elif state & QStyle.StateFlag.State_MouseOver:
             painter.fillRect(rect, theme.color("hover"))
+        first = QRectF(rect.x(), rect.y(), rect.width(), px(28))
         high = px(15)
-        box = QRectF(rect.x() + px(12), rect.center().y() - high / 2, high, high)
+        box = QRectF(rect.x() + px(12), first.center().y() - high / 2, high, high)
         if problem is None:
             painter.setFont(font(12, 500))
             painter.setPen(theme.color("accent"))
@@ -109,16 +141,17 @@ class ProblemDelegate(QStyledItemDelegate):
         icons.paint(painter, problem.severity, box, theme.color(problem.severity))
         painter.setFont(font(13))
         painter.setPen(theme.color("text2"))
-        where = QRectF(rect.x() + px(36), rect.y(), self.place_width, rect.height())
+        where = QRectF(first.x() + px(36), first.y(), self.place_width, first.height())
         middle = int(Qt.AlignmentFlag.AlignVCenter)
         cut = painter.fontMetrics().elidedText
         right = Qt.TextElideMode.ElideRight
         painter.drawText(where, middle, cut(index.data(WHERE), right, int(where.width())))
         painter.setPen(theme.color("text"))
         button = QRectF(mend_box(option.rect, problem))
-        end = button.x() if button.width() else rect.right()
-        words = QRectF(where.right() + 8, rect.y(), end - where.right() - 20, rect.height())
-        painter.drawText(words, middle, cut(said(problem.message), right, int(words.width())))
+        words = self._room(option.rect, problem)
+        for line in lines(said(problem.message), words.width()):
+            painter.drawText(words, middle, line)
+            words.translate(0, px(LINE))
         if problem.mend is not None:
             painter.setPen(QPen(theme.color("line_strong")))
             painter.setBrush(theme.color("panel"))
@@ -203,6 +236,7 @@ class Problems(QWidget):
         self.list.setAccessibleName(self.tr("Problems"))
         self.list.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
         self.list.setMouseTracking(True)
+        self.list.setResizeMode(QListView.ResizeMode.Adjust)
         self._delegate = ProblemDelegate(theme, self.list)
         self.list.setItemDelegate(self._delegate)
         self._shown: list[tuple[Problem, str]] = []
