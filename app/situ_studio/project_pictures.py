@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
+import shiboken6
 from msgspec import Struct
-from PySide6.QtCore import QCoreApplication, QRectF, Qt
+from PySide6.QtCore import QCoreApplication, QObject, QRectF, Qt, QTimer
 from PySide6.QtGui import QPainter, QPainterPath, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -147,3 +149,43 @@ class SmallPicture(Picture):
             whole = QRectF(0, 0, rect.width() / SMALL, rect.height() / SMALL)
             self.paint_document(painter, whole.adjusted(12, 12, -12, -12), False)
         painter.end()
+
+
+class SmallPictures(QObject):
+    """Reads the projects that small pictures show, one at a time, so that ``page`` is there at
+    once and never stands still; none while it is not seen.
+
+    read: gives what the picture of the project at a path shows; it may take its time.
+    """
+
+    def __init__(self, page: QWidget, read: Callable[[str], Application | Spds | None]) -> None:
+        super().__init__(page)
+        self._page, self._read = page, read
+        self._unread: list[tuple[SmallPicture, str]] = []
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self._read_next)
+
+    def picture(self, theme: Theme, icon: str, path: str) -> SmallPicture:
+        """One of the project at ``path``; an icon until that is read."""
+        made = SmallPicture(theme, icon)
+        self._unread.append((made, path))
+        self._soon.start()
+        return made
+
+    @property
+    def waits(self) -> bool:
+        """Whether there are pictures that are still to be read."""
+        return bool(self._unread)
+
+    def go_on(self) -> None:
+        """The page is seen again."""
+        self._soon.start()
+
+    def _read_next(self) -> None:
+        if not self._unread or not self._page.isVisible():
+            return
+        picture, path = self._unread.pop(0)
+        if shiboken6.isValid(picture):
+            picture.show_document(self._read(path))
+        self._soon.start()

@@ -100,4 +100,4 @@ class Welcoming:
     def _show_recent(self) -> None:
         window = self._window
         opened = recent.opened(window.settings)
-        window.welcome.show_recent(self.recent, opened, window.session.now())
+        window.welcome.recent.show_projects(self.recent, opened, window.session.now())

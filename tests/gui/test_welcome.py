@@ -159,7 +159,7 @@ def test_recent_projects_and_templates_show_what_they_look_like(
     used = studio()
     used.session.now = lambda: NOW
     used.window.welcoming.show()
-    while used.window.welcome.reads:
+    while used.window.welcome.pictures.waits:
         QApplication.processEvents()
     pictures = used.window.welcome.findChildren(SmallPicture)
     assert len(pictures) == 3
