@@ -53,7 +53,7 @@ from situ_studio.welcome import Welcome
 
 LEFT, RIGHT, BOTTOM = 224, 280, 132
 LEFT_SMALL, RIGHT_SMALL = 208, 264
-LOW = 860
+LOW = 1000
 """Px of the window's height below which rows are denser."""
 LOWER = 640
 """Px below which not everything at the left has room."""

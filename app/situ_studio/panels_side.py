@@ -62,7 +62,9 @@ class PanelsSide(QObject):
             window.session.project,
         )
         if view is None or document is None or project is None:
-            window.inspector.show_nothing(self.tr("Nothing is selected."))
+            window.inspector.show_nothing(
+                self.tr("What is selected in a drawing can be changed here.")
+            )
             window.inspector.usages.hide()
             window.status.show_selection(())
         else:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import groupby
 
 from PySide6.QtCore import QMimeData, Qt, Signal
 from PySide6.QtGui import QPixmap
-from PySide6.QtWidgets import QFrame, QGridLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document.modules import Modules
 from situ.document.rbd import Application
@@ -42,6 +43,8 @@ def _of(parts: tuple[str, ...]) -> tuple[Kind, ...]:
 
 LOWEST = 80
 """Px of the palette that are seen in the lowest window."""
+BETWEEN, HEAD = 6, 28
+"""Px between two groups, and of a group's name in a high window."""
 NARROW = 94
 """Px of a column where the panel is as narrow as it begins; a longer word gets both."""
 
@@ -98,7 +101,7 @@ class PaletteRoom(QScrollArea):
 
 
 class Palette(QWidget):
-    """Two columns."""
+    """Two columns; what belongs together stands together."""
 
     kind_asked = Signal(str)
     filled = Signal()
@@ -110,13 +113,10 @@ class Palette(QWidget):
         self._theme = theme
         self._kinds: tuple[Kind, ...] = ()
         self._dense = False
-        column = QVBoxLayout(self)
-        column.setContentsMargins(8, 0, 8, 8)
-        column.setSpacing(4)
-        self._grid = QGridLayout()
-        self._grid.setSpacing(4)
-        column.addLayout(self._grid)
-        column.addStretch(1)
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(8, 0, 8, 8)
+        self._column.setSpacing(0)
+        self._fill()
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
@@ -143,30 +143,69 @@ class Palette(QWidget):
         raise LookupError(name)
 
     def _fill(self) -> None:
-        clear(self._grid)
+        clear(self._column)
+        gap, high = (2, px(24)) if self._dense else (4, px(28))
+        groups = [tuple(those) for _, those in groupby(self._kinds, lambda k: k.palette)]
+        height = 0
+        if not groups:
+            height = self._nothing()
+        for group in groups:
+            if height:
+                height += self._head(group[0].palette)
+            grid, rows = self._rows(group)
+            grid.setVerticalSpacing(gap)
+            self._column.addLayout(grid)
+            height += rows * (high + gap) - gap
+        self._column.addStretch(1)
+        self.setFixedHeight(height + 8)
+        self.filled.emit()
+
+    def _nothing(self) -> int:
+        """Where nothing is drawn, how one comes to where there is something to add."""
+        label = QLabel(self.tr("Open a drawing to add to it."))
+        label.setProperty("role", "hint")
+        label.setFixedHeight(px(HEAD))
+        label.setContentsMargins(4, 0, 0, 0)
+        self._column.addWidget(label)
+        return px(HEAD)
+
+    def _head(self, part: str) -> int:
+        """What divides a group from the one above, and its height: its name, where there is room."""
+        name = {"action": self.tr("Actions"), "screen": self.tr("On its screen")}.get(part, "")
+        if self._dense or not name:
+            self._column.addSpacing(BETWEEN)
+            return BETWEEN
+        label = QLabel(name)
+        label.setProperty("role", "hint")
+        label.setFixedHeight(px(HEAD))
+        label.setContentsMargins(4, 0, 0, 0)
+        self._column.addWidget(label)
+        return px(HEAD)
+
+    def _rows(self, group: tuple[Kind, ...]) -> tuple[QGridLayout, int]:
+        """A group in two columns, and how many rows it has."""
+        grid = QGridLayout()
+        grid.setSpacing(4)
         row = column = 0
         long: list[PaletteItem] = []
-        for kind in self._kinds:
+        for kind in group:
             item = self._item(kind)
             if item.sizeHint().width() > px(NARROW):
                 long.append(item)
             else:
-                self._grid.addWidget(item, row, column)
+                grid.addWidget(item, row, column)
                 row, column = (row + 1, 0) if column else (row, 1)
             # Not before the row is full: no hole is left beside it.
             while long and not column:
-                self._grid.addWidget(long.pop(0), row, 0, 1, 2)
+                grid.addWidget(long.pop(0), row, 0, 1, 2)
                 row += 1
+        row += column
         for item in long:
+            grid.addWidget(item, row, 0, 1, 2)
             row += 1
-            self._grid.addWidget(item, row, 0, 1, 2)
-        rows = row + (column or len(long) > 0)
-        self._grid.setColumnStretch(0, 1)
-        self._grid.setColumnStretch(1, 1)
-        gap, high = (2, px(24)) if self._dense else (4, px(28))
-        self._grid.setVerticalSpacing(gap)
-        self.setFixedHeight(max(8, rows * (high + gap) + 8 - gap))
-        self.filled.emit()
+        grid.setColumnStretch(0, 1)
+        grid.setColumnStretch(1, 1)
+        return grid, row
 
     def _item(self, kind: Kind) -> PaletteItem:
         item = PaletteItem(self._theme, kind, self)
