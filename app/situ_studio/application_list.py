@@ -26,6 +26,7 @@ from situ.document.rbd import Application, State
 from situ.document.spds import Spds
 from situ.errors import UsageError
 from situ_studio import icons, new_script
+from situ_studio.application_uses import END, unlisted
 from situ_studio.canvas.gestures import mark_start
 from situ_studio.edit import Written
 from situ_studio.language import said
@@ -33,7 +34,6 @@ from situ_studio.language import said
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
 
-END = ".rbd.xml"
 MOST = 20
 """So many files of the folder a menu offers at most."""
 
@@ -120,12 +120,27 @@ class ApplicationList(QObject):
         if isinstance(found, Application):
             self._add(file, found)
 
+    def copy(self, file: str) -> None:
+        """Adds another application that is like this one, with a name of its own, as one step."""
+        project, found = self._session.project, self._session.document(file)
+        if project is None or not isinstance(found, Application):
+            return
+        if self._session.is_incomplete(file):
+            told = self.tr("{0} has errors: mend them first, or what they name would be lost.")
+            self._window.say(told.format(file))
+            return
+        taken = {one.name for one in project.applications.values()} | project.declared().keys()
+        number = 2
+        while (name := f"{found.name}-{number}") in taken:
+            number += 1
+        words = self.tr("Duplicate application {0}").format(found.name)
+        self._add(self._free(name), replace(found, name=name), True, words)
+
     def remove(self, file: str) -> None:
         """Takes an application out of the project; its file stays."""
         toml = self._session.value(PROJECT_FILE)
         if isinstance(toml, Toml):
-            left = [one for one in beside.applications(toml) if one != file]
-            after = writing.put(toml, "project", "applications", left)
+            after = unlisted(toml, file)
             self._session.commit(PROJECT_FILE, after, self.tr("Remove {0}").format(file))
 
     def start(self, file: str, no: str) -> None:
@@ -136,7 +151,7 @@ class ApplicationList(QObject):
             if text:
                 self._session.commit(file, after, text)
 
-    def _add(self, file: str, application: Application, new: bool = False) -> None:
+    def _add(self, file: str, application: Application, new: bool = False, words: str = "") -> None:
         project, toml = self._session.project, self._session.value(PROJECT_FILE)
         if project is None or not isinstance(toml, Toml):
             return
@@ -146,7 +161,7 @@ class ApplicationList(QObject):
         if new:
             changed[file] = application
         changed |= self._script(project, after, file, application)
-        words = self.tr("Add application {0}").format(application.name)
+        words = words or self.tr("Add application {0}").format(application.name)
         if self._session.commit_all(changed, words) and new:
             self._window.open_file(file)
         elif new:

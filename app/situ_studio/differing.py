@@ -11,7 +11,8 @@ from situ.document.change import Change
 from situ.document.diff import compare
 from situ.document.join import join, join_texts
 from situ.document.project import Project
-from situ_studio.edit import Written
+from situ_studio.edit import Lines, Written
+from situ_studio.language import tr
 
 
 class Differing(Struct, frozen=True):
@@ -49,6 +50,9 @@ class Differing(Struct, frozen=True):
             if isinstance(before, Toml | Catalogue) and isinstance(after, Toml | Catalogue):
                 return beside.compare(self.project, self.file, before, after)
             return []
+        if isinstance(before, Lines) or isinstance(after, Lines):
+            told = tr("lines of the scenario")
+            return [Change(file=self.file, place=(), text=told, behaviour=False)]
         return compare(before, after, self.file)
 
 
@@ -56,8 +60,8 @@ def joined(base: Written | None, mine: Written, theirs: Written) -> Written | No
     """What both made of one file; None where they collide, or nothing is known of the beginning."""
     if isinstance(base, Catalogue) and isinstance(mine, Catalogue):
         return join_texts(base, mine, theirs) if isinstance(theirs, Catalogue) else None
-    if base is None or isinstance(base, Toml | Catalogue):
+    if base is None or isinstance(base, Toml | Catalogue | Lines):
         return None
-    if isinstance(mine, Toml | Catalogue) or isinstance(theirs, Toml | Catalogue):
+    if isinstance(mine, Toml | Catalogue | Lines) or isinstance(theirs, Toml | Catalogue | Lines):
         return None
     return join(base, mine, theirs)

@@ -11,12 +11,20 @@ from situ.document.modules import Modules
 from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ.document.spds import Spds
+from situ.rehearse.suite import ENDING
 
 Document = Application | Spds | Modules
 """Any value that is one file of a project and is drawn."""
 
-Written = Document | Beside
-"""Any value that is one file of a project: what it consists of, and its texts, too."""
+
+class Lines(Struct, frozen=True):
+    """A scenario, letter for letter: changed here only where it names what is renamed."""
+
+    text: str
+
+
+Written = Document | Beside | Lines
+"""Any value that is one file of a project: what it consists of, its texts and scenarios, too."""
 
 Place = tuple[str, ...]
 """What a selection or a problem points at, from the outside in, as ``Problem.place``:
@@ -38,9 +46,13 @@ class Edit(Struct, frozen=True):
 
 def read(data: bytes, file: str) -> tuple[Written | None, list[Problem]]:
     """The value of a file of a project by its path; None where there is none, and what is wrong."""
+    if file.endswith(ENDING):
+        return Lines(data.decode("utf-8", "surrogateescape")), []
     return codec.read(data, file) if file.endswith(".xml") else beside.read(data, file)
 
 
 def write(value: Written) -> bytes:
     """The bytes of a value's file."""
+    if isinstance(value, Lines):
+        return value.text.encode("utf-8", "surrogateescape")
     return beside.write(value) if isinstance(value, Toml | Catalogue) else codec.write(value)

@@ -82,6 +82,19 @@ class FolderWatch(QObject):
         """A document that was made here begins; it may have been here before."""
         if file not in self._seen:
             self.see(file)
+        elif file not in self._files:
+            self._files.append(file)
+            self.watch()
+
+    def leave(self, file: str) -> None:
+        """What becomes of that document on disk is told no more; what it was is still known."""
+        if file in self._files:
+            self._files.remove(file)
+
+    def forget(self, file: str) -> None:
+        """The file is not there any more, by our own hand."""
+        self.leave(file)
+        self._seen.pop(file, None)
 
     def is_other(self, file: str) -> bool:
         """Whether the file holds something that was never seen here."""

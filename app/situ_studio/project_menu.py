@@ -12,6 +12,7 @@ from situ.document.beside import Toml
 from situ.document.folder import PROJECT_FILE
 from situ_studio import icons, new_information
 from situ_studio.icon_widgets import IconButton
+from situ_studio.panels.lists import PLACE
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -29,11 +30,14 @@ class ProjectMenu(QObject):
         tree = window.project_tree.tree
         tree.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         tree.customContextMenuRequested.connect(
-            lambda at: self.open(tree.viewport().mapToGlobal(at))
+            lambda at: self.open(tree.viewport().mapToGlobal(at), tree.indexAt(at).data(PLACE))
         )
 
-    def open(self, at: QPoint) -> None:
-        """Opens the menu at a place of the screen; a project without ``situ.toml`` has none."""
+    def open(self, at: QPoint, file: str | None = None) -> None:
+        """Opens the menu at a place of the screen; a project without ``situ.toml`` has none.
+
+        file: that of the row that was pressed, with which more can be done.
+        """
         window = self._window
         if not window.pages.has(PROJECT_FILE):
             window.say(self.tr("One file alone is open: nothing can be added beside it."))
@@ -57,6 +61,8 @@ class ProjectMenu(QObject):
         menu.addSeparator()
         form = menu.addAction(self._icon("folder"), self.tr("What the project is"))
         form.triggered.connect(lambda: window.open_file(PROJECT_FILE))
+        if file is not None:
+            window.application_files.add_to(menu, file)
         menu.popup(at)
 
     def _begin_information(self) -> None:

@@ -49,6 +49,7 @@ def reasons() -> dict[str, str]:
         "can_step_exit": either,
         "can_undo": tr("nothing was changed"),
         "may_operate": tr("only an operator may: your key lets you look only"),
+        "has_application_file": tr("open an application of a project first"),
         "has_breakpoints": tr("there is no breakpoint"),
         "has_cells": tr("only in the matrix of a script"),
         "has_data": tr("select data in the graph first"),

@@ -18,7 +18,7 @@ from situ.document.rbd import Application
 from situ.errors import SituError
 from situ_studio import edit, kept, leftovers
 from situ_studio.claim import key, lock
-from situ_studio.edit import Written
+from situ_studio.edit import Lines, Written
 from situ_studio.kept import Kept, Wanted
 from situ_studio.panels.notice import Notice
 from situ_studio.session import Session
@@ -206,6 +206,8 @@ class Recovery(QObject):
         """As one step a document, that can be undone."""
         for name, text in found.files.items():
             document, _ = edit.read(text.encode(), name)
+            if isinstance(document, Lines):
+                self._session.attend((name,))
             now = self._session.value(name)
             # A part that was made, and not saved, is known to no file of the project yet.
             new = now is None and isinstance(document, Application | Catalogue)

@@ -7,7 +7,7 @@ or saved (architecture, idea 1).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 
@@ -26,15 +26,17 @@ from situ.errors import UsageError
 from situ_studio import project_documents, projects
 from situ_studio.checking import Checker
 from situ_studio.differing import Differing, joined
-from situ_studio.edit import Document, Edit, Written, read, write
+from situ_studio.edit import Document, Edit, Lines, Written, read, write
 from situ_studio.folder_watch import FolderWatch
 from situ_studio.undo import Looking, Selection, Step, UndoStack
+from situ_studio.waste_basket import thrown_away
 
 
 class Session(QObject):
     """One project while it is open in a window.
 
-    now: the wall clock, for *Saved 14:02*.
+    now: the wall clock, for *Saved 14:02*. throw_away: puts a file into the waste basket, if it
+    can.
     """
 
     opened = Signal()
@@ -56,14 +58,20 @@ class Session(QObject):
     """Another program wrote that file, and the document here is not its content."""
     moved = Signal()
     """The project lies in another folder now."""
+    left_over = Signal(str)
+    """That file was deleted here, and stays in the folder: another program changed it, or the
+    system has no waste basket for it."""
     folder_gone = Signal()
     """The project's folder is not where it was."""
 
     def __init__(
-        self, parent: QObject | None = None, now: Callable[[], datetime] = datetime.now
+        self,
+        parent: QObject | None = None,
+        now: Callable[[], datetime] = datetime.now,
+        throw_away: Callable[[Path], bool] = thrown_away,
     ) -> None:
         super().__init__(parent)
-        self.now = now
+        self.now, self.throw_away = now, throw_away
         self._project: Project | None = None
         self._read_problems: list[Problem] = []
         self._problems: list[Problem] = []
@@ -72,9 +80,11 @@ class Session(QObject):
         self._called: dict[str, str | None] = {}
         self._incomplete: dict[str, Written] = {}
         self._beside: dict[str, Beside] = {}
+        self._scenarios: dict[str, Lines] = {}
         self._apart: dict[str, Application] = {}
         self._read: dict[str, Written] = {}
         self._saved: dict[str, Written] = {}
+        self._removed: dict[str, None] = {}
         self._texts: dict[str, bytes] = {}
         self._stack = UndoStack()
         self._saved_at: datetime | None = None
@@ -120,7 +130,9 @@ class Session(QObject):
         its texts; None for one that is not there, or can not be read.
         """
         document = self.document(file)
-        return document if document is not None else self._beside.get(file)
+        if document is not None:
+            return document
+        return self._beside.get(file) or self._scenarios.get(file)
 
     def open(self, path: str | Path) -> None:
         """Opens a project in place of the one that was open; nothing is saved.
@@ -139,14 +151,14 @@ class Session(QObject):
         self._stack = UndoStack()
         self._saved_at = None
         self._read = {file: self._value(file) for file in self.files}
-        self._saved = dict(self._read)
+        self._saved, self._removed = dict(self._read), {}
         self._incomplete = {
             file: document
             for file, document in self._read.items()
             if any(p.severity == "error" and self.file_of(p) == file for p in problems)
         }
         self.disk.begin(Path(project.root), self.files, beside.files(project))
-        self._beside, self._apart = {}, {}
+        self._beside, self._scenarios, self._apart = {}, {}, {}
         self._read_beside()
         self._keep_texts()
         self._keep_problems(problems)
@@ -184,7 +196,7 @@ class Session(QObject):
 
     def commit_all(
         self,
-        changed: Mapping[str, Written],
+        changed: Mapping[str, Written | None],
         text: str,
         selected: Selection = (),
         looking: Looking | None = None,
@@ -193,7 +205,8 @@ class Session(QObject):
 
         changed: the file in which it was done stands first; an application in a file that the
         project does not have becomes a new part of it, a script its script, texts in one that is
-        not there are begun.
+        not there are begun. None takes a file away: it goes into the waste basket when the
+        others are written.
         None is changed, and the answer is False, where one of them is incomplete.
         """
         if any(self.is_incomplete(file) for file in changed):
@@ -202,7 +215,7 @@ class Session(QObject):
 
     def _commit(
         self,
-        changed: Mapping[str, Written],
+        changed: Mapping[str, Written | None],
         text: str,
         selected: Selection = (),
         looking: Looking | None = None,
@@ -254,9 +267,18 @@ class Session(QObject):
 
     @property
     def dirty(self) -> list[str]:
-        """The files whose document is not what was last read or saved."""
-        every = (*self.files, *self._beside)
+        """The files whose document is not what was last read or saved, and those taken away."""
+        return [*self._changed, *self.removed]
+
+    @property
+    def _changed(self) -> list[str]:
+        every = (*self.files, *self._beside, *self._scenarios)
         return [f for f in every if self.value(f) is not self._saved.get(f)]
+
+    @property
+    def removed(self) -> list[str]:
+        """The files that were taken away, and lie in the folder until the project is saved."""
+        return [f for f in self._removed if f not in self.files]
 
     # -- saving ------------------------------------------------------------------
 
@@ -267,15 +289,17 @@ class Session(QObject):
 
     def conflicts(self) -> list[str]:
         """The dirty files that another program changed since they were read or saved here."""
-        return [f for f in self.dirty if self.disk.is_other(f)]
+        return [f for f in self._changed if self.disk.is_other(f)]
 
     def save(self) -> None:
-        """Writes every dirty document, canonically and atomically; see ``conflicts`` first.
+        """Writes every dirty document, canonically and atomically; see ``conflicts`` first. Then
+        puts what was taken away into the waste basket.
 
-        Raises UsageError where a file can not be written; those written before it count as saved.
+        Raises UsageError where a file can not be written; those written before it count as saved,
+        and nothing is thrown away.
         """
         try:
-            for file in self.dirty:
+            for file in self._changed:
                 document = self._value(file)
                 if self.is_incomplete(file):
                     raise UsageError(
@@ -287,9 +311,33 @@ class Session(QObject):
                 self._saved[file] = document
                 self.disk.see(file)
             self._saved_at = self.now()
+            for file in self.removed:
+                self._throw_away(file)
         finally:
             self.disk.watch()
             self.stack_changed.emit()
+
+    def _throw_away(self, file: str) -> None:
+        path = self.root / file
+        del self._removed[file]
+        if not self.disk.is_missing(file):
+            # Where letters' case does not count, another name may be the same file.
+            same = any(path.samefile(self.root / f) for f in self.files if f != file)
+            if same or self.disk.is_other(file) or not self.throw_away(path):
+                if not same:
+                    self.left_over.emit(file)
+                return
+        self._saved.pop(file, None)
+        self.disk.forget(file)
+
+    def attend(self, scenarios: Iterable[str]) -> None:
+        """Scenarios that are about to be changed here are values like others from now on."""
+        for file in scenarios:
+            if file not in self._scenarios and not self.disk.is_missing(file):
+                value, _ = read(self.disk.read(file), file)
+                assert isinstance(value, Lines)
+                self._scenarios[file] = self._saved[file] = value
+                self.disk.see(file)
 
     def differing(self, file: str) -> Differing:
         """What was changed here and what by another program since both were the same."""
@@ -374,7 +422,8 @@ class Session(QObject):
         mine = {file: self._value(file) for file in self.files}
         dirty = self.dirty
         self._project = project
-        kept = [file for file in dirty if file not in (*self.files, *self._beside)]
+        there = (*self.files, *self._beside, *self._scenarios)
+        kept = [file for file in dirty if file not in there]
         other = [f for f in self.files if f in mine and type(mine[f]) is not type(self.document(f))]
         if kept or other:
             # Somebody works on what would go.
@@ -445,7 +494,8 @@ class Session(QObject):
         for file in self.files:
             if self.is_incomplete(file):
                 raise UsageError(f"{file} has errors: mend them first, or they would be lost")
-        documents = {file: self._value(file) for file in (*self.files, *self._beside)}
+        every = (*self.files, *self._beside, *self._scenarios)
+        documents = {file: self._value(file) for file in every}
         target = projects.copy_project(self._open_project(), self._texts, parent)
         for file, document in documents.items():
             (target / file).parent.mkdir(parents=True, exist_ok=True)
@@ -542,6 +592,8 @@ class Session(QObject):
     def _with(self, file: str, document: Written) -> Project:
         """The project with another document in a file that it has."""
         project = self._open_project()
+        if isinstance(document, Lines):
+            return project
         if isinstance(document, Toml | Catalogue):
             return beside.settled(project, {**self._beside, file: document})
         return project_documents.exchanged(project, file, document)
@@ -550,15 +602,25 @@ class Session(QObject):
         if beside.is_beside(file):
             self._exchange_beside(file, document)
             return
+        if isinstance(document, Lines):
+            self._scenarios[file] = document
+            self.changed.emit(file)
+            self.stack_changed.emit()
+            return
         project = self._open_project()
         listed = self.document(file) is not None
         if document is None:
             project = project_documents.without(project, file)
+            self._apart.pop(file, None)
+            if not self.disk.is_missing(file):
+                self._removed[file] = None
+            self.disk.leave(file)
         elif not listed:
             assert isinstance(document, Document)
             project = project_documents.added(project, file, document)
             if isinstance(document, Application):
                 project = self._regrouped(project)
+            self._removed.pop(file, None)
             self.disk.see_new(file)
         else:
             project = self._with(file, document)

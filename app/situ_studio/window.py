@@ -11,6 +11,7 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication
 
 from situ_studio import leftovers, places
+from situ_studio.application_files import ApplicationFiles
 from situ_studio.checking import CheckWork
 from situ_studio.choosing_media import ChoosingMedia
 from situ_studio.claim import Claim
@@ -114,6 +115,8 @@ class MainWindow(Frame):
         self.designing = DesigningSide(self)
         self.media_choice = ChoosingMedia(self)
         self.parts = PartsSide(self)
+        # Before the window closes the tabs of files that are not there any more.
+        self.application_files = ApplicationFiles(self)
         self.pages = PagesSide(self)
         self.finding = FindingSide(self)
         self.exporting = ExportingSide(self)

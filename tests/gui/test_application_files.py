@@ -1,0 +1,435 @@
+"""Files of applications in the project's tree: another name, deleted, another one like it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent, QInputMethodEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from tests.gui.test_adding_to_a_project import open_menu, press
+
+from situ.document import folder
+from situ.document.check import check, merge
+from situ_studio.panels.lists import PLACE
+
+Start = Callable[..., Any]
+Copy = Callable[[str], Path]
+
+TOML = """[project]
+name = "ward"
+applications = ["a.rbd.xml", "night.rbd.xml"]
+spds = "ward.spds.xml"
+scenarios = "scenarios"
+languages = ["en", "ja"]
+
+[robot]
+adapter = "sim"
+"""
+A = """<application name="a" start="1">
+  <state no="1" name="Hello">
+    <expectedevents>
+      <event name="ready" next="2"><when><data tag="application/night.state" is="1"/></when></event>
+    </expectedevents>
+  </state>
+  <state no="2" name="Round"><flow src="turn.rbd.xml"/>
+    <expectedevents><event name="done" next="1"/></expectedevents>
+  </state>
+</application>
+"""
+NIGHT = """<application name="night" start="1">
+  <state no="1" name="Night">
+    <timeout next="2">5</timeout>
+    <backgroundactions><speech>Good night</speech></backgroundactions>
+  </state>
+  <state no="2" name="Bye" final="true"/>
+</application>
+"""
+TURN = '<application name="turn" start="1"><state no="1" name="Turn" final="true"/></application>\n'
+SPDS = """<spds name="ward">
+  <modules>
+    <module name="a" resources="screen speech"/>
+    <module name="night" resources="screen speech"/>
+  </modules>
+  <situation name="all">
+    <module name="a" priority="1"/><module name="night" priority="2"/>
+  </situation>
+</spds>
+"""
+PO = """msgid ""
+msgstr ""
+"Content-Type: text/plain; charset=UTF-8\\n"
+
+#: night.rbd.xml
+msgid "Good night"
+msgstr "おやすみなさい"
+"""
+SCENARIO = (
+    '{"at": 1, "event": "ready", "application": "night"}\n'
+    '{"at": 2, "expect": {"kind": "enter", "state": "night"}}\n'
+    '{"at":3,"expect":{"kind":"authority","resource":"speech","to":"night"}}\n'
+    '{"at": 4, "end": true}\n'
+)
+
+
+class Basket:
+    """A waste basket that keeps what was thrown into it; a full one takes nothing."""
+
+    def __init__(self) -> None:
+        self.held: dict[str, bytes] = {}
+        self.full = False
+
+    def __call__(self, file: Path) -> bool:
+        if self.full:
+            return False
+        self.held[file.name] = file.read_bytes()
+        file.unlink()
+        return True
+
+
+@pytest.fixture
+def ward(studio: Start, tmp_path: Path) -> Any:
+    for name, text in {
+        "situ.toml": TOML,
+        "a.rbd.xml": A,
+        "night.rbd.xml": NIGHT,
+        "turn.rbd.xml": TURN,
+        "ward.spds.xml": SPDS,
+        "texts/ja.po": PO,
+        "scenarios/first.jsonl": SCENARIO,
+    }.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    used = studio(tmp_path)
+    used.basket = used.session.throw_away = Basket()
+    return used
+
+
+def row(used: Any, file: str) -> Any:
+    tree = used.window.project_tree.tree
+    top = tree.model().index(0, 0)
+    rows = [tree.model().index(at, 0, top) for at in range(tree.model().rowCount(top))]
+    return next(index for index in rows if index.data(PLACE) == file)
+
+
+def choose(used: Any, file: str) -> None:
+    """Clicks a row, which then has the focus."""
+    used.click_row(used.window.project_tree.tree, row(used, file))
+    used.window.project_tree.tree.setFocus()
+    used.settle()
+
+
+def dialog(used: Any) -> Any:
+    found = used.window.application_files.dialog
+    assert found is not None, used.window.status.said.text()
+    return found
+
+
+def key(used: Any, key: Qt.Key) -> None:
+    """A key to what has the focus in the question, which a person's desktop has in front."""
+    asked = dialog(used)
+    QTest.keyClick(asked.focusWidget() or asked, key)
+    QApplication.processEvents()
+
+
+def write(used: Any, text: str) -> None:
+    """Writes over the name, by an input method, as one does in Japanese."""
+    asked = dialog(used)
+    asked.name.selectAll()
+    key(used, Qt.Key.Key_Delete)
+    written = QInputMethodEvent()
+    written.setCommitString(text)
+    QApplication.sendEvent(asked.focusWidget(), written)
+    QApplication.processEvents()
+
+
+def listed(rows: Any) -> list[str]:
+    return [rows.item(at).text() for at in range(rows.count())]
+
+
+def do(used: Any, command: str) -> None:
+    used.window.actions_.actions[command].trigger()
+    used.settle()
+
+
+def on_disk(root: Path) -> dict[str, bytes]:
+    return {p.relative_to(root).as_posix(): p.read_bytes() for p in root.rglob("*") if p.is_file()}
+
+
+def errors(root: Path) -> list[str]:
+    project, read = folder.load(root)
+    assert project is not None
+    return [str(p) for p in merge(read, check(project)) if p.severity == "error"]
+
+
+def test_another_name_is_followed_everywhere_as_one_step_and_reaches_the_disk_when_it_is_saved(
+    ward: Any, tmp_path: Path
+) -> None:
+    before = on_disk(tmp_path)
+    choose(ward, "night.rbd.xml")
+    assert ward.window.tabs.chosen_file == "night.rbd.xml"
+    ward.select("state", "1")
+    tabs = ward.window.tabs.files()
+    ward.window.project_tree.tree.setFocus()
+    ward.key(Qt.Key.Key_F2)
+    asked = dialog(ward)
+    assert not asked.rename.isEnabled()
+    write(ward, "夜")
+    assert listed(asked.list) == [
+        "night.rbd.xml: becomes 夜.rbd.xml",
+        "night.rbd.xml: the application is called 夜 in it",
+        "a.rbd.xml: 1 place that names it as a module",
+        "ward.spds.xml: 2 places that name it as a module",
+        "scenarios/first.jsonl: 2 lines of the scenario",
+        "situ.toml: the list of applications",
+        "texts/ja.po: where its texts stand",
+    ]
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    assert ward.session.undo_text == "Rename application night"
+    assert on_disk(tmp_path) == before
+    # The tab goes along, with what was selected in it.
+    assert ward.window.tabs.files() == [f.replace("night", "夜") for f in tabs]
+    assert ward.window.tabs.chosen_file == "夜.rbd.xml"
+    assert ward.window.current_view.selected == (("state", "1"),)
+    do(ward, "save")
+    assert ward.basket.held == {"night.rbd.xml": before["night.rbd.xml"]}
+    after = on_disk(tmp_path)
+    assert after.keys() == before.keys() - {"night.rbd.xml"} | {"夜.rbd.xml"}
+    assert errors(tmp_path) == []
+    assert not any(
+        b"night.rbd" in data or b'"night"' in data
+        for f, data in after.items()
+        if f != "scenarios/first.jsonl"
+    )
+    lines = [json.loads(one) for one in after["scenarios/first.jsonl"].splitlines()]
+    assert lines[0]["application"] == "夜"
+    # A state of that name is none of its business.
+    assert lines[1]["expect"]["state"] == "night"
+    assert lines[2]["expect"]["to"] == "夜"
+    assert after["scenarios/first.jsonl"].decode() == SCENARIO.replace(
+        '"application": "night"', '"application": "夜"'
+    ).replace('"to":"night"', '"to":"夜"')
+    assert ward.session.dirty == []
+    do(ward, "undo")
+    assert ward.window.tabs.files() == tabs
+    assert ward.window.tabs.chosen_file == "night.rbd.xml"
+    do(ward, "save")
+    assert "夜.rbd.xml" in ward.basket.held
+    again = on_disk(tmp_path)
+    assert again.keys() == before.keys()
+    assert again["scenarios/first.jsonl"] == before["scenarios/first.jsonl"]
+    assert b"night" in again["night.rbd.xml"]
+    assert errors(tmp_path) == []
+
+
+def test_a_name_that_is_taken_or_none_is_told_before_anything_happens(
+    ward: Any, tmp_path: Path
+) -> None:
+    (tmp_path / "there.rbd.xml").write_text("whatever")
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    asked = dialog(ward)
+    for name, why in (
+        ("night", "Write another name."),
+        ("a", "There is a file a.rbd.xml already: choose another name."),
+        ("A", "There is a file A.rbd.xml already: choose another name."),
+        ("there", "There is a file there.rbd.xml already: choose another name."),
+        ("x/y", 'A name has no / \\ : * ? " < > | { } in it and begins with no dot.'),
+        ("", "Write a name."),
+    ):
+        write(ward, name)
+        assert asked.why.text() == why
+        assert not asked.rename.isEnabled()
+        assert listed(asked.list) == []
+        key(ward, Qt.Key.Key_Return)
+        assert dialog(ward) is asked
+    # A file of that name may be there and the module not, and the other way round.
+    write(ward, "b")
+    QTest.mouseClick(asked.too, Qt.MouseButton.LeftButton, pos=QPoint(8, asked.too.height() // 2))
+    assert listed(asked.list) == [
+        "night.rbd.xml: becomes b.rbd.xml",
+        "situ.toml: the list of applications",
+        "texts/ja.po: where its texts stand",
+    ]
+    key(ward, Qt.Key.Key_Escape)
+    ward.settle()
+    assert not ward.session.undo_text
+    assert ward.window.application_files.dialog is None
+
+
+def test_a_part_takes_the_states_that_run_it_along(ward: Any, tmp_path: Path) -> None:
+    ward.window.open_file("a.rbd.xml")
+    ward.select("state", "2")
+    ward.window.parts.enter()
+    assert ward.window.parts.way == ("a.rbd.xml", "turn.rbd.xml")
+    # The command is about the document that is shown.
+    do(ward, "rename_application")
+    write(ward, "tour")
+    assert listed(dialog(ward).list) == [
+        "turn.rbd.xml: becomes tour.rbd.xml",
+        "turn.rbd.xml: the application is called tour in it",
+        "a.rbd.xml: 1 state that runs it",
+    ]
+    QTest.mouseClick(dialog(ward).rename, Qt.MouseButton.LeftButton)
+    ward.settle()
+    assert ward.session.document("a.rbd.xml").states[1].flow == "tour.rbd.xml"
+    assert ward.window.parts.way == ("a.rbd.xml", "tour.rbd.xml")
+    assert ward.window.current_file == "tour.rbd.xml"
+    do(ward, "save")
+    assert errors(tmp_path) == []
+    assert not (tmp_path / "turn.rbd.xml").exists()
+
+
+def test_what_still_refers_to_a_file_is_told_before_it_is_deleted_and_undo_brings_it_back(
+    ward: Any, tmp_path: Path
+) -> None:
+    before = on_disk(tmp_path)
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_Delete)
+    asked = dialog(ward)
+    assert listed(asked.list) == [
+        "a.rbd.xml: 1 place that names it as a module",
+        "ward.spds.xml: 2 places that name it as a module",
+        "scenarios/first.jsonl: 2 lines of the scenario",
+    ]
+    key(ward, Qt.Key.Key_Escape)
+    ward.settle()
+    assert not ward.session.undo_text
+    ward.window.project_tree.tree.setFocus()
+    ward.key(Qt.Key.Key_Delete)
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    assert ward.session.undo_text == "Delete night"
+    assert "night.rbd.xml" not in ward.session.files
+    assert "night.rbd.xml" not in ward.window.tabs.files()
+    assert on_disk(tmp_path) == before
+    do(ward, "undo")
+    assert ward.session.dirty == []
+    do(ward, "redo")
+    do(ward, "save")
+    assert ward.basket.held == {"night.rbd.xml": before["night.rbd.xml"]}
+    assert ward.session.dirty == []
+    # Also after saving, and then it is written again.
+    do(ward, "undo")
+    assert list(ward.session.project.applications) == ["a.rbd.xml", "night.rbd.xml"]
+    do(ward, "save")
+    assert errors(tmp_path) == []
+    assert on_disk(tmp_path).keys() == before.keys()
+    # The last one stays.
+    for file in ("night.rbd.xml", "a.rbd.xml"):
+        choose(ward, file)
+        ward.key(Qt.Key.Key_Delete)
+        if file == "night.rbd.xml":
+            key(ward, Qt.Key.Key_Return)
+            ward.settle()
+    said = ward.window.status.said.text()
+    assert said == "It is the only application: a project has at least one."
+    choose(ward, "turn.rbd.xml")
+    ward.key(Qt.Key.Key_Delete)
+    assert listed(dialog(ward).list) == ["a.rbd.xml: 1 state runs it, and will have nothing to run"]
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    assert ward.session.dirty[-1] == "turn.rbd.xml"
+    do(ward, "undo")
+    assert "turn.rbd.xml" not in ward.session.dirty
+
+
+def test_what_is_not_saved_goes_along_and_what_can_not_be_written_loses_nothing(
+    ward: Any, tmp_path: Path
+) -> None:
+    choose(ward, "night.rbd.xml")
+    ward.select("state", "2")
+    ward.window.open_file("night.rbd.xml")
+    ward.select("state", "1")
+    do(ward, "delete")
+    unsaved = ward.session.document("night.rbd.xml")
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "late")
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    assert ward.session.document("late.rbd.xml").states == unsaved.states
+    # Something stands in the way: the old file stays until the new one is there.
+    (tmp_path / "late.rbd.xml").mkdir()
+    do(ward, "save")
+    assert (tmp_path / "night.rbd.xml").read_text() == NIGHT
+    assert "late.rbd.xml" in ward.session.dirty
+    (tmp_path / "late.rbd.xml").rmdir()
+    # Another program wrote the old file meanwhile: it is not thrown away.
+    (tmp_path / "night.rbd.xml").write_text(NIGHT.replace("Bye", "Good bye"))
+    do(ward, "save")
+    assert (tmp_path / "late.rbd.xml").is_file()
+    assert "Good bye" in (tmp_path / "night.rbd.xml").read_text()
+    told = "night.rbd.xml could not go into the waste basket: it stays in the folder."
+    assert ward.window.status.said.text() == told
+    assert ward.session.dirty == []
+    # Nor is one for which there is no basket.
+    ward.basket.full = True
+    choose(ward, "late.rbd.xml")
+    ward.key(Qt.Key.Key_Delete)
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    do(ward, "save")
+    assert (tmp_path / "late.rbd.xml").is_file()
+    assert ward.session.dirty == []
+
+
+def test_a_file_with_errors_or_changed_on_disk_keeps_its_name(ward: Any, tmp_path: Path) -> None:
+    choose(ward, "night.rbd.xml")
+    ward.select("state", "2")
+    do(ward, "delete")
+    (tmp_path / "night.rbd.xml").write_text(NIGHT.replace("Bye", "Good bye"))
+    ward.window.project_tree.tree.setFocus()
+    ward.key(Qt.Key.Key_F2)
+    assert ward.window.application_files.dialog is None
+    said = ward.window.status.said.text()
+    assert said == "Another program changed night.rbd.xml: decide first which one stays."
+    (tmp_path / "turn.rbd.xml").write_text(
+        '<application name="turn"><state no="1" x="y"/></application>'
+    )
+    ward.session.open(tmp_path)
+    for key in (Qt.Key.Key_F2, Qt.Key.Key_Delete):
+        choose(ward, "turn.rbd.xml")
+        ward.key(key)
+        assert ward.window.application_files.dialog is None
+        said = ward.window.status.said.text()
+        assert said.startswith("turn.rbd.xml has errors: mend them first")
+
+
+def test_the_menu_of_a_row_is_about_that_row_by_mouse_and_by_key(ward: Any) -> None:
+    choose(ward, "a.rbd.xml")
+    tree = ward.window.project_tree.tree
+    at = tree.visualRect(row(ward, "night.rbd.xml")).center()
+    mouse, keys = QContextMenuEvent.Reason.Mouse, QContextMenuEvent.Reason.Keyboard
+    glob = tree.viewport().mapToGlobal(at)
+    QApplication.sendEvent(tree.viewport(), QContextMenuEvent(mouse, at, glob))
+    press(ward, "Duplicate application")
+    assert ward.session.undo_text == "Duplicate application night"
+    (copy,) = [f for f in ward.session.files if "night-2" in f]
+    assert ward.session.document(copy).name == "night-2"
+    assert ward.session.document(copy).states == ward.session.document("night.rbd.xml").states
+    assert ward.window.current_file == copy
+    ward.session.check_now()
+    assert [p.code for p in ward.session.problems if p.severity == "error"] == []
+    do(ward, "undo")
+    assert copy not in ward.session.files
+    choose(ward, "a.rbd.xml")
+    QApplication.sendEvent(tree, QContextMenuEvent(keys, QPoint(1, 1), tree.mapToGlobal(QPoint())))
+    press(ward, "Rename application…")
+    assert dialog(ward).name.text() == "a"
+    key(ward, Qt.Key.Key_Escape)
+    ward.settle()
+    # A row that is no application has none of it.
+    at = tree.visualRect(row(ward, "ward.spds.xml")).center()
+    glob = tree.viewport().mapToGlobal(at)
+    QApplication.sendEvent(tree.viewport(), QContextMenuEvent(mouse, at, glob))
+    menu = open_menu()
+    assert "Delete application…" not in [one.text() for one in menu.actions()]
+    menu.close()
+    ward.settle()
