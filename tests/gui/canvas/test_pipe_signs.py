@@ -12,8 +12,8 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QSignalSpy
+from tests.gui.canvas.script_desk import pipe
 from tests.gui.canvas.test_pipes import rest
-from tests.gui.canvas.test_script_canvas import pipe
 
 from situ.document.problem import Problem
 from situ.document.rbd import Application

@@ -11,9 +11,9 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QAccessible, QImage
 from PySide6.QtTest import QTest
+from tests.gui.canvas.script_desk import agree, body, middle, out, pipe
 from tests.gui.canvas.test_accessible import DESCRIPTION, NAME, tree
-from tests.gui.canvas.test_application_canvas import drop
-from tests.gui.canvas.test_script_canvas import agree, body, middle, out, pipe
+from tests.gui.canvas.test_dropping import drop
 
 from situ.document.condition import Condition, Group
 from situ.document.condition import Test as Question

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QApplication
-from tests.gui.canvas.test_script_canvas import agree, body, holds
+from tests.gui.canvas.script_desk import agree, body, holds
 
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ_studio.canvas import script_gestures as gestures

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
-from tests.gui.canvas.test_script_canvas import agree, body, edit, holds, middle, out, pipe
+from tests.gui.canvas.script_desk import agree, body, edit, holds, middle, out, pipe
 from tests.gui.canvas.test_script_drawing import scripts
 
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
