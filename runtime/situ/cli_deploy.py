@@ -57,7 +57,8 @@ def add(commands: Any) -> None:
         commands,
         "history",
         "list the versions that a running robot has had",
-        "Who deployed what and when, how it ended, and what can be gone back to.",
+        "Who deployed what and when, how it ended, what can be gone back to, and which Situ the "
+        "robot itself runs.",
     )
     told.add_argument("--json", action="store_true", help="for a program to read")
     told.set_defaults(run=_history)
@@ -288,9 +289,9 @@ def _history(args: argparse.Namespace) -> int:
     import msgspec
 
     with _connect(args, "viewer") as board:
-        told = board.history()
+        told, itself = board.history(), board.situ
     if args.json:
-        shown = {"version": told.version, "kept": told.kept, "turns": told.turns}
+        shown = {"version": told.version, "kept": told.kept, "situ": itself, "turns": told.turns}
         print(msgspec.json.format(msgspec.json.encode(shown), indent=2).decode())
         return 0
     for turn in told.turns:
@@ -299,6 +300,8 @@ def _history(args: argparse.Namespace) -> int:
     kept = [str(number) for number in told.kept if number != told.version]
     back = f"; {', '.join(kept)} can be gone back to" if kept else ""
     print(f"version {told.version} runs{back}")
+    if itself is not None:
+        print(f"the robot itself runs Situ {itself}")
     return 0
 
 

@@ -5,6 +5,7 @@ Against a robot in a process of its own: ``tests/faults/test_deploy.py``.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -38,6 +39,7 @@ class Board:
     def __init__(self, states: list[Deployment], turns: Turns | None = None) -> None:
         self._states = states
         self._turns = turns
+        self.situ: str | None = "0.9.1"
         self.asked: list[Any] = []
 
     def __enter__(self) -> Board:
@@ -221,5 +223,23 @@ def test_the_history_is_told_in_words(robot: Any, capsys: pytest.CaptureFixture[
         "back to version 2 by itself: version 3 failed: the robot's process died",
         "version 4 of operator:bob refused: reception.rbd.xml:3:2: error …",
         "version 0 runs, what lies in the project's own folder: it was changed since",
-        "",
+        *("", ""),
     ]
+
+
+def test_the_history_ends_with_what_runs_and_on_which_situ(
+    robot: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    board = robot(turns=Turns(id=1, turns=(), version=0, kept=(0, 2)))
+    line = ["history", "--to", "tcp://robot:5570"]
+    assert cli.main(line) == 0
+    runs = "version 0 runs; 2 can be gone back to"
+    assert capsys.readouterr().out.splitlines() == [runs, "the robot itself runs Situ 0.9.1"]
+    assert cli.main([*line, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["situ"] == "0.9.1"
+    # A robot from before it was told.
+    board.situ = None
+    assert cli.main(line) == 0
+    assert capsys.readouterr().out.splitlines() == [runs]
+    assert cli.main([*line, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["situ"] is None

@@ -169,6 +169,11 @@ class RobotLink(QObject):
         return self.state.kind == "live"
 
     @property
+    def situ(self) -> str | None:
+        """The version of Situ that the robot runs; None where there is none, or it tells none."""
+        return self._link.dialog.situ if self._link is not None and self.connected else None
+
+    @property
     def looks_only(self) -> bool:
         """Whether the robot is there and its keys here are a viewer's."""
         return self.connected and self.state.looks_only

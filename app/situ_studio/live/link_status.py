@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QPoint, Qt, QTimer
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
 
+from situ import __version__
 from situ_studio.language import tr
 from situ_studio.layouts import clear
 from situ_studio.letters import px
@@ -128,6 +129,16 @@ class LinkStatus(QObject):
     def _version(self) -> str:
         return self.tr("Version {0}").format(self.version) if self.version else ""
 
+    @property
+    def _situ(self) -> str:
+        """Which Situ the robot runs, beside the one here."""
+        theirs = self._link.situ
+        if theirs is None:
+            return self.tr("not told; an older one")
+        if theirs == __version__:
+            return self.tr("{0}, as here").format(theirs)
+        return self.tr("{0}; here it is {1}").format(theirs, __version__)
+
     def facts(self) -> list[tuple[str, str]]:
         """What is known, each with its name."""
         link, follower = self._link, self._window.robot.follower
@@ -148,6 +159,7 @@ class LinkStatus(QObject):
             given = self.tr("the project that it was started with")
             version = self.tr("version {0}").format(self.version) if self.version else given
             told.append((self.tr("It runs"), version))
+        told.append((self.tr("Its Situ"), self._situ))
         different = follower.different(link.files)
         if different is None:
             said = self.tr("not known yet")

@@ -236,6 +236,10 @@ class AsyncBoard:
         assert self._dialog.welcome is not None
         return self._dialog.welcome.addresses
 
+    @property
+    def situ(self) -> str | None:
+        return self._dialog.situ
+
     def clock(self) -> float:
         return self.link.clock()
 

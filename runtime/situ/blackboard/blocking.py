@@ -229,6 +229,11 @@ class Board:
         assert self._dialog.welcome is not None
         return self._dialog.welcome.addresses
 
+    @property
+    def situ(self) -> str | None:
+        """The version of Situ that the core runs; None: one from before it was told."""
+        return self._dialog.situ
+
     def clock(self) -> float:
         """Seconds that only go forward; in a test (``situ.testing``) those of its robot."""
         return self._driver.line.clock()

@@ -79,6 +79,12 @@ class Dialog:
 
     # -- for its driver ------------------------------------------------------
 
+    @property
+    def situ(self) -> str | None:
+        """The version of Situ that the core runs, as it said last; None where it told none."""
+        told = self.welcome.situ if self.welcome is not None else UNSET
+        return None if told is UNSET else told
+
     def due(self) -> float:
         """When ``tick`` is to be called next; in the past before the first time."""
         return min(self._next, self._heard + LEASE) if self.connected else self._next

@@ -58,7 +58,8 @@ class Welcome(Reply, frozen=True, kw_only=True):
 
     resumed: the session is the one that was named; else watches, requests for
     authority and trace are to be asked for anew. seq: the last trace event's. masked: whether
-    private values are hidden from this session, which then subscribes to other topics.
+    private values are hidden from this session, which then subscribes to other topics. situ: the
+    version of Situ that the core runs; a core from before it was told leaves it out.
     """
 
     session: str
@@ -72,6 +73,7 @@ class Welcome(Reply, frozen=True, kw_only=True):
     time: int
     seq: int
     masked: bool = False
+    situ: str | UnsetType = UNSET
 
 
 class Alive(Reply, frozen=True, kw_only=True):

@@ -12,6 +12,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
+from situ import __version__
 from situ.blackboard import protocol, replies, topics, wire
 from situ.blackboard.acting import OPERATOR, No, Session
 from situ.blackboard.admission import check, writer
@@ -325,6 +326,7 @@ class Sessions:
             time=self._core.moment,
             seq=self._core.backlog.last,
             masked=session.masked,
+            situ=__version__,
         )
 
     def _resumed(

@@ -6,10 +6,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+from msgspec import UNSET
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from tests.gui.live.test_link import connect
 
+import situ
 from situ_studio.live.link_status import OVER, Rate
 
 
@@ -24,7 +28,11 @@ def test_events_are_counted_over_the_last_seconds_alone() -> None:
 
 
 def test_the_status_bar_tells_of_the_link_and_the_rest_at_a_click(
-    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+    studio: Callable[..., Any],
+    project: Callable[[str], Path],
+    robot: Any,
+    until: Any,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     where = project("conversation")
     there = robot(where)
@@ -54,9 +62,17 @@ def test_the_status_bar_tells_of_the_link_and_the_rest_at_a_click(
     assert facts["Project"] == "conversation"
     assert facts["You are"].startswith("operator")
     assert facts["It runs"] == "the project that it was started with"
+    assert facts["Its Situ"] == f"{situ.__version__}, as here"
     assert facts["Its documents"] == "differ from these here: conversation.spds.xml"
     shown = [value.text() for value in status.popup._values]
     assert facts["Its documents"] in shown
+    assert facts["Its Situ"] in shown
+    # Of another version than the editor, and of a robot from before it was told.
+    monkeypatch.setattr("situ_studio.live.link_status.__version__", "9.0")
+    assert dict(status.facts())["Its Situ"] == f"{situ.__version__}; here it is 9.0"
+    dialog = link._link.dialog
+    monkeypatch.setattr(dialog, "welcome", replace(dialog.welcome, situ=UNSET))
+    assert dict(status.facts())["Its Situ"] == "not told; an older one"
     QTest.keyClick(status.popup, Qt.Key.Key_Escape)
     assert not status.popup.isVisible()
     # What is lost is told as far as it is known.
