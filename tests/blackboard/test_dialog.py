@@ -256,7 +256,9 @@ def test_whatever_is_lost_watch_and_trace_end_up_whole(
     make_hand: Callable[..., Any], seed: int
 ) -> None:
     chance = random.Random(seed)
-    net = Net(make_hand()).turn()
+    # Of a module's sessions many end meanwhile.
+    person = Person(role="module", module="eyes") if seed % 2 else None
+    net = Net(make_hand(), person).turn()
     watches = [net.dialog.watch(pattern) for pattern in ("a.*", "**", "b", "a.x")]
     feed = net.dialog.trace(since=1)
     told: list[list[Any]] = [[] for _ in watches]
@@ -369,6 +371,90 @@ def test_what_was_never_sent_is_sent_later(net: Net) -> None:
     net.beat(2)
     assert publish.result() is None
     assert net.hand.core.board.get("application/desk").value["state"] == "2"
+
+
+def test_an_operator_who_stood_still_for_a_moment_has_lost_nothing(net: Net) -> None:
+    told: list[bool] = []
+    net.dialog.changed = lambda: told.append(is_connected(net))
+    session = net.dialog.welcome
+    net.hand.at(9.0)
+    assert net.get(net.dialog.publish("go")) is None
+    assert net.hand.core.board.get("application/desk").value["state"] == "2"
+    assert told == []
+    assert net.dialog.welcome is session
+    # The core was asked, and has as long to answer as ever.
+    net.cut = True
+    net.hand.at(12.0)
+    net.turn()
+    net.beat(3)
+    assert is_connected(net)
+    net.beat()
+    assert told == [False]
+
+
+NOT_ASKED = Unreachable("the robot is another")
+
+
+def test_what_is_meant_for_the_robot_that_is_there_is_done_once_though_we_stood_still(
+    net: Net,
+) -> None:
+    session = net.dialog.welcome.session if net.dialog.welcome is not None else ""
+    net.hand.at(30.0)
+    call = net.dialog.publish("go")
+    call.otherwise = NOT_ASKED
+    net.beat(2)
+    assert call.result() is None
+    assert net.dialog.welcome is not None
+    assert net.dialog.welcome.session != session
+    assert net.hand.core.board.get("application/desk").value["state"] == "2"
+    # So is what reached a core that had taken us for dead, for the time is not the same everywhere.
+    (peer,) = net.hand.sessions._sessions
+    net.hand.raw(peer, b'{"do":"bye","id":1}')
+    set_call = net.dialog.set({"x": 1}, versions={"x": 0})
+    set_call.otherwise = NOT_ASKED
+    net.beat(2)
+    assert set_call.result() == {"x": 1}
+
+
+def test_what_is_meant_for_the_robot_that_is_there_is_none_of_the_next_one_s(
+    net: Net, make_hand: Callable[..., Any]
+) -> None:
+    now = net.hand.at(30.0).now
+    net.hand = make_hand()
+    net.hand.now = now
+    call = net.dialog.publish("go")
+    call.otherwise = NOT_ASKED
+    net.beat(2)
+    assert is_connected(net)
+    assert call.error is NOT_ASKED
+    assert net.hand.core.board.get("application/desk").value["state"] == "1"
+
+
+def test_what_is_meant_for_the_robot_that_is_there_waits_a_second_for_it_to_be_found_again(
+    net: Net,
+) -> None:
+    net.hand.at(30.0)
+    net.cut = True
+    call = net.dialog.publish("go")
+    call.otherwise = NOT_ASKED
+    net.turn()
+    net.beat(3)
+    assert not call.finished
+    net.beat()
+    assert call.error is NOT_ASKED
+    # What came to nothing stays so, though it answers again.
+    net.reconnect()
+    net.beat(2)
+    assert is_connected(net)
+    assert net.hand.core.board.get("application/desk").value["state"] == "1"
+
+
+def test_what_is_meant_for_a_robot_that_falls_silent_is_given_up_at_once(net: Net) -> None:
+    call = net.dialog.publish("go")
+    call.otherwise = NOT_ASKED
+    net.cut = True
+    net.beat(4)
+    assert call.error is NOT_ASKED
 
 
 def test_a_command_without_a_connection_is_left_out(hand: Any) -> None:

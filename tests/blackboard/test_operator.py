@@ -51,6 +51,18 @@ def test_an_operator_asks_for_the_voice_and_commands_it(hand: Hand) -> None:
     assert said(hand) is None
 
 
+def test_once_he_has_asked_for_authority_he_is_believed_no_longer_than_a_module(
+    hand: Hand,
+) -> None:
+    # Nobody knew of a lease that ends so early.
+    hand.at(5.0).ask("ann", **ACQUIRE)
+    hand.ask("ann", **COMMAND)
+    assert said(hand.at(5.9)) == {"text": "Hm"}
+    assert said(hand.at(6.0)) is None
+    # Who only looks on is still there.
+    assert hand.ask("bob", "heartbeat")["re"] == "alive"
+
+
 def test_he_speaks_for_no_other_module(hand: Hand) -> None:
     for module in ({"module": "nod"}, {}):
         refused = hand.ask("ann", "acquire", resources=["head"], **module)

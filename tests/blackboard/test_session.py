@@ -35,6 +35,23 @@ def test_a_module_is_lost_when_its_lease_ends(hand: Any) -> None:
     assert [(event["module"], event["t"]) for event in lost] == [("chase", 2.499999)]
 
 
+@pytest.mark.parametrize("role", ["viewer", "operator"])
+def test_who_holds_nothing_of_the_robot_s_is_believed_for_ten_seconds(hand: Any, role: str) -> None:
+    assert hand.hello("desk", role=role)["lease"] == 10.0
+    assert hand.at(9.9).ask("desk", "heartbeat")["re"] == "alive"
+    # A module that comes meanwhile is lost after its own second all the same.
+    assert hand.at(12.0).hello("nod")["lease"] == 1.0
+    hand.at(12.9)
+    assert hand.core.modules
+    hand.at(13.0)
+    assert not hand.core.modules
+    hand.at(19.8)
+    assert hand.sessions.clients == 1
+    hand.at(19.9)
+    assert hand.sessions.clients == 0
+    assert hand.ask("desk", "heartbeat")["code"] == "session"
+
+
 def test_every_request_keeps_the_lease(hand: Any) -> None:
     hand.hello("nod")
     for tenths in range(5, 50, 5):
@@ -149,8 +166,9 @@ def test_nothing_is_noticed_for_who_no_longer_watches(hand: Any) -> None:
     hand.ask("looker", "unwatch", patterns=["face.*"])
     hand.ask("eyes", "set", tags={"face.direction": 2, "x": 1})
     assert hand.changes() == [("x", 1, 1)]
-    hand.at(0.9).ask("eyes", "heartbeat")
-    hand.at(1.5).ask("eyes", "set", tags={"x": 2})
+    # Nor for who is taken for dead.
+    hand.at(10.5).hello("nose")
+    hand.ask("nose", "set", tags={"x": 2})
     assert hand.changes() == []
 
 

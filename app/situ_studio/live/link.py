@@ -107,7 +107,6 @@ class RobotLink(QObject):
         self._notifiers: list[QSocketNotifier] = []
         self._restarts = self._backlog = 0
         self._delays = Delays()
-        self._hands: list[Call[Any]] = []
         self.found = 0
         """How often a robot was found: what was meant for one is none of the next one's."""
         self._runtime: str | None = None
@@ -156,7 +155,6 @@ class RobotLink(QObject):
         self._timer.stop()
         link, self._link = self._link, None
         link.dialog.changed = None
-        self._hands.clear()
         link.dialog.bye()
         link.turn()
         link.close()
@@ -205,15 +203,15 @@ class RobotLink(QObject):
     ) -> None:
         """A hand's request, as ``ask``, but of the robot as it is now alone: where that is lost
         before it has answered, ``refused`` is told, and the one that comes back does nothing of it.
+        Where it was this window that stood still it is carried out once.
         """
         if not self.connected:
             refused(self.tr("No robot is connected."))
             return
-        self._hands = [call for call in self._hands if not call.finished]
 
         def kept(dialog: Dialog) -> Call[T]:
             call = begin(dialog)
-            self._hands.append(call)
+            call.otherwise = Unreachable(NOT_ASKED)
             return call
 
         self.ask(asker, kept, answered, refused)
@@ -317,8 +315,6 @@ class RobotLink(QObject):
             return
         dialog = link.dialog
         at = self.state.endpoint
-        if not dialog.connected:
-            self._drop_hands(dialog)
         if dialog.connected and dialog.welcome is not None:
             if self.state.kind != "live":
                 # What had happened before is no measure of how far behind we are.
@@ -334,14 +330,6 @@ class RobotLink(QObject):
             self._become(LinkState("refused", at, since=link.clock(), why=str(dialog.problem)))
         elif self.state.kind == "live":
             self._become(LinkState("lost", at, self.state.project, link.clock()))
-
-    def _drop_hands(self, dialog: Dialog) -> None:
-        """What the dialog would ask the next robot for, as it does for a program's writes."""
-        hands, self._hands = self._hands, []
-        for call in hands:
-            if not call.finished:
-                call.fail(Unreachable(NOT_ASKED))
-                dialog.forget(call)
 
     def _greeted(self, runtime: str) -> None:
         """A session began: what stands there, and the robot's own documents."""

@@ -77,6 +77,8 @@ class ReadingRecording(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.path: Path | None = None
+        """What is being read."""
         self._pieces: Iterator[recorded.Piece]
         self._file: IO[bytes] | None = None
         self._slices = QTimer(self)
@@ -103,8 +105,7 @@ class ReadingRecording(QObject):
         if self._file is not None:
             self._file.close()
             self._file = None
-        self.path: Path | None = None
-        """What is being read."""
+        self.path = None
         self._pieces = iter(())
         self._heading = recorded.Heading()
         self._files: dict[str, str] = {}

@@ -10,6 +10,7 @@ from situ.blackboard import protocol, replies
 from situ.blackboard.core import Core
 from situ.blackboard.history import Acting
 from situ.blackboard.identity import Identity
+from situ.blackboard.protocol import LEASE, LONG_LEASE
 from situ.blackboard.watching import Watching
 
 OPERATOR = "operator"
@@ -38,6 +39,12 @@ class Session(Struct):
     identity: Identity | None = None
     masked: bool = False
     acts: bool = False
+
+    @property
+    def lease(self) -> float:
+        """Seconds that it is believed after it was last heard of; less once it acts."""
+        long = self.role in ("viewer", "operator") and not self.acts
+        return LONG_LEASE if long else LEASE
 
     @property
     def is_blind(self) -> bool:

@@ -31,7 +31,9 @@ class Call(Generic[T]):
     """One request and, later, what came of it.
 
     body: the bytes it was last sent as. again: whether it may be asked once more when the
-    connection was lost before an answer came, because twice is as good as once.
+    connection was lost before an answer came, because twice is as good as once. otherwise: where
+    it is meant for the robot as it is now alone, what it fails with when that is lost; not set,
+    it waits for the next one.
     """
 
     def __init__(self, request: Request, read: Callable[[Any], T], again: bool) -> None:
@@ -39,6 +41,7 @@ class Call(Generic[T]):
         self.again = again
         self.finished = False
         self.body = b""
+        self.otherwise: BlackboardError | None = None
         self.error: BlackboardError | None = None
         self._then: Callable[[], None] | None = None
         self._read = read

@@ -57,7 +57,7 @@ class Dialog:
         self._hellos: set[int] = set()
         self._calls: dict[int, Call[Any]] = {}
         self._waiting: list[Call[Any]] = []
-        self._heard = float("-inf")
+        self._heard = self._listened = self._lost_at = float("-inf")
         self._next = float("-inf")
         self._turned: float | None = None
         self._holds_seq = 0
@@ -87,12 +87,14 @@ class Dialog:
 
     def due(self) -> float:
         """When ``tick`` is to be called next; in the past before the first time."""
-        return min(self._next, self._heard + LEASE) if self.connected else self._next
+        return min(self._next, self._listened + LEASE) if self.connected else self._next
 
     def tick(self, now: float) -> None:
         """Says that we live; says hello while there is no session."""
-        if self.connected and now >= self._heard + LEASE:
-            self._lose()
+        if self.connected and now >= self._listened + LEASE:
+            self._fall_silent(now)
+        elif not self.connected and now >= self._lost_at + LEASE:
+            self._give_up()
         if now < self._next:
             return
         self._next = now + HEARTBEAT
@@ -109,7 +111,7 @@ class Dialog:
             reply = wire.read_reply(body)
         except Malformed:
             return
-        self._heard = now
+        self._heard = self._listened = now
         if isinstance(reply, replies.Welcome):
             if not self.connected:
                 self._welcomed(reply, now)
@@ -125,6 +127,7 @@ class Dialog:
             if self.connected:
                 self._calls[call.request.id] = call
                 self._lose(since=call.request.id)
+                self._lost_at = now
             elif not isinstance(call.request, _FLEETING):
                 self._waiting.append(call)
             self._next = now
@@ -209,7 +212,9 @@ class Dialog:
         self._subscriptions.mask(topics.masked(self.person.role) if welcome.masked else ())
         self._subscriptions.renewed(restarted)
         for call in waiting:
-            if restarted and isinstance(call.request, protocol.Finish):
+            if restarted and call.otherwise is not None:
+                call.fail(call.otherwise)
+            elif restarted and isinstance(call.request, protocol.Finish):
                 # The action has ended with its robot; by now its id may be another's.
                 call.fail(self.unreachable())
             else:
@@ -231,15 +236,39 @@ class Dialog:
             self._waiting.clear()
         self._tell()
 
-    def _lose(self, since: int | None = None) -> None:
-        """since: requests from this id on are known not to have been done."""
+    def _fall_silent(self, now: float) -> None:
+        """Nothing was heard for a lease, of a core that may have been asked nothing."""
+        assert self.welcome is not None
+        stood = now >= self._next + HEARTBEAT
+        if stood and now < self._heard + self.welcome.lease:
+            # It was ours to ask: it has as long to answer as ever.
+            self._listened = now
+            return
+        self._lose(stood=stood)
+        self._lost_at = now
+
+    def _give_up(self) -> None:
+        """Of what is meant for the robot as it was, nothing waits for one that does not come."""
+        waiting, self._waiting = self._waiting, []
+        self._waiting = [call for call in waiting if call.otherwise is None]
+        for call in waiting:
+            if call.otherwise is not None:
+                call.fail(call.otherwise)
+
+    def _lose(self, since: int | None = None, stood: bool = False) -> None:
+        """since: requests from this id on are known not to have been done. stood: whether it was
+        ourselves who said nothing, so that the robot may be there.
+        """
         self.connected = False
         calls, self._calls = self._calls, {}
         unsent = {id(body) for body in self.outgoing}
         for call in calls.values():
             undone = id(call.body) in unsent or (since is not None and call.request.id >= since)
+            there = undone and (stood or since is not None)
             if isinstance(call.request, protocol.Command):
                 call.drop()
+            elif call.otherwise is not None and not there:
+                call.fail(call.otherwise)
             elif isinstance(call.request, _FLEETING):
                 call.fail(self.unreachable())
             elif call.again or undone:

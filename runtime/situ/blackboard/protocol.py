@@ -23,6 +23,9 @@ VERSION = 1
 HEARTBEAT = 0.25
 LEASE = 1.0
 """Seconds: how often a client says that it lives, and how long it is believed."""
+LONG_LEASE = 10.0
+"""Seconds that a client is believed for which nothing stands still: who looks, and an operator who
+has not asked for authority. A window that is busy for a moment then loses nothing."""
 
 Role = Literal["viewer", "module", "operator", "scenario", "service"]
 """viewer looks; module and operator also write; scenario plays a script (``situ run --script``);

@@ -138,15 +138,16 @@ class Sessions:
         if due is not None and now > due + _LATE:
             # We stood still ourselves: what was sent to us meanwhile may yet be on its way.
             for session in self._sessions.values():
-                session.heard = max(session.heard, now - _LEASE + _LATE)
+                session.heard = max(session.heard, now - _lease(session) + _LATE)
         for finish in self._core.asking.overdue(now):
             self._core.step(finish)
         if self._look is None or now < self._look:
             return
-        for session in [s for s in self._sessions.values() if now >= s.heard + _LEASE]:
+        for session in [s for s in self._sessions.values() if now >= s.heard + _lease(s)]:
             self._end(session)
-        ends = (session.heard + _LEASE for session in self._sessions.values())
-        self._look = min(ends, default=None)
+        ends = (session.heard + _lease(session) for session in self._sessions.values())
+        # Who comes meanwhile, or begins to act, has a lease that may end before.
+        self._look = min((now + _LEASE, *ends)) if self._sessions else None
 
     def due(self) -> int | None:
         """When ``advance`` is to be called next, in µs; None: not before a message comes."""
@@ -320,7 +321,7 @@ class Sessions:
             runtime=self.runtime,
             version=protocol.VERSION,
             heartbeat=protocol.HEARTBEAT,
-            lease=LEASE,
+            lease=session.lease,
             project=self._core.project.name,
             addresses=self._where(),
             time=self._core.moment,
@@ -367,6 +368,10 @@ class Sessions:
             for effect in self._core.outstanding():
                 if isinstance(effect, Begin) and carried_by(effect) and not may_repeat(effect):
                     self._core.step(lost(effect, "the service engine was lost"))
+
+
+def _lease(session: Session) -> int:
+    return int(session.lease * SECOND)
 
 
 def lost(begun: Begin, why: str) -> inputs.Finish:

@@ -11,6 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QToolButton
 
+from situ.blackboard.client import connect as operator
+from situ.blackboard.protocol import LEASE
 from situ_studio.live.link import NOT_ASKED
 from situ_studio.live.setting_dialog import Setting
 
@@ -233,7 +235,7 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     link.ask_modules(window, asked.append)
     until(link.moment_changed, lambda: "last" in link.log.now.board and bool(asked))
     assert "spo2" not in link.log.now.board
-    assert not kinds(link, "goto") + kinds(link, "step")
+    assert not [one for one in kinds(link, "transition") if one.get("writer")]
     assert link.log.now.applications["converse"].state == "1"
     assert len(refusals) == 4
     # What a question was about when the robot died is none of the next one's either.
@@ -255,6 +257,48 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     until(link.moment_changed, lambda: "last" in link.log.now.board)
     assert "spo2" not in link.log.now.board
     window.disconnect_robot()
+
+
+def test_a_window_that_stood_still_has_lost_nothing_and_carries_out_what_a_hand_asks_then(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    states: list[str] = []
+    refusals: list[str] = []
+    link.state_changed.connect(lambda: states.append(link.state.kind))
+    it.window.operating.refused.connect(refusals.append)
+    it.select("state", "3")
+
+    def gone_to() -> list[str]:
+        return [one["to"] for one in kinds(link, "transition") if one.get("writer")]
+
+    # For longer than a module is believed it hears and says nothing, and the robot goes on.
+    begun, count = link.clock(), 0
+    with operator(there.endpoint, role="operator") as board:
+        while link.clock() < begun + 1.5 * LEASE:
+            count += 1
+            board.set("spo2", count)
+    it.window.actions_.actions["operate.goto"].trigger()
+    until(link.moment_changed, lambda: gone_to() == ["3"])
+    assert link.log.now.board["spo2"].value == count
+    assert states == []
+    # For so long that nobody believes in it any more: it is taken up again, and done once.
+    inner = link._link
+    clock = inner.clock
+    inner.clock = lambda: clock() + 60.0
+    it.select("state", "2")
+    it.window.actions_.actions["operate.goto"].trigger()
+    until(link.moment_changed, lambda: gone_to() == ["3", "2"])
+    until(link.state_changed, lambda: link.connected)
+    asked: list[Any] = []
+    link.ask_modules(it.window, asked.append)
+    until(link.moment_changed, lambda: bool(asked))
+    assert gone_to() == ["3", "2"]
+    assert refusals == []
+    assert [event["seq"] for event in link.log] == list(range(1, len(link.log) + 1))
+    it.window.disconnect_robot()
 
 
 def test_what_was_not_answered_when_a_robot_was_left_is_no_matter_of_the_next_ones(
