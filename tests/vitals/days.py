@@ -97,7 +97,10 @@ class Ward:
         if one["id"] in ("home", "help") and self.chance.random() < 0.8:
             return None
         if one["type"] == "list":
-            return Use(one["id"], {"id": 1, "name": "Anna", "address": "sip:1@ward.invalid"})
+            return Use(
+                one["id"],
+                {"id": 1, "name": "Anna", "said": "Anna", "address": "sip:1@ward.invalid"},
+            )
         if one["type"] == "input":
             return Use(one["id"], self.chance.choice(ROOMS) if one["id"] == "room" else "1234")
         return Use(one["id"])
@@ -112,7 +115,7 @@ class Ward:
     def _answer(self, name: str) -> Any:
         roll = self.chance.randint
         people = [{"id": n, "room": room, "what": "a tablet"} for n, room in enumerate(ROOMS, 1)]
-        person = {"id": roll(1, 4), "name": "Jack", "room": 12, "limits": LIMITS}
+        person = {"id": roll(1, 4), "name": "Jack", "said": "Jack", "room": 12, "limits": LIMITS}
         questions = [
             {"text": f"{n}?", "answers": ["a", "b", "c"], "right": 1, "because": "b."}
             for n in range(9)
@@ -129,7 +132,7 @@ class Ward:
             "visitLogin": {"user": person},
             "whoNeeds": {"round": [{**one, "round": "morning"} for one in people]},
             "schedule": {"notices": [told][: roll(0, 1)], "reminders": [told][: roll(0, 1)]},
-            "contacts": {"contacts": [{"id": 1, "name": "Anna"}][: roll(0, 3)]},
+            "contacts": {"contacts": [{"id": 1, "name": "Anna", "said": "Anna"}][: roll(0, 3)]},
             "measurePressure": {"systolic": roll(90, 170), "diastolic": 80, "pulse": 70},
             "measureOxygen": {"oxygen": roll(88, 99), "pulse": 70},
             "readGlucose": {"glucose": roll(3, 12)},

@@ -7,7 +7,8 @@ import pytest
 from tests.vitals.ward import ROBOT, over_http
 
 from ward_records.contacts import Contacts
-from ward_records.store import Resident, Store, Unfit, Unknown
+from ward_records.errors import Unfit, Unknown
+from ward_records.store import Resident, Store
 
 ANNA = {"contact": "Anna <Nilsen>", "group": "family", "address": "sip:anna@ward.invalid"}
 
@@ -64,7 +65,8 @@ def test_the_robot_may_call_whom_the_nurse_has_added(store: Store, jack: Residen
         assert "Anna &lt;Nilsen&gt;" in await added.text()
         asked = {"user": str(jack.id), "group": "family"}
         answer = await session.post("/contacts", json=asked, headers=ROBOT)
-        anna = {"id": 1, "name": ANNA["contact"], "address": ANNA["address"]}
+        name = ANNA["contact"]
+        anna = {"id": 1, "name": name, "said": name, "address": ANNA["address"]}
         assert await answer.json() == {"contacts": [anna]}
         removed = await session.post(f"{page}/contacts/1/remove")
         assert "Anna &lt;Nilsen&gt;" not in await removed.text()

@@ -18,7 +18,8 @@ from tests.vitals.ward import ROBOT, TOKENS, Asking, Clock
 
 from situ.blackboard.services import PATIENCE
 from ward_records.day import TIMES, Day
-from ward_records.store import Resident, Store, Unfit
+from ward_records.errors import Unfit
+from ward_records.store import Resident, Store
 from ward_records.watching import GONE, WATCHED, Picture, Watching
 from ward_records.web import application
 

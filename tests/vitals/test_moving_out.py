@@ -13,8 +13,9 @@ from tests.vitals.ward import ROBOT, Clock, over_http
 
 from ward_records.contacts import Contacts
 from ward_records.day import Day
+from ward_records.errors import MovedOut, Unfit, Unknown, WrongPin
 from ward_records.moving_out import Former, MovingOut
-from ward_records.store import MovedOut, Resident, Store, Unfit, Unknown, WrongPin
+from ward_records.store import Resident, Store
 
 PRESSURE = {"kind": "pressure", "systolic": 128, "diastolic": 76, "pulse": 68}
 

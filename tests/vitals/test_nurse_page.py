@@ -15,9 +15,10 @@ import pytest
 from tests.vitals.ward import NOW, over_http
 
 from ward_records import contacts_page, curves, day_page, page, residents_page
+from ward_records.errors import Unfit, Unknown, WrongPin
 from ward_records.japanese import JAPANESE
 from ward_records.language import speak, wanted
-from ward_records.store import LIMITS, Reading, Resident, Store, Unfit, Unknown, WrongPin
+from ward_records.store import LIMITS, Reading, Resident, Store
 
 VITALS = Path(__file__).resolve().parents[2] / "examples" / "vitals"
 

@@ -12,7 +12,8 @@ from tests.vitals.ward import ROBOT, Clock, over_http
 
 from ward_records.access import Tokens
 from ward_records.day import Day
-from ward_records.store import LIMITS, Locked, Resident, Store, Unfit, Unknown, WrongPin
+from ward_records.errors import Locked, Unfit, Unknown, WrongPin
+from ward_records.store import LIMITS, Resident, Store
 
 PRESSURE = {"kind": "pressure", "systolic": "128", "diastolic": "76", "pulse": 68}
 
@@ -239,8 +240,9 @@ def test_the_robot_logs_people_in_and_writes_down(
 
     async def asking(session: aiohttp.ClientSession) -> None:
         answer = await session.post("/login", json={"room": 12, "pin": "1234"}, headers=ROBOT)
+        name = "Jack <Nilsen>"
         assert await answer.json() == {
-            "user": {"id": 1, "name": "Jack <Nilsen>", "room": 12, "limits": LIMITS},
+            "user": {"id": 1, "name": name, "said": name, "room": 12, "limits": LIMITS},
             "messages": [{"reminder": 1, "days": 0, "begins": "08:00", "what": "the doctor"}],
         }
         reading = {"reading": {**PRESSURE, "user": "1"}}

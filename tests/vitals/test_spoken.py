@@ -20,8 +20,10 @@ from situ.document.rbd import Speech
 from situ.document.ready import load_ready
 from situ.document.texts import read_out
 from ward_records.__main__ import CONTACTS, INVENTED, MEDICINE
+from ward_records.names import said as names_said
 
-NAMES = [name for *_, name, _ in INVENTED] + [name for *_, name in CONTACTS]
+NAMES = [(name, kana) for _, name, _, kana in INVENTED]
+NAMES += [(name, kana) for *_, name, kana in CONTACTS]
 CALLED = {"begins": "14:00", "days": "3"}
 """What a reference is filled with, by its last word; another one with a number or a text."""
 
@@ -44,7 +46,7 @@ def speeches(project: Project) -> Iterator[str]:
 
 
 def filled(text: str, name: str, what: str) -> str:
-    known = {**CALLED, "name": name, "what": what}
+    known = {**CALLED, "said": name, "what": what}
     return re.sub(r"\{[\w.-]*?(\w+)\}", lambda found: known.get(found[1], "128"), text)
 
 
@@ -71,7 +73,7 @@ def said(espeak: str, voice: str, lines: list[str]) -> str:
 
 
 def test_all_that_is_said_in_japanese_is_said_as_japanese(project: Project, espeak: str) -> None:
-    names = [name for name in NAMES if is_japanese(name)]
+    names = [names_said(*both, "ja") for both in NAMES if is_japanese(both[0])]
     what = next(what for *_, what in MEDICINE if is_japanese(what))
     japanese = project.texts["ja"]
     texts = [japanese.get(text, text) for text in speeches(project)]
@@ -115,10 +117,10 @@ def test_what_was_measured_is_said_with_its_point(espeak: str) -> None:
 
 
 def test_names_are_said_in_english_too(project: Project, espeak: str) -> None:
-    """Those in Latin letters, of people with English and other names; hers in kanji are said by
-    the Japanese voice, to whom it speaks Japanese."""
-    names = [name for name in NAMES if not is_japanese(name)]
-    texts = [text for text in speeches(project) if ".name}" in text]
+    """Those in kanji as their kana says, in Latin letters."""
+    names = [names_said(*both, "en") for both in NAMES]
+    assert "Kimura Haru" in names
+    texts = [text for text in speeches(project) if ".said}" in text]
     lines = [filled(text, name, "tea") for text in texts for name in names]
     assert len(lines) > 20
     # "Chinese letter", "Japanese letter".

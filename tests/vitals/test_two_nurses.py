@@ -19,8 +19,9 @@ from tests.browser.conftest import ARGUMENTS
 from tests.vitals.ward import TOKENS, Clock, over_http
 
 from ward_records.day import Day
+from ward_records.errors import WrongPin
 from ward_records.forms import settle
-from ward_records.store import LIMITS, Resident, Store, WrongPin
+from ward_records.store import LIMITS, Resident, Store
 from ward_records.watching import Watching
 from ward_records.web import application
 

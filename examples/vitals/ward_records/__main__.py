@@ -21,25 +21,25 @@ from ward_records.watching import Watching
 from ward_records.web import application
 
 INVENTED = (
-    (3, "Aroha Tamihana", "3141"),
-    (7, "Joan Nikora", "2718"),
-    (12, "Jack Nilsen", "1234"),
-    (21, "木村はる", "2121"),
+    (3, "Aroha Tamihana", "3141", ""),
+    (7, "Joan Nikora", "2718", ""),
+    (12, "Jack Nilsen", "1234", ""),
+    (21, "木村はる", "2121", "きむら はる"),
 )
-"""Residents of no ward: room, name, PIN."""
+"""Residents of no ward: room, name, PIN, and how the name is said, in kana."""
 
 CONTACTS = (
-    (12, "family", "Anna Nilsen"),
-    (12, "family", "Peter Nilsen"),
-    (12, "friends", "Bob Hart"),
-    (7, "family", "Mere Nikora"),
-    (7, "friends", "Rose Baker"),
-    (3, "family", "Hana Tamihana"),
-    (21, "family", "木村ゆき"),
-    (21, "family", "木村けんじ"),
-    (21, "friends", "佐藤ふみ"),
+    (12, "family", "Anna Nilsen", ""),
+    (12, "family", "Peter Nilsen", ""),
+    (12, "friends", "Bob Hart", ""),
+    (7, "family", "Mere Nikora", ""),
+    (7, "friends", "Rose Baker", ""),
+    (3, "family", "Hana Tamihana", ""),
+    (21, "family", "木村ゆき", "きむら ゆき"),
+    (21, "family", "木村けんじ", "きむら けんじ"),
+    (21, "friends", "佐藤ふみ", "さとう ふみ"),
 )
-"""Whom they may call: room, group, name. Nobody has such an address."""
+"""Whom they may call: room, group, name, its kana. Nobody has such an address."""
 
 MEDICINE = (
     (12, "morning", "two white tablets, with water"),
@@ -91,10 +91,10 @@ def main() -> int:
     store = Store(args.folder / "ward.db", now)
     day = Day(store.db, now)
     if not store.residents():
-        made = {room: store.add(room, name, pin).id for room, name, pin in INVENTED}
+        made = {room: store.add(room, *whose).id for room, *whose in INVENTED}
         contacts = Contacts(store)
-        for number, (room, group, name) in enumerate(CONTACTS, 1):
-            contacts.add(made[room], group, name, f"sip:{number}@ward.invalid")
+        for number, (room, group, name, kana) in enumerate(CONTACTS, 1):
+            contacts.add(made[room], group, name, f"sip:{number}@ward.invalid", kana)
         for room, round_, what in MEDICINE:
             day.prescribe(made[room], round_, what)
         for whom, begins, what in TOLD:

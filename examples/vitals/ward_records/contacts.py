@@ -6,24 +6,28 @@ import re
 
 from msgspec import Struct
 
-from ward_records.store import Store, Unfit, must_be_named
+from ward_records.errors import Unfit
+from ward_records.names import as_kana, must_be_a_name
+from ward_records.store import Store
 
 GROUPS = ("family", "friends")
 
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS contact (
   id INTEGER PRIMARY KEY, resident INTEGER NOT NULL REFERENCES resident (id),
-  kind TEXT NOT NULL, name TEXT NOT NULL, address TEXT NOT NULL
+  kind TEXT NOT NULL, name TEXT NOT NULL, address TEXT NOT NULL, kana TEXT NOT NULL DEFAULT ''
 );
 """
 
 
 class Contact(Struct, frozen=True):
-    """address: what the robot's video program calls."""
+    """address: what the robot's video program calls. kana: how the name is said, where it is
+    known."""
 
     id: int
     name: str
     address: str
+    kana: str = ""
 
 
 class Contacts:
@@ -33,20 +37,24 @@ class Contacts:
         self._store = store
         self._db = store.db
         self._db.executescript(_SCHEMA)
+        store.add_column("contact", "kana")
 
     def of(self, resident: int, group: str) -> list[Contact]:
         """In the order in which they were added. Raises Unknown."""
         self._store.resident(resident)
         rows = self._db.execute(
-            "SELECT id, name, address FROM contact WHERE resident = ? AND kind = ? ORDER BY id",
+            "SELECT id, name, address, kana FROM contact "
+            "WHERE resident = ? AND kind = ? ORDER BY id",
             (resident, group),
         )
         return [Contact(*row) for row in rows]
 
-    def add(self, resident: int, group: str, name: str, address: str) -> None:
-        """Raises Unknown, and Unfit where it is no name, no group, or nothing to call."""
+    def add(self, resident: int, group: str, name: str, address: str, kana: str = "") -> None:
+        """Raises Unknown, and Unfit where it is no name, nothing tells how one in kanji is said, it
+        is no group, or nothing to call."""
         self._store.resident(resident)
-        must_be_named(name)
+        kana = as_kana(kana)
+        must_be_a_name(name, kana)
         # As an argument of a program it must not look like an option, nor hold what no one sees.
         if not (re.fullmatch(r"[A-Za-z0-9+]\S{0,199}", address) and address.isprintable()):
             raise Unfit("an address has no blanks and begins with a letter, a digit or +")
@@ -54,8 +62,8 @@ class Contacts:
             raise Unfit("family or friends")
         with self._db:
             self._db.execute(
-                "INSERT INTO contact (resident, kind, name, address) VALUES (?, ?, ?, ?)",
-                (resident, group, name, address),
+                "INSERT INTO contact (resident, kind, name, address, kana) VALUES (?, ?, ?, ?, ?)",
+                (resident, group, name, address, kana),
             )
 
     def part_from(self, resident: int) -> None:

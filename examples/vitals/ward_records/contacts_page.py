@@ -8,7 +8,7 @@ from html import escape
 from ward_records.contacts import Contact
 from ward_records.forms import Entry
 from ward_records.language import say
-from ward_records.page import table
+from ward_records.page import kana_field, table
 
 _GROUPS = {"family": "Family", "friends": "Friends"}
 
@@ -29,6 +29,7 @@ def form(resident: int, contacts: Mapping[str, Sequence[Contact]], entry: Entry)
         f'<label for="contact">{say("Name")}</label>'
         '<input id="contact" name="contact" maxlength="80" autocomplete="off" required '
         f'value="{escape(given.get("contact", ""))}">'
+        f"{kana_field('contact-kana', given.get('contact', ''), given.get('contact-kana', ''))}"
         f'<label for="group">{say("Group")}</label>'
         f'<select id="group" name="group">{groups}</select>'
         f'<label for="address">{say("Address of the video program")}</label>'

@@ -1,8 +1,9 @@
 """Whom residents may call, over HTTP.
 
 ======================================  =====================================================
-``POST /contacts`` {user, group}        {contacts: [{id, name, address}, …]}, for the robot; 404:
-                                        no such resident
+``POST /contacts`` {user, group,        {contacts: [{id, name, said, address}, …]}, for the robot:
+language}                               the voice of the language has the name ``said``; 404: no
+                                        such resident
 ``POST /residents/ID/contacts``         one more, from the form on her page
 ``POST /residents/ID/contacts/C/remove``  one less
 ======================================  =====================================================
@@ -15,17 +16,18 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from aiohttp import web
-from msgspec import to_builtins
 
 from ward_records import contacts_page
 from ward_records.access import Tokens
 from ward_records.answers import refused
 from ward_records.contacts import GROUPS, Contacts
+from ward_records.errors import Unfit, Unknown
 from ward_records.forms import Entry, not_taken, texts
 from ward_records.language import why
-from ward_records.store import Unfit, Unknown, number_in
+from ward_records.names import said
+from ward_records.store import number_in
 
-_FIELDS = ("group", "contact", "address")
+_FIELDS = ("group", "contact", "address", "contact-kana")
 
 
 class ContactsWeb:
@@ -60,7 +62,17 @@ class ContactsWeb:
             found = self._contacts.of(int(who), group)
         except Unknown as unknown:
             return refused(404, str(unknown))
-        return web.json_response({"contacts": [to_builtins(one) for one in found]})
+        language = str(asked.get("language"))
+        told = [
+            {
+                "id": one.id,
+                "name": one.name,
+                "said": said(one.name, one.kana, language),
+                "address": one.address,
+            }
+            for one in found
+        ]
+        return web.json_response({"contacts": told})
 
     async def _add(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)

@@ -12,7 +12,8 @@ from typing import Any
 
 from msgspec import Struct
 
-from ward_records.store import MovedOut, Unfit, number_in
+from ward_records.errors import MovedOut, Unfit
+from ward_records.store import number_in
 
 ROUNDS = ("morning", "noon", "evening")
 

@@ -23,9 +23,10 @@ from ward_records import day_page, page
 from ward_records.access import Tokens
 from ward_records.answers import refused, shown
 from ward_records.day import Day
+from ward_records.errors import Unfit, Unknown
 from ward_records.forms import NOTHING, Entry, not_taken, overtaken, settle, texts
 from ward_records.language import why
-from ward_records.store import Store, Unfit, Unknown
+from ward_records.store import Store
 from ward_records.watching import KINDS, Picture, Watching
 
 LARGEST = 512 * 1024

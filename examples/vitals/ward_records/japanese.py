@@ -141,6 +141,13 @@ JAPANESE = {
         "入力した内容はそのまま残っています。もう一度保存すると、入力した内容に変わります。"
     ),
     "family or friends": "ご家族かお友達を選んでください",
+    "How the name is said, in kana": "お名前の読み（かな）",
+    "the robot can not read {0}: type in kana how the name is said": (
+        "ロボットは「{0}」を読めません。お名前の読みをかなで入れてください"
+    ),
+    "how the name is said: hiragana or katakana only": (
+        "お名前の読みは、ひらがなかカタカナで入れてください"
+    ),
     "a name has 1 to 80 letters": "名前は1文字から80文字です",
     "a PIN is four digits": "暗証番号は数字4桁です",
     "somebody in this room has this PIN already": "この暗証番号は同じ部屋の方がすでに使っています",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from contextvars import ContextVar
 
+from ward_records.errors import Unfit
 from ward_records.japanese import JAPANESE
-from ward_records.store import Unfit
 
 LANGUAGES = ("en", "ja")
 

@@ -12,7 +12,8 @@ from msgspec import Struct
 
 from ward_records.contacts import Contacts
 from ward_records.day import Day
-from ward_records.store import MovedOut, Store
+from ward_records.errors import MovedOut
+from ward_records.store import Store
 
 
 class Former(Struct, frozen=True):
@@ -44,7 +45,8 @@ class MovingOut:
                 (number, self._store.time(), readings),
             )
             self._db.execute(
-                "UPDATE resident SET salt = x'', pin = x'', limits = '{}' WHERE id = ?", (number,)
+                "UPDATE resident SET salt = x'', pin = x'', limits = '{}', kana = '' WHERE id = ?",
+                (number,),
             )
             self._day.part_from(number, visits=not readings)
             self._contacts.part_from(number)

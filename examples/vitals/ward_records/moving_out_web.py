@@ -19,9 +19,10 @@ from aiohttp import web
 
 from ward_records import moving_out_page
 from ward_records.answers import shown
+from ward_records.errors import Unknown
 from ward_records.forms import texts
 from ward_records.moving_out import MovingOut
-from ward_records.store import Store, Unknown
+from ward_records.store import Store
 
 
 class MovingOutWeb:

@@ -10,6 +10,7 @@ from pathlib import Path
 from ward_records.curves import LINES, MOST, curve, is_outside
 from ward_records.forms import Entry, stood
 from ward_records.language import say, spoken
+from ward_records.names import needs_kana
 from ward_records.store import LIMITS, Call, Reading, Resident
 
 HIDDEN = "•••"
@@ -136,6 +137,17 @@ def table(name: str, heads: Sequence[str], rows: str) -> str:
     return (
         f'<div class="wide"><table id="{name}"><thead><tr>{told}</tr></thead>'
         f"<tbody>{rows}</tbody></table></div>"
+    )
+
+
+def kana_field(field: str, name: str, kana: str) -> str:
+    """How a name is said: asked for where names are Japanese, or this one is."""
+    if not (kana or needs_kana(name) or spoken() == "ja"):
+        return ""
+    return (
+        f'<label for="{field}">{say("How the name is said, in kana")}</label>'
+        f'<input id="{field}" name="{field}" maxlength="80" autocomplete="off" '
+        f'value="{escape(kana)}"{" required" if needs_kana(name) else ""}>'
     )
 
 

@@ -7,10 +7,15 @@ from html import escape
 
 from ward_records.forms import Entry, stood
 from ward_records.language import say
-from ward_records.page import framed
+from ward_records.page import framed, kana_field
 from ward_records.store import Resident
 
-LABELS = {"name": "Name", "room": "Room", "pin": "New PIN; empty: as it is"}
+LABELS = {
+    "name": "Name",
+    "kana": "How the name is said, in kana",
+    "room": "Room",
+    "pin": "New PIN; empty: as it is",
+}
 
 
 def add(entry: Entry) -> str:
@@ -26,7 +31,7 @@ def add(entry: Entry) -> str:
 
 def written(one: Resident) -> dict[str, str]:
     """As it stands in its form; the PIN never does."""
-    return {"name": one.name, "room": str(one.room)}
+    return {"name": one.name, "kana": one.kana, "room": str(one.room)}
 
 
 def change(one: Resident, pin_mark: str, entry: Entry) -> str:
@@ -48,6 +53,7 @@ def _fields(given: Mapping[str, str], pin: str, needed: bool) -> str:
         f'<label for="name">{say("Name")}</label>'
         f'<input id="name" name="name" maxlength="80" autocomplete="off" required '
         f'value="{escape(given.get("name", ""))}">'
+        f"{kana_field('kana', given.get('name', ''), given.get('kana', ''))}"
         f'<label for="room">{say("Room")}</label>'
         f'<input id="room" name="room" inputmode="numeric" autocomplete="off" required '
         f'value="{escape(given.get("room", ""))}">'

@@ -20,11 +20,12 @@ from aiohttp import web
 
 from ward_records import residents_page
 from ward_records.answers import shown
+from ward_records.errors import Unfit, Unknown
 from ward_records.forms import NOTHING, Entry, not_taken, overtaken, settle, texts
 from ward_records.language import why
 from ward_records.moving_out import Former, MovingOut
 from ward_records.page import HIDDEN
-from ward_records.store import KINDS, Reading, Resident, Store, Unfit, Unknown
+from ward_records.store import KINDS, Reading, Resident, Store
 
 
 class ResidentsWeb:
@@ -57,7 +58,8 @@ class ResidentsWeb:
         self._must(request)
         given = await texts(request)
         try:
-            made = self._store.add(_room(given), given.get("name", ""), given.get("pin", ""))
+            name, kana = given.get("name", ""), given.get("kana", "")
+            made = self._store.add(_room(given), name, given.get("pin", ""), kana)
         except Unfit as unfit:
             return shown(residents_page.add(not_taken(given, why(unfit))), 400)
         raise web.HTTPSeeOther(f"/residents/{made.id}")
@@ -72,7 +74,8 @@ class ResidentsWeb:
                 settled.crossed["pin"] = (HIDDEN, HIDDEN)
             if settled.crossed:
                 return self._resident(number, overtaken(settled, residents_page.LABELS))
-            self._store.change(number, _room(settled.values), settled.values["name"], pin)
+            now = settled.values
+            self._store.change(number, _room(now), now["name"], pin, now["kana"])
         except Unfit as unfit:
             return self._resident(number, not_taken(settled.values, why(unfit)))
         except Unknown as unknown:

@@ -18,6 +18,9 @@ from typing import Any
 
 from msgspec import Struct
 
+from ward_records.errors import Locked, MovedOut, Unfit, Unknown, WrongPin
+from ward_records.names import as_kana, must_be_a_name
+
 TRIES, PAUSE = 5, timedelta(minutes=5)
 """So many wrong PINs in a room, and none is looked at for so long."""
 
@@ -47,7 +50,7 @@ URGENT = ("fall", "help", "help at night")
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS resident (
   id INTEGER PRIMARY KEY, room INTEGER NOT NULL, name TEXT NOT NULL,
-  salt BLOB NOT NULL, pin BLOB NOT NULL, limits TEXT NOT NULL
+  salt BLOB NOT NULL, pin BLOB NOT NULL, limits TEXT NOT NULL, kana TEXT NOT NULL DEFAULT ''
 );
 CREATE TABLE IF NOT EXISTS wrong_pin (room INTEGER NOT NULL, at TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS reading (
@@ -67,38 +70,14 @@ CREATE VIEW IF NOT EXISTS lives_here AS
 """
 
 
-class Unfit(Exception):
-    """What was given can not be kept; says why, in one line: ``text`` with ``values`` at its
-    ``{0}``, ``{1}``."""
-
-    def __init__(self, text: str, *values: object) -> None:
-        super().__init__(text.format(*values) if values else text)
-        self.text, self.values = text, values
-
-
-class Unknown(Exception):
-    """There is no such resident."""
-
-
-class MovedOut(Unknown):
-    """Who had this number lives here no more; nobody else ever gets it."""
-
-
-class WrongPin(Exception):
-    """Nobody in this room has this PIN."""
-
-
-class Locked(Exception):
-    """Too many wrong PINs in this room, lately."""
-
-
 class Resident(Struct, frozen=True):
-    """limits: as ``LIMITS``, the person's own."""
+    """limits: as ``LIMITS``, the person's own. kana: how the name is said, where it is known."""
 
     id: int
     name: str
     room: int
     limits: dict[str, float]
+    kana: str = ""
 
 
 class Reading(Struct, frozen=True):
@@ -133,6 +112,7 @@ class Store:
         # What is taken away is not to be read in the file afterwards.
         self._db.execute("PRAGMA secure_delete = ON")
         self._db.executescript(_SCHEMA)
+        self.add_column("resident", "kana")
         self._now = now
 
     @property
@@ -140,38 +120,46 @@ class Store:
         """For what else is kept of the residents, in the same file."""
         return self._db
 
+    def add_column(self, table: str, column: str) -> None:
+        """Of texts, where a file of an earlier version does not have it."""
+        if column not in {row[1] for row in self._db.execute(f"PRAGMA table_info({table})")}:
+            self._db.execute(f"ALTER TABLE {table} ADD COLUMN {column} TEXT NOT NULL DEFAULT ''")
+
     def close(self) -> None:
         self._db.close()
 
     # -- residents ---------------------------------------------------------------
 
-    def add(self, room: int, name: str, pin: str) -> Resident:
-        """A new resident, with the usual limits. Raises Unfit where there is no name, the PIN is
-        not four digits, or somebody in the room has it."""
-        must_be_named(name)
+    def add(self, room: int, name: str, pin: str, kana: str = "") -> Resident:
+        """A new resident, with the usual limits. Raises Unfit where there is no name, nothing tells
+        how one in kanji is said, the PIN is not four digits, or somebody in the room has it."""
+        kana = as_kana(kana)
+        must_be_a_name(name, kana)
         self._must_be_free(room, pin)
         salt = secrets.token_bytes(16)
         with self._db:
             made = self._db.execute(
-                "INSERT INTO resident (room, name, salt, pin, limits) VALUES (?, ?, ?, ?, '{}')",
-                (room, name, salt, _hashed(pin, salt)),
+                "INSERT INTO resident (room, name, kana, salt, pin, limits) "
+                "VALUES (?, ?, ?, ?, ?, '{}')",
+                (room, name, kana, salt, _hashed(pin, salt)),
             )
         assert made.lastrowid is not None
         return self.resident(made.lastrowid)
 
-    def change(self, number: int, room: int, name: str, pin: str | None) -> None:
+    def change(self, number: int, room: int, name: str, pin: str | None, kana: str = "") -> None:
         """Another name, room or PIN (None: as it is). Raises Unknown, and Unfit as ``add``; where
         somebody lives in the new room a new PIN is needed: nobody knows whether the old ones are
         the same, for no file holds them."""
-        here = self.resident(number)
-        must_be_named(name)
+        here, kana = self.resident(number), as_kana(kana)
+        must_be_a_name(name, kana)
         if pin is not None:
             self._must_be_free(room, pin, but=number)
         elif room != here.room and any(one.room == room for one in self.residents()):
             raise Unfit("somebody lives in room {0}: give a new PIN, too", room)
         with self._db:
             self._db.execute(
-                "UPDATE resident SET room = ?, name = ? WHERE id = ?", (room, name, number)
+                "UPDATE resident SET room = ?, name = ?, kana = ? WHERE id = ?",
+                (room, name, kana, number),
             )
             if pin is not None:
                 salt = secrets.token_bytes(16)
@@ -188,13 +176,15 @@ class Store:
 
     def residents(self) -> list[Resident]:
         """By room."""
-        rows = self._db.execute("SELECT id, name, room, limits FROM lives_here ORDER BY room, id")
+        rows = self._db.execute(
+            "SELECT id, name, room, limits, kana FROM lives_here ORDER BY room, id"
+        )
         return [_resident(row) for row in rows]
 
     def resident(self, number: int) -> Resident:
         """Raises Unknown, and MovedOut."""
         rows = self._db.execute(
-            "SELECT id, name, room, limits FROM lives_here WHERE id = ?", (number,)
+            "SELECT id, name, room, limits, kana FROM lives_here WHERE id = ?", (number,)
         )
         row = rows.fetchone()
         if row is None:
@@ -377,15 +367,9 @@ def number_in(value: Any) -> float | None:
     return number if abs(number) < 1e12 else None
 
 
-def must_be_named(name: str) -> None:
-    """Raises Unfit."""
-    if not 0 < len(name.strip()) <= 80:
-        raise Unfit("a name has 1 to 80 letters")
-
-
-def _resident(row: tuple[int, str, int, str]) -> Resident:
-    number, name, room, limits = row
-    return Resident(number, name, room, LIMITS | json.loads(limits))
+def _resident(row: tuple[int, str, int, str, str]) -> Resident:
+    number, name, room, limits, kana = row
+    return Resident(number, name, room, LIMITS | json.loads(limits), kana)
 
 
 def _reading(resident: int, at: str, kind: str, measured: str) -> Reading:

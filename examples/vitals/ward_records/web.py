@@ -1,9 +1,10 @@
 """The records over HTTP: what the robot asks, and the nurse's page.
 
 ======================================  =====================================================
-``POST /login`` {room, pin}             {user: {id, name, room, limits}, messages: [{reminder,
-                                        days, begins, what}, …]}; 401: not this PIN, 429: too
-                                        many wrong ones
+``POST /login`` {room, pin, language}   {user: {id, name, said, room, limits}, messages:
+                                        [{reminder, days, begins, what}, …]}: the voice of the
+                                        language has the name ``said``; 401: not this PIN, 429:
+                                        too many wrong ones
 ``POST /lives`` {user}                  {lives: true}; 410: has moved out, 404: no such resident
 ``POST /readings`` {reading}            {kept: true}; 400: no such reading, 404: no such resident,
                                         410: has moved out, and nothing of theirs is kept
@@ -35,21 +36,14 @@ from ward_records.contacts_web import ContactsWeb
 from ward_records.curves import MOST
 from ward_records.day import OUTCOMES, Day
 from ward_records.day_web import DayWeb
+from ward_records.errors import Locked, MovedOut, Unfit, Unknown, WrongPin
 from ward_records.forms import NOTHING, Entry, not_taken, overtaken, settle, texts
 from ward_records.language import speak, wanted, why
 from ward_records.moving_out import MovingOut
 from ward_records.moving_out_web import MovingOutWeb
+from ward_records.names import said
 from ward_records.residents_web import ResidentsWeb
-from ward_records.store import (
-    Locked,
-    MovedOut,
-    Reading,
-    Store,
-    Unfit,
-    Unknown,
-    WrongPin,
-    number_in,
-)
+from ward_records.store import Reading, Store, number_in
 from ward_records.watching import Watching
 
 LONGEST_BODY = 64 * 1024
@@ -152,7 +146,13 @@ class _Ward:
             return refused(401, str(wrong))
         except Locked as locked:
             return refused(429, str(locked))
-        user = {"id": found.id, "name": found.name, "room": found.room, "limits": found.limits}
+        user = {
+            "id": found.id,
+            "name": found.name,
+            "said": said(found.name, found.kana, str(asked.get("language"))),
+            "room": found.room,
+            "limits": found.limits,
+        }
         return web.json_response({"user": user, "messages": self._day.missed(found.id)})
 
     async def lives(self, request: web.Request) -> web.Response:
