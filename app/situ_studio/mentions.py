@@ -1,4 +1,5 @@
-"""What a project's documents mention, and where: texts, events, tags, states, modules, media.
+"""What a project's documents mention, and where: texts, events, tags, states, modules, media, and
+what designers write beside them.
 
 One table says which attribute of which value mentions what. Finding, *Find usages* and renaming
 everywhere are made from it, so they agree. Pure; no Qt.
@@ -12,9 +13,10 @@ from typing import Any, Literal
 from msgspec import Struct
 
 from situ.document import condition, drawing, modules, rbd, spds
+from situ.document.aside import NOTHING
 from situ.document.names import is_name, matches, references
 from situ.document.project import Project
-from situ_studio import places
+from situ_studio import notes, places
 from situ_studio.edit import Document, Place
 
 Role = Literal[
@@ -76,6 +78,10 @@ _ATTRIBUTES: dict[type, tuple[tuple[str, How], ...]] = {
     drawing.Note: (("text", "text"),),
     drawing.Frame: (("title", "text"),),
 }
+
+
+NOTE = "note"
+"""The attribute under which stands what is written about a value, in comments of the file."""
 
 
 class Mention(Struct, frozen=True):
@@ -149,6 +155,11 @@ def own(value: Any, place: Place) -> Iterator[Mention]:
                 yield Mention(place, attribute, " ".join(written), names)
         elif written:
             yield Mention(place, attribute, written, _names(how, written), how == "tag")
+    aside = getattr(value, "aside", NOTHING)
+    if aside.before or aside.inside or aside.parts or aside.after:
+        told = notes.comments_on(value)
+        if told:
+            yield Mention(place, NOTE, told, ())
 
 
 def _drawn(document: Document) -> Iterator[Mention]:

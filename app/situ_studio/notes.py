@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from msgspec.structs import replace
@@ -15,8 +16,18 @@ from situ_studio.places import D
 
 def note_of(value: Any) -> str:
     """What somebody wrote about it, in one line; "" for nothing."""
-    told = (one.removeprefix("<!--").removesuffix("-->") for one in _comments(value))
-    return " ".join(" ".join(told).split())
+    return _told(_comments(value))
+
+
+def comments_on(value: Any) -> str:
+    """Every comment that stands before a thing in its file or inside of it, in one line; ""
+    for none. Of what is in it, each thing has its own.
+    """
+    aside = value.aside
+    held = [*aside.before, *aside.inside, *aside.after]
+    for _, part in aside.parts:
+        held += [*part.before, *part.inside]
+    return _told(one for one in held if one.startswith("<!--"))
 
 
 def annotate(document: D, place: Place, note: str) -> tuple[D, str]:
@@ -34,6 +45,11 @@ def annotate(document: D, place: Place, note: str) -> tuple[D, str]:
     aside = replace(value.aside, before=before)
     after = places.change(document, place, aside=aside)
     return after, tr("Change a note")
+
+
+def _told(comments: Iterable[str]) -> str:
+    told = (one.removeprefix("<!--").removesuffix("-->") for one in comments)
+    return " ".join(" ".join(told).split())
 
 
 def _comments(value: Any) -> list[str]:

@@ -107,6 +107,8 @@ def _hit(document: Document, called: dict[str, str], found: Found, several: bool
     value = places.get(document, mention.place)
     kind = kinds.kind_of(value)
     icon, token = (kind.icon, str(kind.tint)) if kind is not None else ("info", "text2")
+    if mention.attribute == mentions.NOTE:
+        icon, token = "note", "text2"
     text = " ".join(mention.text.split())
     if mention.attribute == "no":
         text = called.get(mention.text, text)
@@ -119,7 +121,7 @@ def _where(document: Document, mention: Mention, value: Any) -> str:
     """``state 6 show names, button yes: sends``."""
     place = mention.place
     if not place:
-        return ""
+        return tr("note") if mention.attribute == mentions.NOTE else ""
     root = places.root(place)
     outer = tr("every state") if root == ("always",) else ""
     if root[0] == "state":
@@ -132,5 +134,7 @@ def _where(document: Document, mention: Mention, value: Any) -> str:
     fields = (*kind.fields, *sections) if kind is not None else ()
     label = next((f.label for f in fields if f.attribute == mention.attribute), "")
     shown = ", ".join(w for w in (outer, inner) if w)
+    if mention.attribute == mentions.NOTE:
+        return f"{shown}: {tr('note')}"
     plain = mention.attribute in ("no", "name", "text") or not label
     return shown if plain else f"{shown}: {translated(label).lower()}"

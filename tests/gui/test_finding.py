@@ -168,3 +168,76 @@ def test_what_a_note_says_is_found(studio: Start, project: Copy) -> None:
     assert where == "reception: a note"
     used.key(Qt.Key.Key_Return)
     assert used.window.current_view.selected == (("note", "0"),)
+
+
+NOTED = """<application name="ward" start="1">
+  <!-- Drawn with the night nurses. -->
+  <!-- Whoever waits here is tired. -->
+  <state no="1" name="Hello">
+    <screen><components>
+      <!-- Large enough for cold fingers. -->
+      <button id="go" x="10" y="10" width="30" height="20" event="go">Go</button>
+      <!-- Nothing below this one. -->
+    </components></screen>
+    <expectedevents>
+      <!-- Asked for by the night nurses. -->
+      <event name="go" next="1"/>
+    </expectedevents>
+  </state>
+  <ed:frame xmlns:ed="urn:situ:editor" title="Night rounds" x="2000" y="1500" width="400" height="200"/>
+  <!-- The end of the night. -->
+</application>
+"""
+SITUATION = """<spds name="ward">
+  <modules><module name="ward" resources="screen"/></modules>
+  <!-- Nobody at night but the nurses. -->
+  <situation name="all"><module name="ward" priority="1"/></situation>
+</spds>
+"""
+
+
+def test_frames_and_what_is_noted_on_anything_are_found_and_shown(
+    studio: Start, tmp_path: Path
+) -> None:
+    (tmp_path / "situ.toml").write_text(
+        '[project]\nname = "ward"\napplications = ["ward.rbd.xml"]\nspds = "ward.spds.xml"\n'
+        '[robot]\nadapter = "sim"\n'
+    )
+    (tmp_path / "ward.rbd.xml").write_text(NOTED)
+    (tmp_path / "ward.spds.xml").write_text(SITUATION)
+    used = studio(tmp_path)
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("night")
+    assert rows(used) == [
+        ("The end of the night.", "ward: note"),
+        (
+            "Drawn with the night nurses. Whoever waits here is tired.",
+            "ward: state 1 Hello: note",
+        ),
+        ("Asked for by the night nurses.", "ward: state 1 Hello, event go: note"),
+        ("Night rounds", "ward: the frame Night rounds: title"),
+        ("Nobody at night but the nurses.", "ward: situation all: note"),
+    ]
+    for text, selected in (
+        ("night nurses. asked", ("state", "1", "event", "0")),
+        ("night rounds", ("frame", "0")),
+        ("nobody night", ("situation", "all")),
+        ("tired", ("state", "1")),
+        ("cold fingers", ("state", "1", "screen", "go")),
+        ("nothing below", ("state", "1", "screen")),
+    ):
+        used.fill(used.window.finding.panel.field, text)
+        assert used.window.current_view.selected == (selected,), text
+        if selected[0] == "frame":
+            # It lies far from all else, and is seen now.
+            canvas = used.window.current_view.canvas
+            seen = canvas.viewer.mapToScene(canvas.viewer.viewport().rect()).boundingRect()
+            assert seen.contains(2200, 1600)
+    # What is written on a thing now is found at once.
+    used.window.fill_in(("state", "1"), "note")
+    used.key(Qt.Key.Key_A, CONTROL)
+    used.type("Rested by now")
+    used.key(Qt.Key.Key_Tab)
+    used.key(Qt.Key.Key_F, CONTROL)
+    used.type("rested")
+    assert rows(used) == [("Rested by now", "ward: state 1 Hello: note")]

@@ -17,6 +17,7 @@ from situ.document.project import Project
 from situ.resources import example
 from situ_studio import mentions, places, renames
 from situ_studio.mentions import Found, Index
+from situ_studio.notes import comments_on
 
 
 @dataclass
@@ -49,6 +50,9 @@ def test_every_place_that_is_mentioned_is_there() -> None:
     assert len(it.every) > 300
     for found in it.every:
         value = places.get(documents[found.file], found.mention.place)
+        if found.mention.attribute == mentions.NOTE:
+            assert found.mention.text == comments_on(value)
+            continue
         written = getattr(value, found.mention.attribute)
         assert found.mention.text == (" ".join(written) if isinstance(written, tuple) else written)
 

@@ -79,7 +79,7 @@ class Finding(QWidget):
         self.field = QLineEdit()
         self.field.setMaximumWidth(px(320))
         self.field.setClearButtonEnabled(True)
-        self.field.setPlaceholderText(self.tr("States, texts, events, tags"))
+        self.field.setPlaceholderText(self.tr("States, texts, events, tags, notes"))
         self.field.setAccessibleName(self.tr("Find in the project"))
         self.field.setToolTip(self.tr("Finds every place in which a text or a name stands."))
         self.field.textChanged.connect(self.asked)
