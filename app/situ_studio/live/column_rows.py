@@ -261,10 +261,19 @@ def _timeless(child: Test | Group) -> Test | Group:
 def _parts(every: Sequence[str], judged: Sequence[bool | None]) -> tuple[PartTold, ...]:
     told = [PartTold(said, holds) for said, holds in zip(every, judged, strict=True)]
     if len(told) > TESTS:
-        rest = [one.holds for one in told[TESTS - 1 :]]
-        holds = None if None in rest else all(rest)
-        told[TESTS - 1 :] = [PartTold(tr("and {0} more").format(len(rest)), holds)]
+        told[TESTS - 1 :] = [_rest([one.holds for one in told[TESTS - 1 :]])]
     return tuple(told)
+
+
+def _rest(judged: Sequence[bool | None]) -> PartTold:
+    """Those that have no line of their own; where one is known not to hold, no other one counts."""
+    if False not in judged:
+        return PartTold(tr("and {0} more").format(len(judged)), None if None in judged else True)
+    failing = judged.count(False)
+    text = tr("and {0} more, {1} does not hold")
+    if failing > 1:
+        text = tr("and {0} more, {1} do not hold")
+    return PartTold(text.format(len(judged), failing), False)
 
 
 def _changed(tag: str, entry: Entry, t: float, lanes: Lanes) -> bool:

@@ -15,8 +15,12 @@ from tests.gui.live.test_link import connect
 from tests.gui.live.test_recordings import opened, until_shown
 
 import situ
+from situ.document import condition
+from situ.document.spds import Situation, Spds
 from situ_studio.live.column import MomentColumn
 from situ_studio.live.column_list import ColumnDelegate
+from situ_studio.live.column_rows import PartTold, Telling
+from situ_studio.live.moment import Entry, Moment
 
 LEFT = Qt.MouseButton.LeftButton
 DRAWING = ("project", "outline", "palette")
@@ -113,6 +117,35 @@ def test_a_situation_that_goes_on_though_its_condition_does_not_hold_tells_why(
     assert part is not None
     assert part.holds is False
     assert column.card.kept.words == "stays 1.2 s at least"
+
+
+@pytest.mark.parametrize(
+    ("hidden", "words", "holds"),
+    [
+        ("true true", "and 2 more", True),
+        ("true known-later", "and 2 more", None),
+        ("false known-later", "and 2 more, 1 does not hold", False),
+        ("true false known-later", "and 3 more, 1 does not hold", False),
+        ("false true false", "and 3 more, 2 do not hold", False),
+    ],
+)
+def test_of_tests_without_room_it_is_told_what_is_known(
+    hidden: str, words: str, holds: bool | None
+) -> None:
+    """hidden: what those are, behind three that hold; a ``for`` is known from no moment alone."""
+    every = [*["true"] * 3, *hidden.split()]
+    tests = tuple(
+        condition.Test(f"tag{n}", "is", "true", hold=2.0 if one == "known-later" else None)
+        for n, one in enumerate(every)
+    )
+    situation = Situation("here", condition=X
+    moment = Moment()
+    moment.situation = "here"
+    moment.board = {f"tag{n}": Entry(one != "false", "eyes", 0.0) for n, one in enumerate(every)}
+    told = Telling(Spds("script", situations=(situation,))).situation(moment, 1.0)
+    assert told is not None
+    assert [part.holds for part in told.parts[:3]] == [True] * 3
+    assert told.parts[3:] == (PartTold(words, holds),)
 
 
 def test_hands_and_keys_go_to_what_a_row_is_about(
