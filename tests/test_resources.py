@@ -40,8 +40,9 @@ def test_an_installed_wheel_carries_resources_and_examples(tmp_path: Path) -> No
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(tmp_path / "site")
     script = (
-        "from situ.resources import resource, examples, templates; import situ_studio;"
-        "print(resource('icons')); print(*examples().values(), *templates().values(), sep='\\n')"
+        "from situ.resources import resource, examples, templates, tutorial; import situ_studio;"
+        "print(resource('icons')); print(*examples().values(), *templates().values(), sep='\\n');"
+        "print(tutorial(), len(list(tutorial().with_suffix('').glob('*.png'))))"
     )
     shown = subprocess.run(
         [sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, 'site'); {script}"],
@@ -52,6 +53,8 @@ def test_an_installed_wheel_carries_resources_and_examples(tmp_path: Path) -> No
     ).stdout.splitlines()
     package = tmp_path / "site" / "situ"
     assert shown[0] == str(package / "_resources" / "icons")
+    pictures = len(list((ROOT / "docs" / "tutorial").glob("*.png")))
+    assert shown.pop() == f"{package / '_docs' / 'tutorial.md'} {pictures}"
     assert shown[1:] == [
         *(str(package / "_examples" / name) for name in resources.examples()),
         *(str(package / "_resources" / "templates" / name) for name in resources.templates()),

@@ -384,6 +384,9 @@ class Commands(InsertCommands):
     def show_help(self) -> None:
         self._window.helping.open()
 
+    def show_tutorial(self) -> None:
+        self._window.helping.show_tutorial()
+
     def ask_what_this_is(self) -> None:
         self._window.helping.ask()
 

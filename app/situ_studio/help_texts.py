@@ -64,12 +64,12 @@ PAGES: tuple[Page, ...] = (
         draw. Save with Ctrl+S; what you have not saved yet is kept aside, and offered again
         after a crash.
 
-        The tutorial, docs/tutorial.md, draws a robot that measures the blood pressure from
+        The tutorial (Help, Tutorial) draws a robot that measures the blood pressure from
         nothing in a quarter of an hour.
         """,
         (
             "panel/project", "panel/problems", "command/welcome", "command/save",
-            "command/undo",
+            "command/undo", "command/tutorial",
         ),
     ),
     Page(

@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF
 from PySide6.QtGui import QAction, QHelpEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWhatsThis, QWidget
 
+from situ.resources import tutorial
 from situ_studio import kinds, places
 from situ_studio.actions import command
 from situ_studio.document_view import DocumentView
@@ -17,6 +18,7 @@ from situ_studio.help_topics import HELP, Topic, command_topic, topics
 from situ_studio.help_window import CONTENTS, HelpWindow
 from situ_studio.keys import written
 from situ_studio.menus import translated
+from situ_studio.tutorial import TutorialWindow
 
 if TYPE_CHECKING:
     from situ_studio.window import MainWindow
@@ -25,12 +27,16 @@ _ASKED = (QEvent.Type.WhatsThis, QEvent.Type.QueryWhatsThis)
 
 
 class HelpSide(QObject):
-    """Finds the topic of what a person is at, and shows it. ``shown``: the help, once opened."""
+    """Finds the topic of what a person is at, and shows it.
+
+    shown, tutorial: the help and the tutorial, once opened.
+    """
 
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
         self._window = window
         self.shown: HelpWindow | None = None
+        self.tutorial: TutorialWindow | None = None
         for name, dock in window.docks.items():
             dock.widget().setProperty(HELP, f"panel/{name}")
             dock.titleBarWidget().setProperty(HELP, f"panel/{name}")
@@ -74,6 +80,16 @@ class HelpSide(QObject):
         self.shown.raise_()
         self.shown.activateWindow()
         self.shown.pages.setFocus()
+
+    def show_tutorial(self) -> None:
+        """Shows the tutorial, at the step where one left off."""
+        window = self._window
+        if self.tutorial is None:
+            self.tutorial = TutorialWindow(tutorial(), window.theme, window.settings, window)
+        self.tutorial.show()
+        self.tutorial.raise_()
+        self.tutorial.activateWindow()
+        self.tutorial.next.setFocus()
 
     def more(self, id: str) -> list[tuple[str, str]]:
         """Of a command: its menu, its keys, and why it can not be done now."""
@@ -181,6 +197,8 @@ class HelpSide(QObject):
     def _settle_theme(self) -> None:
         if self.shown is not None:
             self.shown.set_theme(self._window.theme)
+        if self.tutorial is not None:
+            self.tutorial.set_theme(self._window.theme)
 
     def _in_menu(self, event: QEvent) -> bool:
         """Shortcuts do not reach an open menu: its keys are listened to."""

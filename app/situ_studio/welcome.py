@@ -22,6 +22,7 @@ from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ.resources import templates
 from situ_studio import icons
+from situ_studio.icon_widgets import ThemedButton
 from situ_studio.language import LANGUAGES
 from situ_studio.layouts import clear
 from situ_studio.letters import px
@@ -70,6 +71,8 @@ class Welcome(QScrollArea):
     template_asked = Signal(str)
     theme_asked = Signal(str)
     language_asked = Signal(str)
+    tutorial_asked = Signal()
+    help_asked = Signal()
 
     def __init__(
         self,
@@ -106,12 +109,22 @@ class Welcome(QScrollArea):
         body.addLayout(self._start())
         body.addLayout(self._examples_side(), 1)
         column.addLayout(body)
-        column.addSpacing(32)
-        column.addLayout(self._templates())
         column.addStretch(1)
         column.addSpacing(24)
         foot = QHBoxLayout()
         foot.setSpacing(24)
+        # The words of the first one stand below the column, not its edge.
+        foot.setContentsMargins(-8, 0, 0, 0)
+        self.tutorial = ThemedButton(
+            theme, "play", self.tr("Tutorial, a quarter of an hour"), "link", "accent"
+        )
+        self.tutorial.setToolTip(self.tr("A first robot from nothing, one step at a time"))
+        self.tutorial.clicked.connect(self.tutorial_asked)
+        foot.addWidget(self.tutorial)
+        self.help = ThemedButton(theme, "help", self.tr("First steps"), "link")
+        self.help.setToolTip(self.tr("What a project is, and how one begins; F1 explains the rest"))
+        self.help.clicked.connect(self.help_asked)
+        foot.addWidget(self.help)
         foot.addStretch(1)
         self.languages = Segments(
             theme,
@@ -217,6 +230,8 @@ class Welcome(QScrollArea):
         self._examples = QGridLayout()
         self._examples.setSpacing(GAP)
         column.addLayout(self._examples)
+        column.addSpacing(24)
+        column.addLayout(self._templates())
         column.addStretch(1)
         return column
 
@@ -225,7 +240,7 @@ class Welcome(QScrollArea):
         column.setSpacing(8)
         column.addLayout(self._heading(self.tr("New from a template")))
         row = QHBoxLayout()
-        row.setSpacing(16)
+        row.setSpacing(GAP)
         # All of resources/templates but the empty one, which is the new project above.
         for name, icon, title, below in (
             (
@@ -245,8 +260,8 @@ class Welcome(QScrollArea):
             card = Choice(self._theme, picture, title, below)
             card.setObjectName(f"template {name}")
             card.pressed.connect(partial(self.template_asked.emit, name))
-            row.addWidget(card)
-        row.addStretch(1)
+            card.take_all_room()
+            row.addWidget(card, 1)
         column.addLayout(row)
         return column
 

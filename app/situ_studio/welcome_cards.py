@@ -73,6 +73,11 @@ class Choice(Press):
             label.setProperty("role", "kbd")
             self.line.addWidget(label, 0, Qt.AlignmentFlag.AlignVCenter)
 
+    def take_all_room(self) -> None:
+        """As wide as there is room, where it shares a row with others."""
+        self.setMinimumWidth(0)
+        self.setMaximumWidth(px(2 * START))
+
 
 class ExampleCard(Press):
     """An example: its drawing, its name, what is in it, and what it is about."""
@@ -96,10 +101,9 @@ class ExampleCard(Press):
         name.setProperty("role", "section")
         line.addWidget(name)
         line.addStretch(1)
-        count = QLabel(facts(example.document))
-        count.setProperty("role", "hint")
-        line.addWidget(count)
         words.addLayout(line)
+        count = Elided(facts(example.document), "hint")
+        words.addWidget(count)
         about = QLabel(example.about)
         about.setProperty("role", "dim")
         about.setWordWrap(True)

@@ -35,6 +35,8 @@ class Welcoming:
         page.template_asked.connect(commands.new_project)
         page.theme_asked.connect(window.choose_theme)
         page.language_asked.connect(commands.choose_language)
+        page.tutorial_asked.connect(commands.show_tutorial)
+        page.help_asked.connect(lambda: window.helping.show_topic("page/first"))
 
     # -- the page ----------------------------------------------------------------------
 

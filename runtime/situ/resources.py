@@ -40,6 +40,17 @@ def example(name: str) -> Path:
     return known[name]
 
 
+def tutorial() -> Path:
+    """The tutorial's page, its pictures in the folder of the same name beside it.
+
+    Raises UsageError where it does not exist: the installation is incomplete.
+    """
+    path = _root("docs") / "tutorial.md"
+    if not path.exists():
+        raise UsageError(f"{path} is missing: the installation is incomplete, install situ again")
+    return path
+
+
 def templates() -> dict[str, Path]:
     """What a new project can start from: name to folder, sorted by name."""
     return {folder.name: folder for folder in sorted(resource("templates").iterdir())}

@@ -7,6 +7,14 @@ from situ_studio.actions.command import Command, row
 HELP: tuple[Command, ...] = (
     row("help", "Help", "show_help", icon="help", shortcut="F1", menu="Help"),
     row(
+        "tutorial",
+        "Tutorial",
+        "show_tutorial",
+        icon="play",
+        menu="Help",
+        tip="A first robot in a quarter of an hour, from nothing, one step at a time.",
+    ),
+    row(
         "whats_this",
         "What is this?",
         "ask_what_this_is",

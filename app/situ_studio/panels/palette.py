@@ -170,7 +170,7 @@ class Palette(QWidget):
         return px(HEAD)
 
     def _head(self, part: str) -> int:
-        """What divides a group from the one above, and its height: its name, where there is room."""
+        """What divides a group from the one above: its name, where there is room; its height."""
         name = {"action": self.tr("Actions"), "screen": self.tr("On its screen")}.get(part, "")
         if self._dense or not name:
             self._column.addSpacing(BETWEEN)
