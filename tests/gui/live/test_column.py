@@ -138,7 +138,7 @@ def test_of_tests_without_room_it_is_told_what_is_known(
         condition.Test(f"tag{n}", "is", "true", hold=2.0 if one == "known-later" else None)
         for n, one in enumerate(every)
     )
-    situation = Situation("here", condition=X
+    situation = Situation("here", condition=condition.Condition(tests))
     moment = Moment()
     moment.situation = "here"
     moment.board = {f"tag{n}": Entry(one != "false", "eyes", 0.0) for n, one in enumerate(every)}
