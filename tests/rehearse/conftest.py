@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
 import pytest
+from tests.rehearse.asked import APP, DOOR, SCRIPT
 
 from situ import cli
 from situ.document import codec
@@ -111,6 +112,16 @@ def make() -> Make:
         return project
 
     return made
+
+
+@pytest.fixture
+def door(make: Make) -> Project:
+    return make(DOOR)
+
+
+@pytest.fixture
+def lab(make: Make) -> Project:
+    return make(APP, SCRIPT)
 
 
 class Record(Protocol):
