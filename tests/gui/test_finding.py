@@ -184,7 +184,8 @@ NOTED = """<application name="ward" start="1">
       <event name="go" next="1"/>
     </expectedevents>
   </state>
-  <ed:frame xmlns:ed="urn:situ:editor" title="Night rounds" x="2000" y="1500" width="400" height="200"/>
+  <ed:frame xmlns:ed="urn:situ:editor" title="Night rounds"
+            x="2000" y="1500" width="400" height="200"/>
   <!-- The end of the night. -->
 </application>
 """
