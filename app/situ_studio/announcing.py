@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import cycle
-from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QObject, QSysInfo, QTimer, Signal
+from PySide6.QtCore import QObject, QSysInfo, QTimer, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleEvent
-from PySide6.QtWidgets import QAbstractItemView, QAccessibleWidget, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QWidget
 
-INSTALLED = "situ_announcements_are_heard"
+from situ_studio.heard_as import hear_as
+
 PAUSE = 600
 """Milliseconds until a reader is told: Orca drops what comes with many other events at once."""
 AT_ONCE = 4
@@ -29,7 +29,6 @@ class Announcements(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        _install()
         self.notify: Callable[[QAccessibleEvent], None] = QAccessible.updateAccessibility
         self._notes = cycle([_Note(self) for _ in range(AT_ONCE)])
         self._waiting: list[str] = []
@@ -75,7 +74,9 @@ def announce(near: QWidget, text: str) -> None:
 class _Note(QWidget):
     """Has the words of one announcement."""
 
-    heard_as: Any = None
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        hear_as(self, QAccessible.Role.Notification)
 
 
 class CurrentRow(QObject):
@@ -119,18 +120,3 @@ def soon(parent: QObject, what: Callable[[], None]) -> QTimer:
     timer.setInterval(0)
     timer.timeout.connect(what)
     return timer
-
-
-def _install() -> None:
-    application = QCoreApplication.instance()
-    if application is not None and not application.property(INSTALLED):
-        application.setProperty(INSTALLED, True)
-        QAccessible.installFactory(_factory)
-
-
-def _factory(name: str, watched: QObject) -> Any:
-    if not isinstance(watched, _Note):
-        return None
-    # Kept by what it speaks for: Qt holds no reference.
-    watched.heard_as = QAccessibleWidget(watched, QAccessible.Role.Notification, "")
-    return watched.heard_as

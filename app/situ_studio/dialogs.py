@@ -28,6 +28,7 @@ from situ_studio.live.connecting_dialog import Chosen, ConnectDialog
 from situ_studio.live.nearby import NearbyRobots
 from situ_studio.live.raising_dialog import Offer, RaisingDialog
 from situ_studio.live.setting_dialog import Setting, SettingDialog
+from situ_studio.print_preview import reach_by_keys
 from situ_studio.vocabulary import Vocabulary
 
 if TYPE_CHECKING:
@@ -229,6 +230,8 @@ class Dialogs(QObject):
         """Shows what ``paint`` puts on the pages; whether a person printed them from there."""
         dialog = QPrintPreviewDialog(printer, self._window)
         dialog.paintRequested.connect(paint)
+        reach_by_keys(dialog)
+        dialog.resize(px(960), px(720))
         try:
             return dialog.exec() == QDialog.DialogCode.Accepted
         finally:

@@ -17,6 +17,7 @@ from situ_studio.live.follower import Follower
 from situ_studio.live.following import FollowMode
 from situ_studio.live.link import RobotLink
 from situ_studio.live.recordings import Recording
+from situ_studio.live.telling import SituationTelling
 from situ_studio.live.timeline.bookmarks import beside
 from situ_studio.live.timeline.panel import Timeline
 from situ_studio.panels.authority import Authority
@@ -52,6 +53,7 @@ class RobotSide(QObject):
             Trace(theme),
         )
         self.follower = Follower(self, self.link, self.blackboard, self.authority, self.trace, self)
+        SituationTelling(self.follower, window.status.announcements.tell)
         self.timeline = Timeline(
             theme, self.follower.viewing, self.state_name, self._ask_for_bookmark
         )

@@ -100,6 +100,7 @@ class Breakpoints(QWidget):
         column.addWidget(self.condition)
         column.addStretch(1)
         room = QScrollArea()
+        room.setAccessibleName(title.text())
         room.setFrameShape(QFrame.Shape.NoFrame)
         room.setWidgetResizable(True)
         room.setFixedWidth(WIDE)

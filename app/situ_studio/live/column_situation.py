@@ -5,9 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import QEvent, QPoint, Qt, Signal
-from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QResizeEvent
+from PySide6.QtGui import (
+    QAccessible,
+    QEnterEvent,
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
+from situ_studio.heard_as import hear_as
 from situ_studio.icon_widgets import IconButton, IconLabel, retheme
 from situ_studio.language import tr
 from situ_studio.letters import px
@@ -28,6 +36,7 @@ class SituationCard(QFrame):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("role", "situation")
+        hear_as(self, QAccessible.Role.Button, self.chosen.emit)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self._told: SituationTold | None = None
@@ -79,7 +88,8 @@ class SituationCard(QFrame):
         rests = [f"{part.words}: {signs[part.holds]}" for part in told.parts]
         place = f"{told.name}, {told.place}" if told.place else told.name
         self.setAccessibleName(tr("Situation {0}").format(place))
-        self.setAccessibleDescription(". ".join((*rests, told.kept)).strip(". "))
+        # Where there is none, readers take the tip, with its tags.
+        self.setAccessibleDescription(". ".join((*rests, told.kept)).strip(". ") or told.tip)
         if before is None or before.tip != told.tip:
             self.setToolTip(f"<p>{told.tip}</p>" if told.tip else "")
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayout, QWidget
 
+from situ_studio.announcing import announce
 from situ_studio.icon_widgets import Elided, IconButton, retheme
 from situ_studio.language import said, tr
 from situ_studio.letters import px
@@ -63,6 +64,7 @@ class ComparingStrip(QWidget):
         self.swap.clicked.connect(self._swap)
         self.close_.clicked.connect(self.end_asked)
         comparing.changed.connect(self._tell)
+        self._heard: object = None
         self._tell()
 
     def set_theme(self, theme: Theme) -> None:
@@ -88,6 +90,10 @@ class ComparingStrip(QWidget):
             ours, theirs = parting.at[0], parting.at[1] - comparing.shifts[run]
             self.first.setText(self._words(0, ours, parting.first))
             self.second.setText(self._words(run + 1, theirs, parting.second))
+            if self._heard != comparing.chosen:
+                words = (self.count.text(), self.first.text(), self.second.text())
+                announce(self, ". ".join(words))
+        self._heard = comparing.chosen
 
     def _offer_swap(self) -> None:
         others = self._comparing.others

@@ -7,7 +7,6 @@ from typing import Any
 
 from msgspec import Struct
 from PySide6.QtWidgets import (
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QHBoxLayout,
@@ -21,6 +20,7 @@ from situ.document.spds import DataType
 from situ.document.values import is_number, read
 from situ_studio.language import tr
 from situ_studio.letters import px
+from situ_studio.named_box import NamedBox
 from situ_studio.panels.fields import Line
 from situ_studio.vocabulary import Vocabulary
 
@@ -55,7 +55,7 @@ class SettingDialog(QDialog):
         self.value = Line()
         self.value.setAccessibleName(self.tr("Value"))
         self.value.setPlaceholderText(self.tr("nothing: removes it"))
-        self.choice = QComboBox()
+        self.choice = NamedBox()
         self.choice.setAccessibleName(self.tr("Value"))
         self.choice.addItems([self.tr("yes"), self.tr("no"), self.tr("nothing: removes it")])
         self.unit = QLabel()

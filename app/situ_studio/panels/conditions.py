@@ -7,9 +7,11 @@ from typing import Any, Literal
 
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
 from situ.document.condition import Condition, Group, GroupName, Test
+from situ_studio.heard_as import hear_as
 from situ_studio.icon_widgets import IconButton, IconLabel
 from situ_studio.kinds import GROUPS
 from situ_studio.language import translated
@@ -32,6 +34,7 @@ class GroupBox(QFrame):
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        hear_as(self, QAccessible.Role.Grouping)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
@@ -61,6 +64,10 @@ class GroupBox(QFrame):
         self.members.setSpacing(6)
         inner.addLayout(self.members, 1)
         column.addLayout(inner)
+
+    def show_kind(self, kind: GroupName) -> None:
+        self.kind.show_value(kind)
+        self.setAccessibleName(self.kind.currentText())
 
 
 class AddTest(IconButton):
@@ -160,7 +167,7 @@ class ConditionEditor(QWidget):
             if isinstance(child, Test) and isinstance(box, TestBox):
                 box.show_test(child, self._vocabulary)
             elif isinstance(child, Group) and isinstance(box, GroupBox):
-                box.kind.show_value(child.kind)
+                box.show_kind(child.kind)
                 self._fill((*path, index), child.children)
 
     def _regroup(self, path: Path, kind: Any) -> None:

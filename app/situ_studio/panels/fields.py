@@ -24,7 +24,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QCompleter,
     QLabel,
     QLineEdit,
@@ -34,6 +33,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import icons
+from situ_studio.named_box import NamedBox
 from situ_studio.panels.tag_completion import TagCompletion
 from situ_studio.theme import Theme
 
@@ -297,7 +297,7 @@ class Paragraph(QPlainTextEdit):
         self.finish()
 
 
-class Choice(QComboBox):
+class Choice(NamedBox):
     """One of several; what is not among them is shown too, as it stands.
 
     Letters go to what begins with them, or has a word that does, however slowly they are typed;
@@ -312,7 +312,7 @@ class Choice(QComboBox):
         self._value: Any = None
         self._offered: tuple[tuple[Any, str], ...] = ()
         self._typed = ""
-        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setSizeAdjustPolicy(NamedBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(4)
         # The style's own delegate does not know the style sheet's colours.
         self.setItemDelegate(QStyledItemDelegate(self))

@@ -61,6 +61,9 @@ class PrioritiesEditor(QFrame):
             module.offer(tuple((m, m) for m in vocabulary.modules))
             module.show_value(entry.module)
             priority.show_value(entry.priority)
+            holder = module.parentWidget()
+            assert holder is not None
+            holder.setAccessibleName(self.tr("Priority of {0}").format(entry.module))
         self.setVisible(bool(situation.entries or inherited))
 
     def row(self, index: int) -> tuple[Choice, Number]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from msgspec import Struct
 from PySide6.QtCore import QEvent, QPoint, Qt, Signal
 from PySide6.QtGui import (
+    QAccessible,
     QContextMenuEvent,
     QEnterEvent,
     QFocusEvent,
@@ -29,6 +30,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ_studio.heard_as import hear_as
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import clear, rule
 from situ_studio.letters import px
@@ -64,6 +66,7 @@ class RowWidget(QFrame):
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         words = " ".join(w for w in (row.title, row.detail, row.target, row.guard) if w)
         self.setAccessibleName(words)
+        hear_as(self, QAccessible.Role.Button, self.opened.emit)
         self._press: QPoint | None = None
         self._dragging = False
         column = QVBoxLayout(self)

@@ -39,6 +39,8 @@ class SectionEditor(QWidget):
     def __init__(self, section: Section, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.section = section
+        # Two of a form may have the same button; a reader tells in which it is.
+        self.setAccessibleName(translated(section.title))
         self._theme = theme
         self._subject: Subject | None = None
         column = QVBoxLayout(self)

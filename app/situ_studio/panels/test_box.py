@@ -7,12 +7,14 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.document.condition import Test
 from situ.document.datatypes import number, write_number
 from situ.document.names import only_reference
 from situ.document.spds import DataType
+from situ_studio.heard_as import hear_as
 from situ_studio.help_topics import explain
 from situ_studio.icon_widgets import IconButton, IconLabel
 from situ_studio.kinds import TESTS
@@ -44,6 +46,7 @@ class TestBox(QFrame):
         super().__init__(parent)
         self.setObjectName("testBox")
         self.setProperty("role", "box")
+        hear_as(self, QAccessible.Role.Grouping)
         self._test: Test | None = None
         self._kind: DataType | None = None
         column = QVBoxLayout(self)
@@ -111,6 +114,8 @@ class TestBox(QFrame):
 
     def show_test(self, test: Test, vocabulary: Vocabulary) -> None:
         self._test = test
+        # A reader tells it of the first field in it that somebody comes to.
+        self.setAccessibleName(self.tr("Test of {0}").format(test.tag))
         self.tag.complete_from(vocabulary.tags)
         self.tag.show_value(test.tag)
         missing = test.test == "exists" and test.value == "false"

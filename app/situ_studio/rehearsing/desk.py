@@ -65,6 +65,7 @@ class Desk(OverScroll):
         """What services answer, by name; None before it was asked for."""
         self.dials: dict[str, DialRow] = {}
         self.modules: dict[str, ModuleRow] = {}
+        self.setAccessibleName(self.tr("Rehearsal"))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -5,12 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
+from PySide6.QtGui import QAccessible
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QWidget
 
 from situ.decide.values import in_text
 from situ.document.values import is_number, read
+from situ_studio.announcing import announce
+from situ_studio.heard_as import hear_as
 from situ_studio.icon_widgets import Elided
 from situ_studio.letters import px
+from situ_studio.named_box import NamedBox
 from situ_studio.panels.fields import Flag
 from situ_studio.rehearsing.dials import Dial
 from situ_studio.theme import Theme
@@ -37,7 +41,7 @@ class DialRow(QWidget):
         line.addWidget(title)
         self.flag: Flag | None = None
         self.slider: QSlider | None = None
-        self.choice: QComboBox | None = None
+        self.choice: NamedBox | None = None
         self.value = QLabel()
         if dial.kind == "boolean":
             self.flag = Flag(theme, "")
@@ -47,6 +51,8 @@ class DialRow(QWidget):
         elif dial.kind == "number":
             self.slider = QSlider(Qt.Orientation.Horizontal)
             self.slider.setAccessibleName(dial.tag)
+            # Of a slider readers tell its place between its bounds, which says nothing here.
+            hear_as(self.slider, QAccessible.Role.Slider)
             self.slider.setRange(0, STEPS)
             self.slider.setPageStep(STEPS // 10)
             self.slider.valueChanged.connect(self._on_slid)
@@ -56,9 +62,9 @@ class DialRow(QWidget):
             self.value.setProperty("role", "label")
             line.addWidget(self.value)
         else:
-            self.choice = QComboBox()
+            self.choice = NamedBox()
             self.choice.setEditable(True)
-            self.choice.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
+            self.choice.setInsertPolicy(NamedBox.InsertPolicy.NoInsert)
             self.choice.setAccessibleName(dial.tag)
             self.choice.addItems(list(dial.values))
             self.choice.setCurrentText("")
@@ -80,6 +86,7 @@ class DialRow(QWidget):
             self.flag.show_value(value is True)
         elif self.slider is not None:
             self.value.setText(self._written(value))
+            self.slider.setAccessibleDescription(self.value.text())
             if is_number(value) and not self.slider.isSliderDown():
                 self.slider.blockSignals(True)
                 self.slider.setValue(round((value - dial.low) / (dial.high - dial.low) * STEPS))
@@ -92,7 +99,9 @@ class DialRow(QWidget):
 
     def _on_slid(self, place: int) -> None:
         dial = self.dial
-        self.written.emit(dial.tag, round(dial.low + (dial.high - dial.low) * place / STEPS, 3))
+        value = round(dial.low + (dial.high - dial.low) * place / STEPS, 3)
+        announce(self, self._written(value))
+        self.written.emit(dial.tag, value)
 
     def _on_chosen(self, text: str) -> None:
         self.written.emit(self.dial.tag, read(text) if text else None)

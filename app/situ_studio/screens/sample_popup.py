@@ -8,7 +8,6 @@ from typing import Any
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QFrame,
     QGridLayout,
     QLabel,
@@ -22,6 +21,7 @@ from situ.document.values import read
 from situ_studio.icon_widgets import Elided
 from situ_studio.layouts import clear
 from situ_studio.letters import px
+from situ_studio.named_box import NamedBox
 from situ_studio.panels.fields import Flag
 from situ_studio.screens import samples
 from situ_studio.screens.sample_table import SampleTable
@@ -63,7 +63,7 @@ class SamplePopup(QFrame):
         hint.setProperty("role", "hint")
         hint.setWordWrap(True)
         column.addWidget(hint)
-        self.fields: dict[str, QComboBox] = {}
+        self.fields: dict[str, NamedBox] = {}
         self.tables: dict[str, SampleTable] = {}
 
     def show_values(
@@ -88,10 +88,10 @@ class SamplePopup(QFrame):
                 continue
             label = Elided(name, "label")
             label.setFixedWidth(px(112))
-            field = QComboBox()
+            field = NamedBox()
             field.setEditable(True)
             field.setItemDelegate(QStyledItemDelegate(field))
-            field.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
+            field.setInsertPolicy(NamedBox.InsertPolicy.NoInsert)
             field.setAccessibleName(name)
             for value in samples.offered(known, name):
                 field.addItem(in_text(value), value)

@@ -28,6 +28,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from situ.document import rbd
+from situ_studio.announcing import announce
 from situ_studio.kinds import COMPONENTS, MIME
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens import accessible, keyboard, marks, placing
@@ -38,6 +39,7 @@ from situ_studio.screens.placing import Box
 from situ_studio.screens.problem_marks import ProblemMarks, Told
 from situ_studio.screens.resting import Resting
 from situ_studio.screens.shown import Values
+from situ_studio.screens.telling import told_placed
 from situ_studio.screens.writing import Writing
 from situ_studio.theme import LIGHT, Theme
 
@@ -178,7 +180,9 @@ class Sheet(ScreenPreview):
     def place(self, boxes: Mapping[str, Box], text: str) -> None:
         """Components lie there now. text: the name of the step, {0} are those selected."""
         if self._screen is not None:
-            self.tell(placing.placed(self._screen, boxes), text)
+            after = placing.placed(self._screen, boxes)
+            self.tell(after, text)
+            announce(self, told_placed(after, boxes, self.looked_at))
 
     def tell(self, after: rbd.Screen, text: str) -> None:
         """The screen is another one; nothing where it is the very same."""

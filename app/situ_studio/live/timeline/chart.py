@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QAccessible, QFocusEvent, QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QToolTip
 
+from situ_studio.announcing import announce
+from situ_studio.heard_as import hear_as
 from situ_studio.letters import px
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.drawing import TimelineDrawing
 from situ_studio.live.timeline.painting import EDGE, GUTTER, StateName
+from situ_studio.live.timeline.telling import told_moment
 from situ_studio.live.viewing import Viewing
 from situ_studio.theme import Theme
 
@@ -49,6 +52,7 @@ class TimelineChart(TimelineDrawing):
         super().__init__(theme, viewing, bookmarks, state_name)
         self._hand = ""
         self._from = QPointF()
+        hear_as(self, QAccessible.Role.Slider)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.viewport().setMouseTracking(True)
 
@@ -111,6 +115,27 @@ class TimelineChart(TimelineDrawing):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        before = self.viewing.t
+        self._press(event)
+        # What follows goes on by itself.
+        if not self.viewing.follows and self.viewing.t != before:
+            announce(self, self.told_now())
+
+    def step(self, by: int) -> None:
+        """To the event after, or before, as a button does."""
+        self.viewing.step(by)
+        announce(self, self.told_now())
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        self.setAccessibleDescription(self.told_now())
+        super().focusInEvent(event)
+
+    def told_now(self) -> str:
+        """What stands at the cursor."""
+        t, own = self.viewing.t, [row for row in self.rows if row.run == 0]
+        return told_moment(self.clock(t), t, own, self.bookmarks.every, self._painter.state_name)
+
+    def _press(self, event: QKeyEvent) -> None:
         viewing, key = self.viewing, Qt.Key(event.key())
         shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if not self._takes(event):

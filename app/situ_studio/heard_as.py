@@ -1,0 +1,65 @@
+"""What a screen reader takes a widget for, where Qt would take it for another thing.
+
+One factory is installed per process. A widget that is not spoken for here stays Qt's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication, QObject
+from PySide6.QtGui import QAccessible, QAccessibleActionInterface
+from PySide6.QtWidgets import QAccessibleWidget, QWidget
+
+from situ_studio.accessible_actions import NOTHING_MORE, PartActions
+
+INSTALLED = "situ_roles_are_heard"
+ROLE = "heard_as"
+
+
+def hear_as(
+    widget: QWidget, role: QAccessible.Role, press: Callable[[], object] | None = None
+) -> None:
+    """To be said before anybody asks for the widget, whose name and description stay its own.
+
+    press: what Enter does there.
+    """
+    application = QCoreApplication.instance()
+    if application is not None and not application.property(INSTALLED):
+        application.setProperty(INSTALLED, True)
+        QAccessible.installFactory(_factory)
+    setattr(widget, ROLE, (role, press))
+
+
+class HeardWidget(QAccessibleWidget):
+    """Qt's own, with another role, and with what can be done."""
+
+    def __init__(
+        self, widget: QWidget, role: QAccessible.Role, press: Callable[[], object] | None
+    ) -> None:
+        super().__init__(widget, role, "")
+        self._widget, self._press = widget, press
+        self._actions = PartActions(self)
+
+    def interface_cast(self, kind: QAccessible.InterfaceType) -> Any:
+        if kind == QAccessible.InterfaceType.ActionInterface:
+            return self._actions
+        return NOTHING_MORE
+
+    def do(self, name: str) -> None:
+        """``Press`` is Enter, ``SetFocus`` a click that does nothing more."""
+        if name == QAccessibleActionInterface.setFocusAction():
+            self._widget.setFocus()
+        elif name == QAccessibleActionInterface.pressAction() and self._press is not None:
+            self._press()
+
+
+def _factory(name: str, watched: QObject) -> Any:
+    told = getattr(watched, ROLE, None)
+    if told is None or not isinstance(watched, QWidget):
+        return None
+    # Kept by what it speaks for: Qt holds no reference.
+    spoken_as = HeardWidget(watched, *told)
+    watched.spoken_as = spoken_as  # type: ignore[attr-defined]
+    return spoken_as
