@@ -6,7 +6,7 @@ from datetime import datetime
 from itertools import compress
 from operator import is_not
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
 
 import situ
@@ -17,11 +17,14 @@ from situ_studio.edit import Document
 from situ_studio.help_texts import PANELS, helped
 from situ_studio.help_topics import HELP
 from situ_studio.icon_widgets import IconLabel, ThemedButton
+from situ_studio.letters import px
 from situ_studio.theme import Theme
 from situ_studio.working import WorkStrip
 
 SAID_FOR = 6000
 """Milliseconds that a passing message stays."""
+SLACK = 16
+"""Px that may be empty behind what the link is."""
 
 
 def count(number: int, one: str, many: str) -> str:
@@ -44,7 +47,8 @@ class Status(QStatusBar):
         line.setSpacing(6)
         self._link_icon = IconLabel(theme, "unlink", "text2", 14)
         line.addWidget(self._link_icon)
-        self.link = QLabel(self.tr("no robot"))
+        self.link = SteadyLabel()
+        self.link.setText(self.tr("no robot"))
         line.addWidget(self.link)
         self._line = line
         line.addSpacing(10)
@@ -212,6 +216,29 @@ class Status(QStatusBar):
             self.saved.setText(self.tr("Saved {0}").format(f"{at:%H:%M}"))
         else:
             self.saved.setText(self.tr("No changes"))
+
+
+class SteadyLabel(QLabel):
+    """Words that are others in each frame of a scrub: what stands around them is laid out anew, and
+    goes elsewhere, only where they need much more or less room than they have.
+    """
+
+    def setText(self, words: str) -> None:
+        if words != self.text():
+            super().setText(words)
+            self._settle()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._settle()
+
+    def _settle(self) -> None:
+        """Of a fixed size, its words are no matter of its layout's."""
+        wanted, has = self.sizeHint(), self.minimumSize()
+        slack = has.width() - wanted.width()
+        if not 0 <= slack <= px(SLACK) or has.height() != wanted.height():
+            self.setFixedSize(wanted)
 
 
 def _leading(part: State | Always) -> int:

@@ -9,12 +9,15 @@ from typing import Any
 import pytest
 from msgspec import UNSET
 from msgspec.structs import replace
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtTest import QTest
 from tests.gui.live.test_link import connect
+from tests.gui.live.test_recordings import opened
 
 import situ
+from situ_studio.letters import px
 from situ_studio.live.link_status import OVER, Rate
+from situ_studio.status import SLACK
 
 
 def test_events_are_counted_over_the_last_seconds_alone() -> None:
@@ -83,3 +86,42 @@ def test_the_status_bar_tells_of_the_link_and_the_rest_at_a_click(
     assert [name for name, _ in status.facts()] == ["Address", "Project", "Link"]
     it.window.disconnect_robot()
     assert not status.button.isVisible()
+
+
+class Laid(QObject):
+    """Counts how often something is laid out anew."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.count = 0
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        self.count += event.type() == QEvent.Type.LayoutRequest
+        return False
+
+
+def test_what_the_link_is_has_room_and_the_bar_is_not_laid_out_for_each_moment_of_a_scrub(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    it, _ = opened(
+        studio, project("conversation"), tmp_path / "run.mcap", "conversation", "fig5.jsonl"
+    )
+    label, viewing = it.window.status.link, it.window.robot.follower.viewing
+    said, laid = set(), Laid()
+    viewing.seek(3.0)
+    it.settle()
+    it.window.status.installEventFilter(laid)
+    for tenths in range(30, 60):
+        viewing.seek(tenths / 10)
+        it.settle()
+        said.add(label.text())
+        assert label.width() >= label.sizeHint().width()
+    assert len(said) > 2
+    assert laid.count == 0
+    # Other words have the room that they need, bold ones too, and no more of it.
+    for live in ("true", "lost", ""):
+        for words in ("live, 12 ms behind, differs here", "no robot"):
+            it.window.status.show_link("link", words, live)
+            it.settle()
+            assert 0 <= label.width() - label.sizeHint().width() <= px(SLACK)
+    it.window.commands.close_recording()
