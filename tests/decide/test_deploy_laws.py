@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from msgspec.structs import replace
-from tests.decide.test_laws import FEW, Play, Scenario, projects, scenarios
+from tests.decide.random_projects import FEW, Play, Scenario, projects, scenarios
 
 from situ.decide import inputs
 from situ.decide.robot import Robot
