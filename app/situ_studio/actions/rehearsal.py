@@ -69,9 +69,13 @@ REHEARSAL: tuple[Command, ...] = (
         "rehearse.end",
         "End the rehearsal",
         "end_rehearsal",
+        icon="end",
         shortcut="Shift+F5",
         menu="Robot",
+        toolbar="left",
+        outlined=True,
         when="is_rehearsing",
+        shown="is_rehearsing",
         tip="The drawing is shown as it is drawn again.",
     ),
     row(

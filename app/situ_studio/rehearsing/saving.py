@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QLabel,
     QLineEdit,
-    QListWidget,
     QListWidgetItem,
     QVBoxLayout,
     QWidget,
@@ -21,8 +20,10 @@ from situ.document import folder
 from situ.errors import UsageError
 from situ.rehearse.suite import ENDING
 from situ_studio.letters import px
+from situ_studio.rehearsing.choices import Choices
 from situ_studio.rehearsing.course import Course
 from situ_studio.rehearsing.expecting import Chance, chances, written
+from situ_studio.theme import Theme
 
 
 class SavingScenario(QDialog):
@@ -30,7 +31,7 @@ class SavingScenario(QDialog):
 
     saved = Signal(Path)
 
-    def __init__(self, course: Course, home: Path, parent: QWidget) -> None:
+    def __init__(self, course: Course, home: Path, theme: Theme, parent: QWidget) -> None:
         super().__init__(parent)
         self._course, self._home = course, home
         self.setWindowTitle(self.tr("Save as a scenario"))
@@ -44,10 +45,11 @@ class SavingScenario(QDialog):
         self.name.textChanged.connect(self._settle)
         column.addWidget(self.name)
         column.addWidget(self._label(self.tr("What shall happen again")))
-        self.list = QListWidget()
+        self.list = Choices(theme)
         self.list.setAccessibleName(self.tr("What is expected"))
         for one in chances(course.log):
             item = QListWidgetItem(one.words(course.project))
+            item.setToolTip(item.text())
             item.setData(Qt.ItemDataRole.UserRole, one)
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             checked = Qt.CheckState.Checked if one.usual else Qt.CheckState.Unchecked

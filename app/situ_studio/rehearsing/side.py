@@ -40,6 +40,8 @@ class RehearsingSide(QObject):
         self.running: Running | None = None
         self._away = False
         """Whether the desk has taken the inspector's place."""
+        self._wide = 0
+        """Px that the inspector had."""
         self.desk = Desk(window.theme)
         self.desk.clock.restart_asked.connect(self.start_again)
         self.desk.notice.again_asked.connect(self.start_again)
@@ -91,7 +93,7 @@ class RehearsingSide(QObject):
             running.went.disconnect(self._window.robot.follower.take_rehearsed)
             other._show(running)
             # It was made as this one is kept: with the desk in the inspector's place.
-            other._away = self._away
+            other._away, other._wide = self._away, self._wide
 
     def _show(self, running: Running) -> None:
         """The desk, and every live view."""
@@ -102,6 +104,7 @@ class RehearsingSide(QObject):
         self.desk.show_running(running)
         self._show_course()
         self._away = not window.docks[AWAY].isHidden()
+        self._wide = window.docks[AWAY].width()
         window.docks[AWAY].hide()
         self._dock.show()
         window.resizeDocks([self._dock], [px(WIDE)], Qt.Orientation.Horizontal)
@@ -167,7 +170,10 @@ class RehearsingSide(QObject):
         running.deleteLater()
         self._dock.hide()
         if self._away:
-            self._window.docks[AWAY].show()
+            inspector = self._window.docks[AWAY]
+            inspector.show()
+            # Side by side they are as wide as the wider one was.
+            self._window.resizeDocks([inspector], [self._wide], Qt.Orientation.Horizontal)
         follower = self._window.robot.follower
         if follower.viewing.log is running.course.log:
             follower.show_link()
@@ -196,7 +202,7 @@ class RehearsingSide(QObject):
             window.dialogs.tell(said)
             return
         running.set_pace(0)
-        saving = SavingScenario(running.course, home, window)
+        saving = SavingScenario(running.course, home, window.theme, window)
         saving.saved.connect(lambda file: window.say(self.tr("Saved {0}").format(file.name)))
         saving.open()
 
