@@ -152,7 +152,7 @@ class ApplicationFiles(QObject):
         if new.casefold() in others:
             return True
         path = self._session.root / new
-        if not path.exists() or new in self._session.removed:
+        if not path.exists() or new in self._session.contents.removed:
             return False
         here = self._session.root / file
         return not (here.exists() and path.samefile(here))
@@ -227,7 +227,7 @@ class ApplicationFiles(QObject):
             every = []
         root = Path(project.root).resolve()
         named = [one.resolve().relative_to(root).as_posix() for one in every]
-        self._session.attend(named)
+        self._session.contents.attend(named)
         found = {file: self._session.value(file) for file in (*beside.files(project), *named)}
         return {file: value for file, value in found.items() if value is not None}
 

@@ -45,16 +45,16 @@ class DiskSide(QObject):
     def resolve(self, file: str) -> bool:
         """Asks which of both shall stay; False where that was not decided, or can not be."""
         window, session = self._window, self._window.session
-        answer = window.dialogs.conflict(session.differing(file))
+        answer = window.dialogs.conflict(session.reconciling.differing(file))
         if answer == "cancel":
             return False
         try:
             if answer == "both":
-                session.take_both(file)
+                session.reconciling.take_both(file)
             elif answer == "theirs":
-                session.take_from_disk(file)
+                session.reconciling.take_theirs(file)
             else:
-                session.keep_mine(file)
+                session.reconciling.keep_mine(file)
         except SituError as error:
             window.dialogs.tell(str(error))
             return False
@@ -92,12 +92,12 @@ class DiskSide(QObject):
         else:
             before = session.document(file)
             try:
-                session.take_from_disk(file)
+                session.reconciling.take_theirs(file)
             except SituError as error:
                 text = self.tr("Another program changed {0}, and it has errors now: {1}")
                 window.notice.ask(
                     text.format(file, error),
-                    (self.tr("Keep mine"), lambda: session.keep_mine(file)),
+                    (self.tr("Keep mine"), lambda: session.reconciling.keep_mine(file)),
                     about=file,
                 )
                 return

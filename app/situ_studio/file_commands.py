@@ -100,7 +100,8 @@ class FileCommands(SituationCommands):
     def save(self) -> bool:
         """Saves every changed document; False where a person or the disk said no."""
         self._window.finish_fields()
-        if not all(self._window.disk.resolve(file) for file in self._session.conflicts()):
+        conflicts = self._session.reconciling.conflicts()
+        if not all(self._window.disk.resolve(file) for file in conflicts):
             return False
         try:
             self._session.save()

@@ -207,7 +207,7 @@ class Recovery(QObject):
         for name, text in found.files.items():
             document, _ = edit.read(text.encode(), name)
             if isinstance(document, Lines):
-                self._session.attend((name,))
+                self._session.contents.attend((name,))
             now = self._session.value(name)
             # A part that was made, and not saved, is known to no file of the project yet.
             new = now is None and isinstance(document, Application | Catalogue)

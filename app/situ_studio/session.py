@@ -7,7 +7,7 @@ or saved (architecture, idea 1).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from datetime import datetime
 from pathlib import Path
 
@@ -15,19 +15,18 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.document import beside, folder
-from situ.document.beside import Beside, Toml
-from situ.document.catalogue import Catalogue
+from situ.document.beside import Beside
 from situ.document.check import check, merge
-from situ.document.folder import PROJECT_FILE
 from situ.document.problem import Problem
 from situ.document.project import Project
-from situ.document.rbd import Application
 from situ.errors import UsageError
-from situ_studio import project_documents, projects
+from situ_studio import projects
 from situ_studio.checking import Checker
-from situ_studio.differing import Differing, joined
-from situ_studio.edit import Document, Edit, Lines, Written, read, write
+from situ_studio.contents import Contents
+from situ_studio.edit import Document, Edit, Written, write
 from situ_studio.folder_watch import FolderWatch
+from situ_studio.language import tr
+from situ_studio.reconciling import Reconciling
 from situ_studio.undo import Looking, Selection, Step, UndoStack
 from situ_studio.waste_basket import thrown_away
 
@@ -72,20 +71,13 @@ class Session(QObject):
     ) -> None:
         super().__init__(parent)
         self.now, self.throw_away = now, throw_away
-        self._project: Project | None = None
+        self._contents: Contents | None = None
         self._read_problems: list[Problem] = []
         self._problems: list[Problem] = []
         self._by_file: dict[str, list[Problem]] = {}
         # By what problems call a file: the path as the user gave it.
         self._called: dict[str, str | None] = {}
         self._incomplete: dict[str, Written] = {}
-        self._beside: dict[str, Beside] = {}
-        self._scenarios: dict[str, Lines] = {}
-        self._apart: dict[str, Application] = {}
-        self._read: dict[str, Written] = {}
-        self._saved: dict[str, Written] = {}
-        self._removed: dict[str, None] = {}
-        self._texts: dict[str, bytes] = {}
         self._stack = UndoStack()
         self._saved_at: datetime | None = None
         self._check_soon = QTimer(self)
@@ -98,22 +90,30 @@ class Session(QObject):
         self.disk.changed.connect(self.changed_on_disk)
         self.disk.settings_changed.connect(self.read_settings)
         self.disk.gone.connect(self.folder_gone)
+        self.reconciling = Reconciling(self)
 
     # -- the project -------------------------------------------------------------
 
     @property
+    def contents(self) -> Contents:
+        """The values of the open project. UsageError while none is open."""
+        if self._contents is None:
+            raise UsageError("no project is open")
+        return self._contents
+
+    @property
     def project(self) -> Project | None:
-        return self._project
+        return self._contents.project if self._contents is not None else None
 
     @property
     def root(self) -> Path:
         """The project's folder. UsageError while none is open."""
-        return Path(self._open_project().root)
+        return self.contents.root
 
     @property
     def files(self) -> list[str]:
         """The files of all documents: applications in their order, their parts, script, modules."""
-        return project_documents.files(self._project) if self._project is not None else []
+        return self._contents.files if self._contents is not None else []
 
     @property
     def problems(self) -> list[Problem]:
@@ -122,17 +122,13 @@ class Session(QObject):
 
     def document(self, file: str) -> Document | None:
         """The document of ``file`` as it is now; None for a file the project does not have."""
-        project = self._project
-        return project_documents.document(project, file) if project is not None else None
+        return self._contents.document(file) if self._contents is not None else None
 
     def value(self, file: str) -> Written | None:
         """As ``document``, of the files beside the documents too: what the project consists of,
         its texts; None for one that is not there, or can not be read.
         """
-        document = self.document(file)
-        if document is not None:
-            return document
-        return self._beside.get(file) or self._scenarios.get(file)
+        return self._contents.value(file) if self._contents is not None else None
 
     def open(self, path: str | Path) -> None:
         """Opens a project in place of the one that was open; nothing is saved.
@@ -145,22 +141,19 @@ class Session(QObject):
         """Opens what ``folder.load`` found at ``path``; as ``open``."""
         if project is None:
             raise UsageError(str(problems[0]) if problems else f"{path}: no project could be read")
-        self._project = project
+        self._contents = contents = Contents(project, self.disk, self._on_taken)
         self._called = {}
         self._read_problems = problems
         self._stack = UndoStack()
         self._saved_at = None
-        self._read = {file: self._value(file) for file in self.files}
-        self._saved, self._removed = dict(self._read), {}
         self._incomplete = {
-            file: document
-            for file, document in self._read.items()
+            file: contents.need(file)
+            for file in contents.files
             if any(p.severity == "error" and self.file_of(p) == file for p in problems)
         }
-        self.disk.begin(Path(project.root), self.files, beside.files(project))
-        self._beside, self._scenarios, self._apart = {}, {}, {}
-        self._read_beside()
-        self._keep_texts()
+        self.disk.begin(contents.root, contents.files, beside.files(project))
+        contents.read_beside()
+        self._called = {}
         self._keep_problems(problems)
         self._check()
         self.opened.emit()
@@ -172,7 +165,7 @@ class Session(QObject):
         Such a document can not be changed: saving it would lose that for good.
         """
         if beside.is_beside(file):
-            return file not in self._beside and not self.disk.is_missing(file)
+            return file not in self.contents.beside and not self.disk.is_missing(file)
         document = self._incomplete.get(file)
         return document is not None and document is self.document(file)
 
@@ -211,15 +204,16 @@ class Session(QObject):
         """
         if any(self.is_incomplete(file) for file in changed):
             return False
-        return self._commit(changed, text, selected, looking)
+        return self.put(changed, text, selected, looking)
 
-    def _commit(
+    def put(
         self,
         changed: Mapping[str, Written | None],
         text: str,
         selected: Selection = (),
         looking: Looking | None = None,
     ) -> bool:
+        """As ``commit_all``, of incomplete documents too: what lies on disk may be whole again."""
         every = ((file, self.value(file), after) for file, after in changed.items())
         edits = tuple(
             Edit(f, before, after, text) for f, before, after in every if after is not before
@@ -268,17 +262,8 @@ class Session(QObject):
     @property
     def dirty(self) -> list[str]:
         """The files whose document is not what was last read or saved, and those taken away."""
-        return [*self._changed, *self.removed]
-
-    @property
-    def _changed(self) -> list[str]:
-        every = (*self.files, *self._beside, *self._scenarios)
-        return [f for f in every if self.value(f) is not self._saved.get(f)]
-
-    @property
-    def removed(self) -> list[str]:
-        """The files that were taken away, and lie in the folder until the project is saved."""
-        return [f for f in self._removed if f not in self.files]
+        contents = self._contents
+        return [*contents.changed, *contents.removed] if contents is not None else []
 
     # -- saving ------------------------------------------------------------------
 
@@ -287,20 +272,18 @@ class Session(QObject):
         """When ``save`` last wrote; None before that."""
         return self._saved_at
 
-    def conflicts(self) -> list[str]:
-        """The dirty files that another program changed since they were read or saved here."""
-        return [f for f in self._changed if self.disk.is_other(f)]
-
     def save(self) -> None:
-        """Writes every dirty document, canonically and atomically; see ``conflicts`` first. Then
+        """Writes every dirty document, canonically and atomically; see
+        ``Reconciling.conflicts`` first. Then
         puts what was taken away into the waste basket.
 
         Raises UsageError where a file can not be written; those written before it count as saved,
         and nothing is thrown away.
         """
+        contents = self.contents
         try:
-            for file in self._changed:
-                document = self._value(file)
+            for file in contents.changed:
+                document = contents.need(file)
                 if self.is_incomplete(file):
                     raise UsageError(
                         f"{file} is not saved: it has errors, and what they name would be lost"
@@ -308,10 +291,10 @@ class Session(QObject):
                 if beside.language_of(file) is not None:
                     (self.root / file).parent.mkdir(exist_ok=True)
                 folder.write(self.root / file, write(document))
-                self._saved[file] = document
+                contents.see_saved(file, document)
                 self.disk.see(file)
             self._saved_at = self.now()
-            for file in self.removed:
+            for file in contents.removed:
                 self._throw_away(file)
         finally:
             self.disk.watch()
@@ -319,7 +302,7 @@ class Session(QObject):
 
     def _throw_away(self, file: str) -> None:
         path = self.root / file
-        del self._removed[file]
+        self.contents.let_go(file)
         if not self.disk.is_missing(file):
             # Where letters' case does not count, another name may be the same file.
             same = any(path.samefile(self.root / f) for f in self.files if f != file)
@@ -327,80 +310,8 @@ class Session(QObject):
                 if not same:
                     self.left_over.emit(file)
                 return
-        self._saved.pop(file, None)
+        self.contents.forget_saved(file)
         self.disk.forget(file)
-
-    def attend(self, scenarios: Iterable[str]) -> None:
-        """Scenarios that are about to be changed here are values like others from now on."""
-        for file in scenarios:
-            if file not in self._scenarios and not self.disk.is_missing(file):
-                value, _ = read(self.disk.read(file), file)
-                assert isinstance(value, Lines)
-                self._scenarios[file] = self._saved[file] = value
-                self.disk.see(file)
-
-    def differing(self, file: str) -> Differing:
-        """What was changed here and what by another program since both were the same."""
-        mine, base = self._value(file), self._saved.get(file)
-        if self.disk.is_missing(file):
-            return Differing(file, mine, base, None, self._open_project(), gone=True)
-        try:
-            theirs = self._on_disk(file)
-        except UsageError as error:
-            return Differing(file, mine, base, None, self._open_project(), unread=str(error))
-        both = joined(base, mine, theirs)
-        if both is not None and self._breaks(file, both, (mine, theirs)):
-            both = None
-        return Differing(file, mine, base, theirs, self._open_project(), both)
-
-    def _breaks(self, file: str, both: Written, sources: tuple[Written, ...]) -> bool:
-        """Whether the project has errors with ``both`` that it has with none of the others."""
-
-        def errors(document: Written) -> set[tuple[str, str]]:
-            found = check(self._with(file, document))
-            return {(p.code, p.message) for p in found if p.severity == "error"}
-
-        return bool(errors(both).difference(*map(errors, sources)))
-
-    def take_from_disk(self, file: str) -> None:
-        """Reads ``file`` anew, as a step that can be undone.
-
-        Raises UsageError, naming the first problem, where it can not be read without errors.
-        """
-        document = self._on_disk(file)
-        self._take(file, document, document, self.tr("Take {0} from disk").format(file))
-
-    def take_both(self, file: str) -> None:
-        """Joins what was changed here and on disk, as a step that can be undone.
-
-        Raises UsageError where they collide, or the file can not be read without errors.
-        """
-        found = self.differing(file)
-        if found.theirs is None or found.both is None:
-            raise UsageError(found.unread or f"{file}: both changed the same thing")
-        self._take(file, found.theirs, found.both, self.tr("Join {0} with disk").format(file))
-
-    def _take(self, file: str, theirs: Written, document: Written, text: str) -> None:
-        self.disk.see(file)
-        self._saved[file] = theirs
-        self._commit({file: document}, text)
-        self.stack_changed.emit()
-
-    def _on_disk(self, file: str) -> Written:
-        document, problems = read(self.disk.read(file), file)
-        errors = [p for p in problems if p.severity == "error"]
-        if errors:
-            raise UsageError(str(errors[0]))
-        if document is None or not isinstance(document, type(self._value(file))):
-            raise UsageError(f"{file}: of another kind now")
-        return document
-
-    def keep_mine(self, file: str) -> None:
-        """The document here goes before what another program wrote: the next save overwrites it."""
-        self.disk.see(file)
-        if not self.is_incomplete(file):
-            self._saved.pop(file, None)
-        self.stack_changed.emit()
 
     def read_settings(self) -> None:
         """Reads anew what the project consists of; its documents stay as they are here, and what
@@ -409,81 +320,35 @@ class Session(QObject):
         A file that came is read; one that is named no more goes, unless it is not saved yet.
         Where that can not be read, everything stays as it is.
         """
+        contents = self.contents
         for file in self.dirty:
-            if file in self._beside and self.disk.is_other(file):
+            if file in contents.beside and self.disk.is_other(file):
                 self.changed_on_disk.emit(file)
-        before = self._open_project()
         try:
-            project, problems = folder.load(before.root)
+            project, problems = folder.load(contents.root)
         except UsageError:
             return
         if project is None or any(p.severity == "error" for p in problems):
             return
-        mine = {file: self._value(file) for file in self.files}
         dirty = self.dirty
-        self._project = project
-        there = (*self.files, *self._beside, *self._scenarios)
-        kept = [file for file in dirty if file not in there]
-        other = [f for f in self.files if f in mine and type(mine[f]) is not type(self.document(f))]
-        if kept or other:
-            # Somebody works on what would go.
-            self._project = before
+        gone = contents.adopt(project)
+        if gone is None:
             return
-        new = [file for file in self.files if file not in mine]
-        for file in self.files:
-            if file in new:
-                self._read[file] = self._saved[file] = self._value(file)
-                self.disk.see(file)
-            else:
-                self._project = self._with(file, mine[file])
-        gone = mine.keys() - set(self.files)
         self._stack.forget(gone)
-        self._saved = {f: d for f, d in self._saved.items() if f not in gone}
+        contents.read_beside(kept=dirty)
         self._called = {}
-        self._read_beside(kept=dirty)
-        self._keep_texts()
         self._check_soon.start()
         self.listed.emit()
         self.stack_changed.emit()
 
-    def _read_beside(self, kept: Sequence[str] = ()) -> None:
-        """Takes the files beside the documents as they lie there, but for those to be kept."""
-        stay = {file: self._beside[file] for file in kept if file in self._beside}
-        if stay:
-            # First of all for its languages, whose texts are read here too.
-            self._project = beside.settled(self._open_project(), stay)
-        self.disk.attend(self.files, beside.files(self._open_project()))
-        for file in beside.files(self._open_project()):
-            if file not in stay:
-                self._take_beside(file)
-        self._called = {}
-        if stay:
-            self._project = beside.settled(self._open_project(), self._beside)
-
-    def _take_beside(self, file: str) -> None:
-        """Takes one of them as it lies there; a step more, where steps lead to what it was."""
-        found = None
-        if not self.disk.is_missing(file):
-            found, _ = beside.read(self.disk.read(file), file)
-        self.disk.see(file)
-        before = self._beside.get(file)
-        if found is None:
-            if self._beside.pop(file, None) is not None:
+    def _on_taken(self, file: str, before: Beside | None, after: Beside | None) -> None:
+        """A file beside the documents is as it lies on disk: a step more, if steps lead to it."""
+        if after is None:
+            if before is not None:
                 self._stack.forget({file})
-            return
-        if found == before:
-            found = before
-        elif self._stack.leads_to(file):
-            text = self.tr("Take {0} from disk").format(file)
-            self._stack.add(Step((Edit(file, before, found, text),)))
-        self._beside[file] = self._saved[file] = self._read[file] = found
-
-    def _keep_texts(self) -> None:
-        """What stands beside the documents is known here, whatever becomes of the folder."""
-        self._texts = {}
-        for file in beside.files(self._open_project()):
-            if not self.disk.is_missing(file):
-                self._texts[file] = self.disk.read(file)
+        elif after is not before and self._stack.leads_to(file):
+            text = tr("Take {0} from disk").format(file)
+            self._stack.add(Step((Edit(file, before, after, text),)))
 
     def save_copy(self, parent: Path) -> None:
         """Puts the project, as it is here, into a folder of its own below ``parent``, and goes on
@@ -494,16 +359,16 @@ class Session(QObject):
         for file in self.files:
             if self.is_incomplete(file):
                 raise UsageError(f"{file} has errors: mend them first, or they would be lost")
-        every = (*self.files, *self._beside, *self._scenarios)
-        documents = {file: self._value(file) for file in every}
-        target = projects.copy_project(self._open_project(), self._texts, parent)
+        contents = self.contents
+        documents = {file: contents.need(file) for file in contents.every}
+        target = projects.copy_project(contents.project, contents.texts, parent)
         for file, document in documents.items():
             (target / file).parent.mkdir(parents=True, exist_ok=True)
             folder.write(target / file, write(document))
-        first = "" if self._open_project().toml is not None else self.files[0]
-        self.move(target / first)
-        self._saved.update(documents)
-        self.disk.begin(target, self.files, beside.files(self._open_project()))
+        self.move(target if contents.project.toml is not None else target / contents.files[0])
+        for file, document in documents.items():
+            contents.see_saved(file, document)
+        self.disk.begin(target, contents.files, beside.files(contents.project))
         self._saved_at = self.now()
         self.stack_changed.emit()
 
@@ -516,9 +381,10 @@ class Session(QObject):
         project, problems = folder.load(root)
         if project is None:
             raise UsageError(str(problems[0]) if problems else f"{root}: no project")
-        self._project = replace(self._open_project(), root=project.root)
+        contents = self.contents
+        contents.project = replace(contents.project, root=project.root)
         self._called = {}
-        self.disk.move(Path(project.root))
+        self.disk.move(contents.root)
         self.moved.emit()
         self.stack_changed.emit()
 
@@ -527,20 +393,21 @@ class Session(QObject):
     def check_now(self) -> None:
         """Finds the problems of the project as it is now, and waits for them."""
         self._check_soon.stop()
-        if self._project is not None:
-            self._on_found(self._project, check(self._project))
+        if self.project is not None:
+            self._on_found(self.project, check(self.project))
 
     def _check(self) -> None:
         """Has the problems found; those of a large project come later."""
-        if self._project is not None:
-            self.checker.ask(self._project)
+        if self.project is not None:
+            self.checker.ask(self.project)
 
     def _on_found(self, project: Project, found: list[Problem]) -> None:
-        if project is not self._project:
+        contents = self.contents
+        if project is not contents.project:
             return
         unread = [p for p in self._read_problems if not self._edited_since(p)]
-        for file, value in self._beside.items():
-            if value is not self._read.get(file):
+        for file, value in contents.beside.items():
+            if not contents.is_as_read(file):
                 unread += beside.problems(project, file, value)
         self._keep_problems(merge(unread, found))
         self.problems_changed.emit()
@@ -556,11 +423,11 @@ class Session(QObject):
     def file_of(self, problem: Problem) -> str | None:
         """The document that a problem is about, or the file beside them; None: another one."""
         if problem.file not in self._called:
-            root = self.root
+            contents, root = self.contents, self.root
             self._called[problem.file] = next(
                 (
                     f
-                    for f in (*self.files, *self._beside)
+                    for f in (*contents.files, *contents.beside)
                     if problem.file == f or Path(problem.file) == root / f
                 ),
                 None,
@@ -571,111 +438,23 @@ class Session(QObject):
         """The problems of one document, as ``problems`` has them."""
         return self._by_file.get(file, [])
 
-    # -- inside ------------------------------------------------------------------
-
     def _edited_since(self, problem: Problem) -> bool:
         """Whether a problem of reading is about a document that is not as it was read."""
         file = self.file_of(problem)
-        return file is not None and self.value(file) is not self._read.get(file)
+        return file is not None and not self.contents.is_as_read(file)
 
-    def _open_project(self) -> Project:
-        if self._project is None:
-            raise UsageError("no project is open")
-        return self._project
+    # -- inside ------------------------------------------------------------------
 
-    def _value(self, file: str) -> Written:
-        document = self.value(file)
-        if document is None:
-            raise UsageError(f"{file} is no document of this project")
-        return document
-
-    def _with(self, file: str, document: Written) -> Project:
-        """The project with another document in a file that it has."""
-        project = self._open_project()
-        if isinstance(document, Lines):
-            return project
-        if isinstance(document, Toml | Catalogue):
-            return beside.settled(project, {**self._beside, file: document})
-        return project_documents.exchanged(project, file, document)
-
-    def _exchange(self, file: str, document: Written | None) -> None:
-        if beside.is_beside(file):
-            self._exchange_beside(file, document)
-            return
-        if isinstance(document, Lines):
-            self._scenarios[file] = document
-            self.changed.emit(file)
-            self.stack_changed.emit()
-            return
-        project = self._open_project()
-        listed = self.document(file) is not None
-        if document is None:
-            project = project_documents.without(project, file)
-            self._apart.pop(file, None)
-            if not self.disk.is_missing(file):
-                self._removed[file] = None
-            self.disk.leave(file)
-        elif not listed:
-            assert isinstance(document, Document)
-            project = project_documents.added(project, file, document)
-            if isinstance(document, Application):
-                project = self._regrouped(project)
-            self._removed.pop(file, None)
-            self.disk.see_new(file)
-        else:
-            project = self._with(file, document)
-        self._project = project
-        self._check_soon.start()
-        if listed != (document is not None):
+    def _exchange(self, file: str, value: Written | None) -> None:
+        contents = self.contents
+        before, listing = contents.project, contents.listing
+        contents.exchange(file, value)
+        if contents.project is not before:
+            self._check_soon.start()
+        listed = contents.listing != listing
+        if listed or beside.is_beside(file):
             self._called = {}
+        if listed:
             self.listed.emit()
         self.changed.emit(file)
         self.stack_changed.emit()
-
-    def _exchange_beside(self, file: str, value: Written | None) -> None:
-        before = self._open_project()
-        if isinstance(value, Toml | Catalogue):
-            self._beside[file] = value
-        elif self.disk.is_missing(file):
-            del self._beside[file]
-        else:
-            # It was saved before it was taken back.
-            is_text = beside.language_of(file) is not None
-            self._beside[file] = Catalogue() if is_text else Toml("")
-        project = self._regrouped(before) if file == PROJECT_FILE else before
-        self._project = project = beside.settled(project, self._beside)
-        self._called = {}
-        if project.languages != before.languages:
-            # A language that came may have had texts here before.
-            self.disk.attend(self.files, beside.files(project))
-            for other in beside.files(project):
-                if other not in self._beside and other not in beside.files(before):
-                    self._take_beside(other)
-            self._project = beside.settled(project, self._beside)
-        self._check_soon.start()
-        if [*project.applications] != [*before.applications] or project.name != before.name:
-            self.listed.emit()
-        self.changed.emit(file)
-        self.stack_changed.emit()
-
-    def _regrouped(self, project: Project) -> Project:
-        """The project with the applications that its ``situ.toml`` names: those read before, those
-        that are read now, not what can not be read. What it has no more is kept for undo.
-        """
-        toml = self._beside.get(PROJECT_FILE)
-        if not isinstance(toml, Toml):
-            return project
-        for file in beside.applications(toml):
-            if file not in project.flows and file not in self._apart:
-                self._read_application(file)
-        project, gone = beside.grouped(project, toml, self._apart)
-        self._apart |= gone
-        return project
-
-    def _read_application(self, file: str) -> None:
-        if folder.resolve(self.root, file) is None or self.disk.is_missing(file):
-            return
-        document, problems = read(self.disk.read(file), file)
-        if isinstance(document, Application) and not any(p.severity == "error" for p in problems):
-            self._apart[file] = self._read[file] = self._saved[file] = document
-            self.disk.see(file)

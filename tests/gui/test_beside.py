@@ -145,14 +145,14 @@ def test_texts_changed_here_and_there_are_told_and_joined(session: Session, fold
     spy = QSignalSpy(session.changed_on_disk)
     session.disk.look()
     assert spy.count() == 1
-    assert session.conflicts() == [JA]
-    found = session.differing(JA)
+    assert session.reconciling.conflicts() == [JA]
+    found = session.reconciling.differing(JA)
     assert [c.text for c in found.my_changes] == ["in ja, “Home”: “最初へ” → “玄関”"]
     assert {c.text for c in found.their_changes} >= {"in ja, “Repeat”: “もう一度” → “再び”"}
-    session.take_both(JA)
+    session.reconciling.take_both(JA)
     assert (used(session, "ja", "Home"), used(session, "ja", "Repeat")) == ("玄関", "再び")
     session.save()
-    assert session.conflicts() == []
+    assert session.reconciling.conflicts() == []
 
 
 def test_settings_changed_here_and_there_are_told_in_words(session: Session, folder: Path) -> None:
@@ -162,10 +162,10 @@ def test_settings_changed_here_and_there_are_told_in_words(session: Session, fol
     session.disk.look()
     assert session.project is not None
     assert session.project.name == "mine"
-    found = session.differing(TOML)
+    found = session.reconciling.differing(TOML)
     assert [c.text for c in found.their_changes] == ["project's name “reception” → “theirs”"]
     assert found.both is None
-    session.take_from_disk(TOML)
+    session.reconciling.take_theirs(TOML)
     assert (session.project.name, session.dirty) == ("theirs", [])
 
 

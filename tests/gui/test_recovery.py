@@ -236,7 +236,7 @@ for turn in range(12):
     assert document is not None and not problems, (turn, problems)
     assert codec.write(document) == data, turn
     if window.session.disk.is_other(FILE):
-        window.session.take_from_disk(FILE)
+        window.session.reconciling.take_theirs(FILE)
     for file in home.glob("*.json"):
         kept = read(file)
         assert kept is not None, (turn, file)

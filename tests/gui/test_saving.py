@@ -159,7 +159,7 @@ def test_a_file_with_reading_errors_is_shown_and_never_saved_over(
     assert "not changed" in used.window.status.said.text()
     used.click(used.window.palette_.item("state"))
     assert used.session.undo_text is None
-    used.session.keep_mine(FILE)
+    used.session.reconciling.keep_mine(FILE)
     used.key(Qt.Key.Key_S, CONTROL)
     assert (folder / FILE).read_bytes() == there
 
@@ -230,7 +230,7 @@ def test_what_fits_together_no_more_is_not_joined(studio: Start, project: Copy) 
     assert leading.no != "9"
     elsewhere(folder, "</application>", '<state no="99"><timeout next="2">5</timeout></state>'
               "</application>")  # fmt: skip
-    assert used.session.differing(FILE).both is None
+    assert used.session.reconciling.differing(FILE).both is None
 
 
 def test_a_file_that_is_gone_is_told_and_written_again_where_one_wants_that(
@@ -261,7 +261,7 @@ def test_the_question_shows_both_sides_and_gives_the_chosen_answer(
     rename(used, "mine")
     elsewhere(folder, 'no="1" name="start"', 'no="1" name="begin"')
     for answer in ("both", "theirs", "mine", "cancel"):
-        dialog = ConflictDialog(used.session.differing(FILE), used.window)
+        dialog = ConflictDialog(used.session.reconciling.differing(FILE), used.window)
         dialog.show()
         assert "intro → mine" in dialog.mine.item(0).text()
         assert "start → begin" in dialog.theirs.item(0).text()
@@ -269,7 +269,7 @@ def test_the_question_shows_both_sides_and_gives_the_chosen_answer(
         assert dialog.answer == answer
         dialog.deleteLater()
     elsewhere(folder, 'name="intro"', 'name="theirs"')
-    dialog = ConflictDialog(used.session.differing(FILE), used.window)
+    dialog = ConflictDialog(used.session.reconciling.differing(FILE), used.window)
     assert "both" not in dialog.buttons
     assert "partly the same things" in dialog.words.text()
     dialog.deleteLater()

@@ -142,7 +142,7 @@ def test_saving_an_unchanged_example_changes_no_byte(studio: Start, project: Cop
         before = {f: f.read_bytes() for f in folder.rglob("*.xml")}
         used = studio(folder)
         for file in used.session.files:
-            used.session.keep_mine(file)
+            used.session.reconciling.keep_mine(file)
         used.session.save()
         assert {f: f.read_bytes() for f in folder.rglob("*.xml")} == before
 

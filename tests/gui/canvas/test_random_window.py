@@ -214,7 +214,9 @@ class Walker:
             self.window.problems.mend_asked.emit(self.random.choice(found))
 
     def save(self) -> None:
-        answers = [self.random.choice(["mine", "theirs"]) for _ in self.session.conflicts()]
+        answers = [
+            self.random.choice(["mine", "theirs"]) for _ in self.session.reconciling.conflicts()
+        ]
         self.used.answers.waiting["conflict"] = answers
         self.key(Qt.Key.Key_S, CONTROL)
         self.used.answers.waiting["conflict"] = []
