@@ -5,11 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 END: dict[str, Any] = {"at": 100, "end": True}
-
 STOP: dict[str, Any] = {"set": {"busy": True}}
-
 GO_ON: dict[str, Any] = {"set": {"busy": False}}
-
 AT = 'x="1" y="1" width="9" height="9"'
 
 

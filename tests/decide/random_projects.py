@@ -40,19 +40,12 @@ from situ.document.rbd import Robot as RobotAction
 from situ.document.spds import Declaration, Entry, Situation, Spds
 
 FEW = settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
-
 TAGS = ("x", "y")
-
 RESOURCES = ("arm", "head", "screen", "speech")
-
 MODULES = ("m", "n", "o")
-
 NAMES = ("go", "on", "timeout", "said", "resumed")
-
 SECOND = 1_000_000
-
 values = st.sampled_from([None, 0, 1, 2, True, "a", [1, 2]])
-
 seconds = st.sampled_from([0.5, 1, 2, 3])
 
 tests = st.builds(
@@ -75,7 +68,6 @@ nodes = st.recursive(
 )
 
 conditions = st.builds(Condition, st.lists(nodes, min_size=1, max_size=2).map(tuple))
-
 raised = st.none() | st.sampled_from(NAMES)
 
 silent: st.SearchStrategy[Action] = st.one_of(
@@ -112,7 +104,6 @@ screens = st.none() | st.sampled_from(
 )
 
 STATES = ("1", "2", "3")
-
 targets = st.sampled_from([*STATES, AGAIN, BACK])
 
 named = st.builds(
@@ -124,11 +115,8 @@ named = st.builds(
 )
 
 repeats = st.just(Event(name="on", actions=(Repeat(),)))
-
 unnamed = st.builds(Event, next=targets, when=conditions)
-
 events = st.lists(st.one_of(named, repeats, unnamed), max_size=3).map(tuple)
-
 timeouts = st.none() | st.builds(Timeout, seconds, st.none() | targets, st.booleans())
 
 
@@ -185,9 +173,7 @@ def projects(draw: st.DrawFn) -> Project:
 
 
 sets_of_resources = st.lists(st.sampled_from(RESOURCES), unique=True, max_size=3).map(tuple)
-
 modules = st.sampled_from(MODULES)
-
 one_or_all = st.sampled_from([None, "a", "b"])
 
 operators: st.SearchStrategy[inputs.AnyInput] = st.one_of(
@@ -219,7 +205,6 @@ given_inputs: st.SearchStrategy[inputs.AnyInput] = st.one_of(
 )
 
 Scenario = list[tuple[int, inputs.AnyInput]]
-
 scenarios = st.lists(st.tuples(st.integers(0, 4), given_inputs), max_size=25)
 
 

@@ -16,7 +16,6 @@ from situ.document.condition import Group
 from situ.document.diff import compare
 
 Place = tuple[str, ...]
-
 SEEDS = st.integers(0, 10**9)
 
 
