@@ -1,4 +1,4 @@
-"""The robot's page as screens come and go: what stays, what is said, a robot started anew, its key."""
+"""The robot's page: what stays between screens, what is said, a robot started anew, its key."""
 
 from __future__ import annotations
 
